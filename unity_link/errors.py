@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import contextlib
 import enum
+from asyncio import CancelledError
 from typing import TYPE_CHECKING, Any, Never, Self, TypeVar
 
 if TYPE_CHECKING:
@@ -16,6 +17,9 @@ if TYPE_CHECKING:
 
 
 T = TypeVar("T")
+ANY_ERROR = (Exception, CancelledError)
+"""Errors that a user's function may raise and that must stop nothing else; the latter comes of asking a task that was
+cancelled for its result."""
 
 
 class UnityLinkError(Exception):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import gc
+import itertools
 import math
 import random
 import tracemalloc
@@ -703,6 +704,69 @@ async def test_an_attempt_to_open_again_has_the_time_of_the_first_however_short_
             await link.read(0)
         assert 0.1 < now() - began < 2
         assert link.statistics.reconnections == 1
+
+
+class Dying(Valve):
+    """Answers each connection, and has it lost some time later.
+
+    Args:
+        gateway: what is behind.
+        lives: seconds that connections last, one after the other; then they last.
+    """
+
+    def __init__(self, gateway: Gateway, lives: list[float]) -> None:
+        super().__init__(gateway)
+        self.lives = [*lives]
+        self.opened: list[float] = []
+
+    async def open(self, protocol: asyncio.Protocol) -> asyncio.Transport:
+        self.opened.append(now())
+        transport = await super().open(protocol)
+        if self.lives:
+            asyncio.get_running_loop().call_later(self.lives.pop(0), transport.abort)
+        return transport
+
+
+@on_simulated_time
+async def test_reconnections_that_succeed_and_die_at_once_get_a_growing_pause_and_one_that_lasts_none(
+    make_direct: Maker,
+) -> None:
+    at_once, lasting = [0.01] * 8, [30.0]
+    gateway = Dying(make_direct(), [1.0, *at_once, *lasting])
+    async with unity_link.connect(gateway, reconnect=Reconnect(first_pause=0.1, longest_pause=2)) as link:
+        await asyncio.sleep(60)
+        assert await link.read(0) == 0
+        assert link.statistics.reconnections == 10
+        # Without the pauses of one chosen at random that is added to each.
+        pauses = [after - before for before, after in itertools.pairwise(gateway.opened)]
+    assert pauses[0] == pytest.approx(1, abs=0.01)
+    for pause, doubled in zip(pauses[1:9], [0.1, 0.2, 0.4, 0.8, 1.6, 2, 2, 2], strict=True):
+        assert doubled < pause < doubled + 0.12
+    assert pauses[9] == pytest.approx(30, abs=0.01)
+
+
+@on_simulated_time
+@pytest.mark.parametrize("error", [KeyError("idle_for"), RuntimeError("no such device"), asyncio.CancelledError()])
+async def test_an_attempt_that_fails_in_a_way_that_nobody_foresaw_is_told_and_followed_by_another(
+    make_direct: Maker, error: BaseException, caplog: pytest.LogCaptureFixture
+) -> None:
+    class Failing(Dying):
+        async def open(self, protocol: asyncio.Protocol) -> asyncio.Transport:
+            if len(self.opened) in (1, 2):
+                self.opened.append(now())
+                raise error
+            return await super().open(protocol)
+
+    gateway = Failing(make_direct(), [])
+    async with unity_link.connect(gateway, reconnect=True) as link:
+        cut(link)
+        assert await link.read(0) == 0
+        assert link.statistics.reconnections == 1
+        assert len(gateway.opened) == 4
+        told = [record for record in caplog.records if record.levelname == "ERROR"]
+        # One that the driver's task raises, as if the link was cancelled, is an error of the driver.
+        is_told = isinstance(error, Exception)
+        assert [record.exc_info and record.exc_info[1] for record in told] == [error] * (2 if is_told else 0)
 
 
 @on_simulated_time

@@ -282,13 +282,13 @@ def test_what_has_no_way_to_be_read_or_written_is_no_device() -> None:
         VirtualGateway().attach(ReadOnly(), [0x20])  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize("word", [None, 1.5, "1", ZeroDivisionError("in the device")])
+@pytest.mark.parametrize("word", [None, 1.5, "1", ZeroDivisionError("in the device"), asyncio.CancelledError()])
 def test_a_bug_of_a_device_is_a_bus_error_of_who_asks_and_logged_for_its_author(
     word: Any, caplog: pytest.LogCaptureFixture
 ) -> None:
     class Buggy(Counting):
         def read(self, offset: int, now: float) -> Any:
-            if isinstance(word, Exception):
+            if isinstance(word, BaseException):
                 raise word
             return word
 
@@ -312,6 +312,6 @@ def test_a_bug_of_a_device_is_a_bus_error_of_who_asks_and_logged_for_its_author(
 
     ask()
     records = [(record.name, record.exc_info and record.exc_info[0]) for record in caplog.records]
-    kind = type(word) if isinstance(word, Exception) else TypeError
+    kind = type(word) if isinstance(word, BaseException) else TypeError
     assert records == [("unity_link.virtual", kind), ("unity_link.virtual", IndexError)]
     assert "failed in a read at 0x20, which is a bus error (told once)" in caplog.messages[0]

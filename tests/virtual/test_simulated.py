@@ -258,6 +258,9 @@ class Wrong(SimulatedRobot):
     def written(self, path: str, value: Any) -> None:
         if value == 13:
             raise ZeroDivisionError("unlucky")
+        if value == 14:
+            # As the result of a task that was cancelled.
+            raise asyncio.CancelledError
 
 
 @on_simulated_time
@@ -268,6 +271,9 @@ async def test_a_bug_in_a_model_is_a_bus_error_to_the_program_and_a_traceback_to
         with pytest.raises(BusError):
             await robot.lamps.set(13)
         assert "ZeroDivisionError: unlucky" in errors_of(caplog)
+        with pytest.raises(BusError):
+            await robot.lamps.set(14)
+        assert "CancelledError" in errors_of(caplog)
         await robot.lamps.set(12)
         await asyncio.sleep(0.4)
         await robot.lamps.get()
@@ -286,6 +292,7 @@ async def test_a_bug_in_a_model_is_a_bus_error_to_the_program_and_a_traceback_to
         ("def start(self): self.trigger('motion')", "rover has no trigger in the group 'motion': .* are bump"),
         ("def start(self): self.set_fault('left.sped')", "no fault and no signal 'left.sped': did you mean 'left.spee"),
         ("def start(self): 1 / 0", "the model Model cannot be made for rover: ZeroDivisionError"),
+        ("def start(self): raise CancelledError", "the model Model cannot be made for rover: CancelledError"),
         ("def __init__(self): pass", "the model Model cannot be made for rover: TypeError"),
         ("left = 3", "Model.left hides left of rover: call it otherwise"),
     ],
@@ -293,7 +300,8 @@ async def test_a_bug_in_a_model_is_a_bus_error_to_the_program_and_a_traceback_to
 def test_a_mistake_in_a_model_is_one_clear_error(body: str, words: str, tmp_path: Path) -> None:
     file = tmp_path / "wrong.py"
     file.write_text(
-        f"from unity_link.virtual.simulated import SimulatedRobot\nclass Model(SimulatedRobot):\n    {body}\n"
+        "from asyncio import CancelledError\nfrom unity_link.virtual.simulated import SimulatedRobot\n"
+        f"class Model(SimulatedRobot):\n    {body}\n"
     )
     with pytest.raises(ArgumentError, match=words):
         simulate(ROVER, load_model(f"{file}:Model"))

@@ -6,8 +6,6 @@ import asyncio
 from contextlib import asynccontextmanager
 from typing import TYPE_CHECKING, TypeVar
 
-from tenacity import AsyncRetrying, RetryCallState, retry_if_exception_type, wait_fixed
-
 from unity_link.errors import BusTimeoutError, ConnectError, GatewayResetError
 from unity_link.link.link import connect
 from unity_link.transport import parse_url, prepare
@@ -37,20 +35,21 @@ async def connect_when_there(url: str, report: Callable[[str], None]) -> AsyncIt
         ConnectError: where no such gateway can be reached from here, whether it is there or not.
         UnsupportedError: for a gateway of another protocol version.
     """
-
-    async def attempt() -> Link:
-        return await connect(url, reconnect=True)
-
-    def tell(state: RetryCallState) -> None:
-        if state.attempt_number == 1 and state.outcome is not None:
-            report(f"waiting for the gateway: {state.outcome.exception()}")
-
     await prepare(parse_url(url))
-    attempts = AsyncRetrying(
-        retry=retry_if_exception_type(ConnectError), wait=wait_fixed(LOOK_EVERY), before_sleep=tell, reraise=True
-    )
-    async with await attempts(attempt) as link:
+    async with await _connect(url, report) as link:
         yield link
+
+
+async def _connect(url: str, report: Callable[[str], None]) -> Link:
+    is_told = False
+    while True:
+        try:
+            return await connect(url, reconnect=True)
+        except ConnectError as error:
+            if not is_told:
+                report(f"waiting for the gateway: {error}")
+            is_told = True
+        await asyncio.sleep(LOOK_EVERY)
 
 
 async def begin_when_there(

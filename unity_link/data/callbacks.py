@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import inspect
-from asyncio import CancelledError
 from typing import TYPE_CHECKING, Generic, TypeVar
 
-from unity_link.errors import ArgumentError
+from unity_link.errors import ANY_ERROR, ArgumentError
 from unity_link.link.runtime import report
 
 if TYPE_CHECKING:
@@ -44,8 +43,7 @@ class Callback(Generic[T]):
         """Call the function."""
         try:
             result = self._function(value)
-        except (Exception, CancelledError) as error:  # noqa: BLE001  (it is the caller's own)
-            # It may be anything; that of a task which was cancelled comes of asking for its result.
+        except ANY_ERROR as error:
             self._tell(error)
             return
         if inspect.iscoroutine(result):

@@ -2,8 +2,8 @@
 
 A call runs until it has to wait, and then polls the medium itself. Where several threads wait, one of them polls for
 all, and hands over to another when its own call is done. While there is a subscription, or a lost connection is being
-opened again, a thread of the link's own polls. A medium that only an event loop can open is opened in the
-thread of one (`relay`).
+opened again, a thread of the link's own polls, and runs the coroutine that opens it: so none changes threads, and none
+is in the way of a Ctrl-C. A medium that only an event loop can open is opened in the thread of one (`relay`).
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ class _Run:
 
 
 class _Job(_Run):
-    """A coroutine that runs beside the calls, in whatever thread polls."""
+    """A coroutine that runs beside the calls, in the link's own thread."""
 
     __slots__ = ("_cancelled", "_coroutine", "_runtime", "ended")
 
@@ -88,7 +88,7 @@ class _Job(_Run):
             self._end()
             report("what runs beside the calls of a link has failed", error)
         else:
-            waiter.on_done = lambda: self._runtime.call_soon(self.step)
+            waiter.on_done = lambda: self._runtime.go_on(self)
             if self._cancelled:
                 waiter.cancel()
 
@@ -136,6 +136,10 @@ class CallingThread:
         self._closed = False
         self._attended = 0
         self._attendant: threading.Thread | None = None
+        self._resting: threading.Lock | None = None
+        """Of `_parked`, that of the attendant."""
+        self._jobs: deque[_Job] = deque()
+        """Those that the attendant is to run until their next wait."""
         self._waking, self._woken = socket.socketpair()
         for end in (self._waking, self._woken):
             end.setblocking(False)  # noqa: FBT003  (it has no name)
@@ -199,6 +203,7 @@ class CallingThread:
         parked = threading.Lock()
         parked.acquire()
         if waiter is None:
+            self._resting = parked
             self._parked.insert(0, parked)
         else:
             self._parked.append(parked)
@@ -211,7 +216,9 @@ class CallingThread:
                 self._take_lock()
             finally:
                 self._parked.remove(parked)
-                if waiter is not None:
+                if waiter is None:
+                    self._resting = None
+                else:
                     waiter.on_done = self._stir
 
     def _hand_over(self) -> None:
@@ -220,7 +227,7 @@ class CallingThread:
             return
         if self._parked:
             _wake(self._parked[0])
-        elif self._closed and self._woken.fileno() in self._handlers:
+        elif self._closed and self._attendant is None and self._woken.fileno() in self._handlers:
             self.unwatch(self._woken.fileno())
             self._waking.close()
             self._woken.close()
@@ -279,11 +286,19 @@ class CallingThread:
         self._send_byte()
 
     def create_task(self, coroutine: Coroutine[Any, Any, None], /) -> _Job:
-        """Run a coroutine beside the calls; a thread polls until it ends."""
+        """Run a coroutine beside the calls, in the link's own thread, which polls until it ends."""
         job = _Job(self, coroutine)
         self.attend()
-        self.call_soon(job.step)
+        self.go_on(job)
         return job
+
+    def go_on(self, job: _Job) -> None:
+        """Have the link's own thread run a job until its next wait."""
+        self._jobs.append(job)
+        if self._resting is None:
+            self._stir()
+        else:
+            _wake(self._resting)
 
     def wake(self) -> None:
         """Do nothing: who awaits something goes on by itself."""
@@ -341,7 +356,7 @@ class CallingThread:
     async def prepare(self, url: DriverUrl) -> None:
         """Do what must be done once before a medium of this kind can be opened."""
         if hasattr(load_driver(url.scheme), "prepare"):
-            self._outside(run_in_loop, lambda: prepare_medium(url))
+            self._aside(run_in_loop, lambda: prepare_medium(url))
 
     async def open_medium(self, target: DriverUrl | Medium, stream: Stream) -> None:
         """Connect a stream to a medium."""
@@ -349,12 +364,22 @@ class CallingThread:
             protocol, left = observed(target, stream), self.running.deadline
             seconds = LONGEST_WAIT if left is None else max(0.001, left - self.time())
             patience = seconds if seconds < LONGEST_WAIT else None
-            channel = self._outside(open_channel, target, patience)
+            channel = self._aside(open_channel, target, patience)
             make_transport(self, channel, protocol)
             return
         relay = Relay(self, target, stream)
         self._relays = [other for other in self._relays if not other.has_ended] + [relay]
         await relay.open()
+
+    def _aside(self, function: Callable[P, T], *arguments: P.args, **options: P.kwargs) -> T:
+        """Call a function that waits, without the lock, while other threads run and poll."""
+        run = self.running
+        try:
+            self._lock.release()
+            return function(*arguments, **options)
+        finally:
+            self._take_lock()
+            self.running = run
 
     def _outside(self, function: Callable[P, T], *arguments: P.args, **options: P.kwargs) -> T:
         """Call a function that waits, without the lock; other threads wait for this one meanwhile."""
@@ -399,12 +424,19 @@ class CallingThread:
 
     def _attend(self) -> None:
         with self._lock:
-            self._run_ready()
+            self._run_all()
             while self._attended:
                 if self._polling:
                     self._park(None)
                 else:
                     self._poll_once(may_spin=False)
-                self._run_ready()
+                self._run_all()
             self._attendant = None
             self._hand_over()
+
+    def _run_all(self) -> None:
+        """Run all that need not wait."""
+        while self._ready or self._jobs:
+            self._run_ready()
+            if self._jobs:
+                self._jobs.popleft().step()

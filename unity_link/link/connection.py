@@ -27,7 +27,7 @@ from unity_link.errors import (
     reason_of,
 )
 from unity_link.link.flow import Flow
-from unity_link.link.runtime import AsyncioRuntime
+from unity_link.link.runtime import AsyncioRuntime, report
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.group_table import GroupsRestored
 from unity_link.protocol.numbers import real_number
@@ -46,6 +46,8 @@ if TYPE_CHECKING:
 log = logging.getLogger("unity_link.link")
 CONNECT_TIMEOUT = 5.0
 """Seconds until a gateway must have answered, where nothing else is said."""
+_MOST_DOUBLINGS = 100
+"""Enough to come from any pause to any other that a program may want."""
 _SEED_BITS = 16
 """Enough to choose any ID by."""
 
@@ -53,7 +55,8 @@ _SEED_BITS = 16
 class Reconnect(msgspec.Struct, frozen=True, kw_only=True):
     """Reopening of a lost connection: with pauses that double from `first_pause` to `longest_pause` seconds.
 
-    Each attempt may take as long as the first one might, the ``timeout`` of `connect`.
+    Each attempt may take as long as the first one might, the ``timeout`` of `connect`. The first is made at once. A
+    connection that was opened again, and lost before the next pause was over, counts as an attempt that failed.
     """
 
     first_pause: float = 0.1
@@ -70,6 +73,14 @@ class Reconnect(msgspec.Struct, frozen=True, kw_only=True):
         what = "give_up_after is a number of seconds from 0 on, or None"
         if self.give_up_after is not None and not real_number(self.give_up_after, what) >= 0:
             raise ArgumentError(f"{what}, not {self.give_up_after!r:.80}")
+
+    def pause_after(self, failures: int) -> float:
+        """Return the seconds from the last of so many failed attempts, 1 at least, to the next attempt.
+
+        They are a little different each time, so that programs that lost the same gateway come one after the other.
+        """
+        doubled = self.first_pause * 2.0 ** min(failures - 1, _MOST_DOUBLINGS)
+        return min(doubled, self.longest_pause) + random.uniform(0, self.first_pause)  # noqa: S311  (no secret)
 
 
 def choose_seed() -> int:
@@ -126,6 +137,10 @@ class Connection:
         self._reconnection: Job | None = None
         self._resumption: Job | None = None
         self._sessions = 0
+        self._opened_again_at = -math.inf
+        """When an attempt to connect again has succeeded, the last time."""
+        self._lost_at_once = 0
+        """Reconnections, up to now and one after the other, that were lost again before the next pause was over."""
         self._closed = self._closed_by_program = False
 
     # What builds on this says
@@ -294,40 +309,54 @@ class Connection:
             self._reconnection = self._runtime.create_task(self._reopen("", self._reconnect))
 
     async def _reopen(self, reason: str, reconnect: Reconnect) -> None:
-        from tenacity import AsyncRetrying, RetryError, retry_if_exception_type
-        from tenacity.wait import wait_exponential, wait_random
-
-        began, longest = self._now(), reconnect.give_up_after
-        pause = wait_exponential(reconnect.first_pause, reconnect.longest_pause) + wait_random(0, reconnect.first_pause)
-
-        def left() -> float:
-            return math.inf if longest is None else began + longest - self._now()
-
-        attempts = AsyncRetrying(
-            sleep=self._runtime.sleep,
-            retry=retry_if_exception_type((ConnectError, UnansweredError)),
-            # The last attempt has time, too.
-            wait=lambda state: min(pause(state), left() / 2),
-            # The library's own limit looks at another clock than the loop's.
-            stop=lambda _: left() <= reconnect.first_pause,
-            before_sleep=lambda state: self._failed_to_open(state.outcome.exception() if state.outcome else None),
-        )
+        """Open the connection as soon as that can be, or end the link."""
+        longest = reconnect.give_up_after
+        end = math.inf if longest is None else self._now() + longest
+        failures = self._lost_at_once = self._count_lost_at_once(reconnect)
         try:
-            async for attempt in attempts:
-                with attempt:
-                    await self._open_again(max(min(self._open_timeout, left()), reconnect.first_pause))
-        except RetryError as error:
-            self._end(LinkLostError(f"{reason}, and no reconnection succeeded ({error.last_attempt.exception()})"))
-        except Exception as error:  # noqa: BLE001  (whatever it is, no call may wait for a link that is gone)
+            while True:
+                if failures:
+                    # The last attempt has time, too.
+                    await self._runtime.sleep(max(0.0, min(reconnect.pause_after(failures), (end - self._now()) / 2)))
+                error = await self._attempt(max(min(self._open_timeout, end - self._now()), reconnect.first_pause))
+                if error is None:
+                    self._opened_again_at = self._now()
+                    return
+                if end - self._now() <= reconnect.first_pause:
+                    self._end(LinkLostError(f"{reason}, and no reconnection succeeded ({error})"))
+                    return
+                failures += 1
+                log.info("%s: not connected (%s); trying again", self._name, error)
+                self._unreachable(error)
+        except UnityLinkError as error:
             lost = LinkLostError(f"{reason}, and the reconnection failed ({error})" if reason else str(error))
             lost.__cause__ = error
             self._end(lost)
         finally:
             self._reconnection = None
 
-    def _failed_to_open(self, error: BaseException | None) -> None:
-        log.info("%s: not connected (%s); trying again", self._name, error)
-        self._unreachable(error)
+    def _count_lost_at_once(self, reconnect: Reconnect) -> int:
+        count = self._lost_at_once + 1
+        return count if self._now() - self._opened_again_at < reconnect.pause_after(count) else 0
+
+    async def _attempt(self, timeout: float) -> Exception | None:  # noqa: ASYNC109  (as `open`)
+        """Open the connection again, and return the error of an attempt that another one may follow.
+
+        Raises:
+            UnityLinkError: where no other attempt would succeed.
+        """
+        try:
+            await self._open_again(timeout)
+        except (ConnectError, UnansweredError) as error:
+            return error
+        except UnityLinkError:
+            raise
+        except Exception as error:  # noqa: BLE001  (a medium of the user's own may raise anything)
+            report(f"{self._name}: an attempt to connect again has failed; there will be another", error)
+            if self._flow.stream is not None:
+                self._lose(str(error))
+            return error
+        return None
 
     async def _open_again(self, timeout: float) -> None:  # noqa: ASYNC109  (as `open`)
         await self._open(timeout)

@@ -10,7 +10,6 @@ import contextlib
 import inspect
 import time
 import warnings
-from asyncio import CancelledError
 from collections import deque
 from numbers import Integral
 from operator import itemgetter
@@ -20,6 +19,7 @@ import msgspec
 
 from unity_link import protocol
 from unity_link.errors import (
+    ANY_ERROR,
     ArgumentError,
     BusTimeoutError,
     LinkClosedError,
@@ -531,7 +531,7 @@ class Intake:
     def _call(self, callback: Callable[[Sample], object], sample: Sample) -> None:
         try:
             callback(sample)
-        except (Exception, CancelledError) as error:  # noqa: BLE001  (it is the caller's own)
+        except ANY_ERROR as error:
             # It must not stop the link.
             # With each sample, it would be told thousands of times a second.
             if type(error) not in self._told:

@@ -332,13 +332,21 @@ async def open_medium(target: DriverUrl | Medium, protocol: asyncio.Protocol) ->
         ArgumentError: for a snoop that can't be written; nothing was opened.
         ConnectError: where the medium can't be opened.
     """
+    import asyncio
+
     protocol = observed(target, protocol)
-    if not isinstance(target, DriverUrl):
-        return await target.open(protocol)
-    with refused_as("it cannot be opened"):
-        if _is_shared(target):
-            return await _open_shared(target, protocol)
-        return await load_driver(target.scheme).connect(target, protocol)
+    try:
+        if not isinstance(target, DriverUrl):
+            return await target.open(protocol)
+        with refused_as("it cannot be opened"):
+            if _is_shared(target):
+                return await _open_shared(target, protocol)
+            return await load_driver(target.scheme).connect(target, protocol)
+    except asyncio.CancelledError as error:
+        task = asyncio.current_task()
+        if task is None or task.cancelling():
+            raise
+        raise ConnectError("it cannot be opened (its driver raised CancelledError)") from error
 
 
 def _is_shared(url: DriverUrl) -> bool:

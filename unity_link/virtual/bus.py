@@ -10,7 +10,7 @@ import logging
 import operator
 from typing import TYPE_CHECKING, Protocol
 
-from unity_link.errors import ArgumentError
+from unity_link.errors import ANY_ERROR, ArgumentError
 from unity_link.protocol.messages import ErrorCode
 
 if TYPE_CHECKING:
@@ -72,7 +72,7 @@ class Devices(dict[int, tuple[Device, int]]):
     def __init__(self, address_bits: int) -> None:
         super().__init__()
         self._address_bits = address_bits
-        self._told: set[tuple[int, type[Exception]]] = set()
+        self._told: set[tuple[int, type[BaseException]]] = set()
 
     def attach(self, device: Device, addresses: Iterable[int]) -> list[int]:
         """Put a device behind addresses, and return these; the first is its offset 0.
@@ -101,7 +101,7 @@ class Devices(dict[int, tuple[Device, int]]):
             return operator.index(device.read(offset, now))
         except AccessError:
             raise
-        except Exception as error:  # noqa: BLE001  (it may be anything)
+        except ANY_ERROR as error:
             raise self._bug(device, f"read at {address:#x}", error) from None
 
     def write(self, address: int, value: int, now: float) -> None:
@@ -115,10 +115,10 @@ class Devices(dict[int, tuple[Device, int]]):
             device.write(offset, value, now)
         except AccessError:
             raise
-        except Exception as error:  # noqa: BLE001  (it may be anything)
+        except ANY_ERROR as error:
             raise self._bug(device, f"write at {address:#x}", error) from None
 
-    def _bug(self, device: Device, what: str, error: Exception) -> AccessError:
+    def _bug(self, device: Device, what: str, error: BaseException) -> AccessError:
         kind = id(device), type(error)
         if kind not in self._told:
             self._told.add(kind)

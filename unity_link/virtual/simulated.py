@@ -23,7 +23,7 @@ import time
 from collections import deque
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from unity_link.errors import ArgumentError
+from unity_link.errors import ANY_ERROR, ArgumentError
 from unity_link.protocol.messages import ErrorCode
 from unity_link.spec import ComponentArray
 from unity_link.spec.diagnostics import did_you_mean
@@ -326,7 +326,7 @@ class SimulatedRobot(Part):
     def _step(self, dt: float) -> None:
         try:
             self.step(dt)
-        except Exception as error:
+        except ANY_ERROR as error:
             self._failed = True
             _LOG.exception("%r failed %.3f s after its start: all accesses are bus errors from now on", self, self.now)
             raise AccessError(ErrorCode.BUS_ERROR) from error

@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from unity_link.errors import ArgumentError
+from unity_link.errors import ANY_ERROR, ArgumentError
 from unity_link.virtual.bus import AccessError
 from unity_link.virtual.gateway import BareGateway
 
@@ -213,7 +213,7 @@ def make_robot(interface: Interface, model: type[SimulatedRobot] | None) -> Simu
         robot.prepare()
     except ArgumentError:
         raise
-    except Exception as error:
+    except ANY_ERROR as error:
         _LOG.exception("%s cannot be made", kind.__name__)
         raise ArgumentError(
             f"the model {kind.__name__} cannot be made for {interface.name}: {type(error).__name__}: {error}"
@@ -280,7 +280,7 @@ def _import(place: str) -> Any:
         assert spec.loader is not None
         module = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(module)
-    except Exception as error:
+    except ANY_ERROR as error:
         if isinstance(error, ModuleNotFoundError) and error.name == place:
             raise ArgumentError(f"there is no module {place!r}: a file of the model ends in .py") from None
         _LOG.exception("%s cannot be imported", place)
