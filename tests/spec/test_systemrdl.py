@@ -59,7 +59,7 @@ def returned(interface: Interface, folder: Path) -> Interface:
     """Export an interface and import it again."""
     path = folder / "out.rdl"
     path.write_text(export_text(interface), encoding="utf-8")
-    return compile_text(import_file(path)).interface()
+    return compile_text(import_file(path).text).interface()
 
 
 @pytest.mark.parametrize("name", ["scara", "walker"])
@@ -169,7 +169,7 @@ def test_parts_may_have_names_of_groups_enumerations_and_modules(tmp_path: Path)
 
 
 def test_an_interface_without_signals_is_refused() -> None:
-    with pytest.raises(UnsupportedError, match="SystemRDL knows no map without registers, and robot has no signals"):
+    with pytest.raises(UnsupportedError, match="SystemRDL knows no map without registers and memories"):
         export_text(interface_of())
 
 
@@ -185,7 +185,7 @@ def test_any_valid_spec_comes_back(tmp_path: Path, file: File) -> None:
 def test_foreign_systemrdl_keeps_its_tree(tmp_path: Path) -> None:
     path = tmp_path / "chip.rdl"
     path.write_text(FOREIGN)
-    chip = compile_text(import_file(path)).interface()
+    chip = compile_text(import_file(path).text).interface()
     assert (chip.name, chip.doc, chip.data_bits) == ("chip", "A chip.", 32)
     assert chip.signals["main.mode"].address == 0
     assert chip.signals["main.mode"].kind.enumeration is not None
@@ -194,16 +194,16 @@ def test_foreign_systemrdl_keeps_its_tree(tmp_path: Path) -> None:
     assert chip.signals["ch[1].data[3].d"].address == (0x100 + 0x40 + 8 + 12) // 4
     assert chip.signals["ch[1].data[3].d"].access == "WRITE"
     assert [(one.name, one.base, one.words) for one in chip.modules] == [("ram", 0x100, 16)]
-    assert "Control." in import_file(path)
+    assert "Control." in import_file(path).text
 
 
 def test_a_map_is_chosen_by_its_name(tmp_path: Path) -> None:
     path = tmp_path / "two.rdl"
     path.write_text("".join(f"addrmap {name} {{ reg {{ field {{}} f[31:0]; }} only; }};" for name in ("one", "two")))
-    assert "public one()" in import_file(path, "one")
-    assert "public two()" in import_file(path)
+    assert "public one()" in import_file(path, top="one").text
+    assert "public two()" in import_file(path).text
     with pytest.raises(SpecError):
-        import_file(path, "three")
+        import_file(path, top="three")
 
 
 def test_what_is_no_systemrdl_is_refused_with_its_place(tmp_path: Path) -> None:
@@ -232,7 +232,7 @@ def test_perl_is_refused_with_its_line_unless_it_is_asked_for(tmp_path: Path) ->
         import_file(path)
     (found,) = caught.value.diagnostics
     assert (str(found.span), found.text) == (f"{path}:2:3", path.read_text().splitlines()[1])
-    assert "public top()" in import_file(path, perl=True)
+    assert "public top()" in import_file(path, perl=True).text
 
 
 def test_perl_of_a_file_that_is_included_is_refused_with_its_line(tmp_path: Path) -> None:
@@ -264,7 +264,7 @@ def test_registers_that_no_word_address_has_are_refused(tmp_path: Path) -> None:
         "addrmap top { reg { regwidth = 8; field {} f[7:0]; } a @ 0x1;"
         " reg { regwidth = 32; field {} f[31:0]; } b @ 0x4; };"
     )
-    assert compile_text(import_file(path)).interface().data_bits == 8
+    assert compile_text(import_file(path).text).interface().data_bits == 8
     path.write_text("addrmap top { default alignment = 1; reg { regwidth = 32; field {} f[31:0]; } a @ 0x2; };")
     with pytest.raises((UnsupportedError, SpecError)):
         import_file(path)
@@ -277,3 +277,232 @@ def test_garbage_is_refused(tmp_path: Path, text: str) -> None:
     path.write_text(text, encoding="utf-8")
     with pytest.raises(SpecError):
         import_file(path)
+
+
+# What no spec can say, and what it says otherwise
+
+
+def imported(tmp_path: Path, text: str, **options: Any) -> tuple[Interface, str]:
+    """Import a text; return the interface, and the warnings."""
+    path = tmp_path / "given.rdl"
+    path.write_text(text)
+    found = import_file(path, **options)
+    return compile_text(found.text).interface(), "\n".join(one.render() for one in found.warnings)
+
+
+def refusal(tmp_path: Path, text: str) -> str:
+    """Return the refusal of a text, of which each fault has a line of it."""
+    path = tmp_path / "given.rdl"
+    path.write_text(text)
+    with pytest.raises(SpecError) as caught:
+        import_file(path)
+    assert all(one.span.file == str(path) and one.text in text.splitlines() for one in caught.value.diagnostics)
+    return str(caught.value)
+
+
+REFUSED = {
+    "msb0": ("msb0; reg { field {} gain[0:7]; } ctrl;", "chip.ctrl: its fields count bits from the most significant"),
+    "msb0 by the order of bits": ("reg { field {} gain[0:7]; } ctrl;", "(msb0): write them as [high:low]"),
+    "bigendian": (
+        "bigendian; reg { regwidth = 64; accesswidth = 32; field {} t[63:0]; } t; reg { field {} f[31:0]; } o;",
+        "chip.t: its 64 bits are several words of 32, the highest first (bigendian)",
+    ),
+    "a register of 128 bits": ("reg { regwidth = 128; field {} f[31:0]; } key;", "accessed 128 bits at a time"),
+    "a field of 96 bits": (
+        "reg { regwidth = 128; accesswidth = 32; field {} f[95:0]; } key;", "it has 96 bits, and a signal has at",
+    ),
+    "several widths": (
+        "reg { regwidth = 8; field {} f[7:0]; } a; reg { regwidth = 32; field {} f[11:4]; } b;",
+        "chip.b.f: it goes over the end of a word of 8 bits",
+    ),
+    "a place between words": (
+        "reg { field {} f[31:0]; } a; external mem { mementries = 3; memwidth = 8; } n @ 0x21;",
+        "chip.n: byte 0x21 is not at the beginning of a word of 32 bits",
+    ),
+    "a bridge": (
+        "bridge; addrmap { reg { field {} f[31:0]; } q; } a @ 0; addrmap { reg { field {} f[31:0]; } q; } b @ 0;",
+        "the maps of a bridge lie over each other",
+    ),
+    "widths of a fixed-point number": (
+        "reg { field { intwidth = 4; fracwidth = 5; } f[7:0]; } q;", "intwidth=4 and fracwidth=5 are not the",
+    ),
+    "a signed enumeration": (
+        "reg { enum e { a = 0; }; field { is_signed; encode = e; } f[7:0]; } q;", "an enumeration is neither signed",
+    ),
+    "a place beyond all addresses": ("reg { field {} f[31:0]; } q @ 0x800000000;", "a gateway has at most 0x100000000"),
+    "a large array": ("reg { field {} f[31:0]; } q[70000];", "an array of 70000 was found"),
+    "what check refuses": (
+        "reg { field { sw = w; } a[7:0]; field { sw = r; hw = w; } b[7:0]; field { sw = rw; } c[8:8]; } q;",
+        "q.a is one of several fields written at address 0x0",
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("what", REFUSED)
+def test_what_no_spec_can_say_is_refused_with_its_line(what: str, tmp_path: Path) -> None:
+    body, expected = REFUSED[what]
+    said = refusal(tmp_path, f"addrmap chip {{\n  {body}\n}};\n")
+    assert expected in said
+    assert "given.rdl:2:" in said or what == "a bridge" or "at most 0x1" in said
+
+
+def test_all_that_no_spec_can_say_is_told_at_once(tmp_path: Path) -> None:
+    said = refusal(tmp_path, "addrmap chip {\n reg { field {} a[0:7]; } x;\n reg { field {} b[0:7]; } y;\n};\n")
+    assert "chip.x: " in said
+    assert "chip.y: " in said
+
+
+def test_big_endian_registers_of_one_word_are_as_others(tmp_path: Path) -> None:
+    chip, _ = imported(tmp_path, "addrmap chip { bigendian; reg { field {} f[15:8]; } q @ 4; };")
+    assert (chip.signals["q"].address, chip.signals["q"].lowest_bit) == (1, 8)
+
+
+def test_wide_registers_that_are_accessed_in_words_come_in(tmp_path: Path) -> None:
+    text = "reg { regwidth = 128; accesswidth = 32; field {} low[31:0]; field {} high[127:64]; } key;"
+    chip, _ = imported(tmp_path, f"addrmap chip {{ {text} }};")
+    assert chip.data_bits == 32
+    assert (chip.signals["key.high"].address, chip.signals["key.high"].width) == (2, 64)
+
+
+def test_registers_of_several_widths_come_in_where_no_field_is_cut(tmp_path: Path) -> None:
+    text = "reg { regwidth = 8; field {} f[7:0]; } a; reg {\nregwidth = 32; field {} f[31:0]; } b @ 4;"
+    chip, said = imported(tmp_path, f"addrmap chip {{ {text} }};")
+    assert [(one.path, one.address, one.width) for one in chip.signals.values()] == [("a", 0, 8), ("b", 4, 32)]
+    assert "given.rdl:2:" in said
+    assert "chip.b: its accesswidth is 32, and it is read and written in words of 8 bits" in said
+
+
+def test_names_that_differ_in_case_or_are_words_are_told_and_come_in(tmp_path: Path) -> None:
+    words = ["GPIO", "PWM", "FIFO", "COUNTER", "MEMORY", "GATEWAY", "bridge_", "import", "group", "public", "pi", "i"]
+    words += ["READ", "base", "signed_", "PUBLISH", "TOSNET", "QUADRATURE", "float", "fixed"]
+    parts = "".join(f"regfile {one} {{ reg {{ field {{}} {one}[7:0]; }} {one}[2]; }}; {one} {one};\n" for one in words)
+    chip, said = imported(
+        tmp_path,
+        f"""
+enum PWM_e {{ MRO = 0; mro = 1; _x = 2; X = 3; x = 4; }};
+enum import_e {{ import = 0; public = 1; }};
+addrmap public {{
+  {parts}
+  reg {{ field {{}} A[7:0]; field {{}} a[15:8]; field {{}} a_2[23:16]; }} R;
+  reg {{ field {{ encode = PWM_e; }} f[7:0]; field {{ encode = import_e; }} g[15:8]; }} q;
+}};
+""",
+    )
+    assert [chip.signals[path].lowest_bit for path in ("R.A", "R.a_2", "R.a_2_2")] == [0, 8, 16]
+    assert "R.a is called a_2" in said
+    assert "public.import is called import_" in said
+    assert chip.signals["import_.import_[1].import_"].address == 2 * words.index("import") + 1
+    assert "q.f" in chip.signals
+
+
+def test_properties_of_peakrdl_need_no_declaration(tmp_path: Path) -> None:
+    fields = """
+      reg { field { is_signed; } f[15:0]; } a; reg { field { intwidth = 8; fracwidth = 8; } f[15:0]; } b;
+      reg { field { intwidth = 4; is_signed; } f[11:0]; } c; reg { field { fracwidth = 12; } f[7:0]; } d;
+      reg { field { intwidth = 10; is_signed; } f[7:0]; } e; reg { field { is_signed = false; } f[7:0]; } g;
+    """
+    declared = "".join(
+        f"property {name} {{ component = field; type = {kind}; }};"
+        for name, kind in (
+            ("is_signed", "boolean"),
+            ("intwidth", "longint unsigned"),
+            ("fracwidth", "longint unsigned"),
+        )
+    )
+    expected = [
+        ("a", "signed 16", 1), ("b", "ufixed 8.8", 1), ("c", "fixed 4.8", 1), ("d", "unsigned 8", 2**-12),
+        ("e", "signed 8", 4), ("g", "unsigned 8", 1),
+    ]  # fmt: skip
+    for text in (fields, fields.replace("is_signed;", "is_signed = true;")):
+        before = declared if "= true" in text else ""
+        chip, _ = imported(tmp_path, f"{before} addrmap chip {{ {text} }};")
+        assert [(one.path, str(one.kind), one.kind.scale) for one in chip.signals.values()] == expected
+
+
+READING = ("rclr", "rset", "onread = ruser")
+WRITING = ("woset", "woclr", *(f"onwrite = {one}" for one in ("wclr", "wset", "wot", "wzs", "wzc", "wzt", "wuser")))
+OTHERS = ("singlepulse", "sw = rw1", "sw = w1", "swacc", "swmod", "sw = w")
+
+
+@pytest.mark.parametrize("effect", [*READING, *WRITING, *OTHERS])
+def test_a_side_effect_is_warned_about_with_its_line(effect: str, tmp_path: Path) -> None:
+    fields = f"field {{ hw = na; {effect}; }} flag[0:0] = 0;\nfield {{}} other[1:1];"
+    text = f"addrmap chip {{ external reg {{\n{fields}\n}} q; }};"
+    _, said = imported(tmp_path, text)
+    assert "given.rdl:2:" in said
+    assert effect.rsplit(maxsplit=1)[-1] in said
+    assert "a write of other writes back" in said or effect not in WRITING
+    assert "given.rdl:3:" not in said
+
+
+def test_plain_fields_are_not_warned_about(tmp_path: Path) -> None:
+    _, said = imported(tmp_path, "addrmap chip { reg { field {} a[7:0]; field { sw = r; hw = w; } b[8:8]; } q; };")
+    assert said == ""
+
+
+def test_memories_in_components_and_registers_in_memories_come_in(tmp_path: Path) -> None:
+    chip, _ = imported(
+        tmp_path,
+        """
+mem table { mementries = 16; memwidth = 32; reg { field {} lo[15:0]; field {} hi[31:16]; } row[4]; };
+addrmap bank { reg { field {} f[31:0]; } q; external table t @ 0x40; };
+addrmap chip { bank banks[2] @ 0x100; external table many[2] @ 0x1000; };
+""",
+    )
+    found = sorted((one.path, one.base, one.words) for one in chip.modules)
+    assert found == [("banks[0].t", 0x50, 16), ("banks[1].t", 0x70, 16), ("many", 0x400, 32)]
+    assert chip.signals["banks[1].t_entries.row[3].hi"].address == 0x73
+    assert chip.signals["many_entries[1].row[2].lo"].address == 0x412
+
+
+def test_memories_alone_go_out_and_come_back(tmp_path: Path) -> None:
+    spec = """public store() {
+  GATEWAY(ADDRESS_BITS=16, DATA_BITS=16);
+  /// Samples.
+  pool: MEMORY(BASE=0x100, SIZE=256);
+  side: part();
+}
+part() { pool: MEMORY(BASE=0x200, SIZE=3); }"""
+    interface = compile_text(spec).interface()
+    back = returned(interface, tmp_path)
+    assert [(one.path, one.base, one.words, one.doc) for one in back.modules] == [
+        (one.path, one.base, one.words, one.doc) for one in interface.modules
+    ]
+    assert (back.address_bits, back.data_bits) == (16, 16)
+
+
+def test_memories_beside_signals_come_back_and_those_around_signals_do_not(tmp_path: Path) -> None:
+    interface = interface_of(
+        "@a = 1: READ();", "m: MEMORY(BASE=0x40, SIZE=8);", "MEMORY(BASE=0x20, SIZE=8) { @b = 1: READ(); }",
+    )  # fmt: skip
+    back = returned(interface, tmp_path)
+    assert seen(back) == seen(interface)
+    assert [(one.path, one.base, one.words) for one in back.modules] == [("m", 0x40, 8)]
+
+
+def test_files_include_others_and_use_earlier_ones(tmp_path: Path) -> None:
+    (tmp_path / "parts").mkdir()
+    (tmp_path / "parts" / "reg.rdl").write_text("reg one { field {} f[31:0]; };")
+    (tmp_path / "first.rdl").write_text("regfile two { reg { field {} f[31:0]; } q; };")
+    top = tmp_path / "top.rdl"
+    top.write_text('`include "reg.rdl"\naddrmap chip { one a; two b; };')
+    text = import_file(tmp_path / "first.rdl", top, include=[tmp_path / "parts"]).text
+    assert list(compile_text(text).interface().signals) == ["a", "b.q"]
+    with pytest.raises(SpecError):
+        import_file(top)
+
+
+def test_a_spec_that_differs_from_the_compilers_tree_is_not_handed_out(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "chip.rdl"
+    path.write_text(FOREIGN)
+    text, wrong = import_file(path).text, "unity_link.spec.format_text"
+    for before, after in (
+        ("base[1:0]", "base[2:1]"), ("READWRITE", "READ"), ("base + 0x1", "base + 0x2"), ("SIZE=16", "SIZE=15"),
+        ("on = 1", "on = 2"), ("mode 2", "unsigned 2"), ("@busy", "@busi"), ("unsigned 16", "signed 16"),
+    ):  # fmt: skip
+        assert before in text
+        monkeypatch.setattr(wrong, lambda _, before=before, after=after: text.replace(before, after))
+        with pytest.raises(SpecError, match=r"of the spec|the memories are at"):
+            import_file(path)

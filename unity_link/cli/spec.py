@@ -132,28 +132,38 @@ def show(
 
 
 def import_rdl(
-    file: Annotated[Path, typer.Argument(metavar="FILE", help="A SystemRDL file.", show_default=False)],
+    files: Annotated[
+        list[Path],
+        typer.Argument(
+            metavar="FILE...", help="SystemRDL; later files use what earlier ones declare.", show_default=False
+        ),
+    ],
     *,
     output: Output = None,
-    top: Annotated[str | None, typer.Option("--top", help="The address map; the last one of the file without.")] = None,
+    top: Annotated[str | None, typer.Option("--top", help="The address map; the last one without.")] = None,
+    include: Annotated[
+        list[Path] | None,
+        typer.Option("--include", "-I", metavar="FOLDER", help="Where included files are; again for each."),
+    ] = None,
     perl: Annotated[
         bool, typer.Option("--perl", help="Run the Perl in it, in a compartment, for 5 seconds at most.")
     ] = False,
     seconds: Annotated[int, typer.Option("--seconds", min=1, help="Processor time that it may take.")] = 30,
 ) -> None:
-    """Make a spec of a SystemRDL description."""
+    """Make a spec of a SystemRDL description, once it is proved to say the same."""
     from unity_link.cli.bounded import bounded
     from unity_link.spec import SpecError
     from unity_link.spec.systemrdl import import_file
 
     try:
         # A few lines of macros can ask for any amount of time and memory.
-        with bounded(str(file), seconds):
-            text = import_file(file, top, perl=perl)
+        with bounded(str(files[-1]), seconds):
+            imported = import_file(*files, top=top, include=include or (), perl=perl)
     except SpecError as error:
         print_diagnostics(error.diagnostics)
         raise typer.Exit(FAILED) from None
-    _write(output, text)
+    print_diagnostics(imported.warnings)
+    _write(output, imported.text)
 
 
 def export_rdl(spec: SpecFile, *, interface: Name = None, output: Output = None) -> None:

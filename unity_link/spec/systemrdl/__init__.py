@@ -14,6 +14,6 @@ The extra ``rdl`` installs the compiler, which is imported only here.
 from __future__ import annotations
 
 from unity_link.spec.systemrdl.exporting import export_text
-from unity_link.spec.systemrdl.importing import import_file
+from unity_link.spec.systemrdl.importing import Imported, import_file
 
-__all__ = ["export_text", "import_file"]
+__all__ = ["Imported", "export_text", "import_file"]

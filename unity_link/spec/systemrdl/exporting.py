@@ -8,14 +8,14 @@ from graphlib import TopologicalSorter
 from typing import TYPE_CHECKING
 
 from unity_link.errors import UnsupportedError
-from unity_link.spec.model import Access, GroupSpec, Interface, Joint, Signal
+from unity_link.spec.model import Access, GroupSpec, Interface, Joint, ModuleSpec, Signal
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
 from unity_link.spec.systemrdl.naming import doc_lines, unique_name, values_text
 
-_FIELD_PROPERTIES = ("path", "id", "kind", "values", "unit", "arguments")
+_FIELD_PROPERTIES = ("id", "kind", "values", "unit", "arguments")
 _SW = {Access.READ: ("r", "w"), Access.WRITE: ("w", "r"), Access.READWRITE: ("rw", "r")}
 _KEYWORDS = frozenset(
     """abstract accesstype addressingtype addrmap alias all alternate bit boolean bothedge byte compact component
@@ -31,19 +31,22 @@ def export_text(interface: Interface) -> str:
     """Write an interface as SystemRDL.
 
     Raises:
-        UnsupportedError: where its words have a width that SystemRDL does not know.
+        UnsupportedError: where its words have a width that SystemRDL does not know, or there is nothing to write.
     """
     bits = interface.data_bits
     if bits & (bits - 1):
         raise UnsupportedError(f"SystemRDL knows registers of 8, 16, 32 or 64 bits, and {interface.name} has {bits}")
-    if not interface.signals:
-        raise UnsupportedError(f"SystemRDL knows no map without registers, and {interface.name} has no signals")
+    memories = list(_memories(interface))
+    if not interface.signals and not memories:
+        message = "SystemRDL knows no map without registers and memories"
+        raise UnsupportedError(f"{message}, and {interface.name} has neither signals nor MEMORY with a SIZE")
     words: dict[int, list[Signal]] = {}
     for signal in interface.signals.values():
         for address in signal.addresses:
             words.setdefault(address, []).append(signal)
     lines = [
         f"// The interface {interface.name} of a UL-spec.",
+        "property ul_path { component = field | mem; type = string; };",
         *(f"property ul_{name} {{ component = field; type = string; }};" for name in _FIELD_PROPERTIES),
         "property ul_order { component = field; type = longint unsigned; };",
         "property ul_groups { component = addrmap; type = string; };",
@@ -66,7 +69,28 @@ def export_text(interface: Interface) -> str:
     order = {path: place for place, path in enumerate(_in_order(interface))}
     for address in sorted(words):
         lines += _register(address, words[address], bits, registers, order)
+    for memory in memories:
+        lines += _memory(memory, bits, registers)
     return "\n".join([*lines, "};", ""])
+
+
+def _memories(interface: Interface) -> Iterator[ModuleSpec]:
+    """Return the memories of known size in which nothing else stands."""
+    taken = {address for signal in interface.signals.values() for address in signal.addresses}
+    around = {module.parent for module in interface.modules}
+    for index, module in enumerate(interface.modules):
+        if module.type != "MEMORY" or not module.words or index in around:
+            continue
+        if not any(module.base <= address < module.base + module.words for address in taken):
+            yield module
+
+
+def _memory(memory: ModuleSpec, bits: int, names: set[str]) -> Iterator[str]:
+    path = memory.path or f"memory_{memory.base:x}"
+    yield "  external mem {"
+    yield from [f"    desc = {_string(memory.doc)};"] if memory.doc else []
+    yield f"    mementries = {memory.words}; memwidth = {bits}; sw = rw; ul_path = {_string(path)};"
+    yield f"  }} {unique_name(_identifier(path), names)} @ {memory.base * bits // 8:#x};"
 
 
 def _in_order(interface: Interface) -> list[str]:

@@ -2,24 +2,29 @@
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import dataclass, field
 from subprocess import TimeoutExpired
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from unity_link.errors import UnsupportedError
+from unity_link.spec.arguments import ADDRESS_BITS, DATA_BITS
 from unity_link.spec.diagnostics import Diagnostic, Span, SpecError
-from unity_link.spec.kinds import KindName
+from unity_link.spec.kinds import MOST_BITS, KindName
 from unity_link.spec.model import Access
 from unity_link.spec.modules import MODULES
-from unity_link.spec.placing import GATEWAY_WORD
+from unity_link.spec.placing import GATEWAY_WORD, MOST_ITEMS
+from unity_link.spec.systemrdl.comparing import compare
+from unity_link.spec.systemrdl.effects import effects, warnings
+from unity_link.spec.systemrdl.naming import doc_lines, unique_name, values_text
+from unity_link.spec.systemrdl.numbers import PEAKRDL, declare, number_of
+from unity_link.spec.systemrdl.perl import first_perl
+from unity_link.spec.systemrdl.places import about, diagnostic, flat_path
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Sequence
     from pathlib import Path
-
-from unity_link.spec.systemrdl.naming import doc_lines, unique_name, values_text
-from unity_link.spec.systemrdl.perl import first_perl
 
 _RESERVED = {"import", "enum", "group", "public"}
 _PERL_REFUSED = "this is Perl, a program: it is run only by `import rdl --perl`"
@@ -45,8 +50,10 @@ class _Part:
 
     type_name: str
     members: list[_Field | _Placed] = field(default_factory=list)
-    memories: list[str] = field(default_factory=list)
+    memories: list[_Memory] = field(default_factory=list)
     doc: str = ""
+    taken: set[str] = field(default_factory=set)
+    """Names of its members, in small letters."""
 
 
 @dataclass
@@ -58,49 +65,91 @@ class _Placed:
     stride: int = 0
 
 
-def import_file(path: Path, top: str | None = None, *, perl: bool = False) -> str:
-    """Write a SystemRDL description as a spec.
+@dataclass
+class _Memory:
+    name: str
+    address: int
+    words: int
+    entries: _Placed | None = None
+    """The registers that are declared in it."""
+    doc: str = ""
+
+
+class Imported(NamedTuple):
+    """A spec that was made of SystemRDL."""
+
+    text: str
+    warnings: tuple[Diagnostic, ...] = ()
+    """Side effects that the spec does not say, with their places in the SystemRDL."""
+
+
+def import_file(*paths: Path, top: str | None = None, include: Sequence[Path] = (), perl: bool = False) -> Imported:
+    """Write a SystemRDL description as a spec, which was read back and compared with what the compiler knows.
 
     Neither time nor memory is bounded: macros of a few lines can ask for any amount of both, and the command
     `import rdl` runs in a process of its own for that.
 
     Args:
-        path: the file.
-        top: name of the address map to take; None takes the last one of the file.
-        perl: runs the Perl in it, in the compiler's compartment, for 5 seconds at most.
+        paths: one file, or several of which later ones use what earlier ones declare.
+        top: name of the address map to take; None takes the last one.
+        include: folders in which files that others include are looked for.
+        perl: runs the Perl in them, in the compiler's compartment, for 5 seconds at most.
 
     Raises:
-        SpecError: where the file is no SystemRDL, with what its compiler says; or has Perl, which is not to be run.
-        UnsupportedError: where it has what no gateway has, or the extra ``rdl`` is not installed.
+        SpecError: where the files are no SystemRDL, with what its compiler says; or have what no spec can say, or Perl
+            that is not to be run.
+        UnsupportedError: where the extra ``rdl`` is not installed.
     """
-    root = _compiled(path, top, perl=perl)
-    return _Importer(root.top).text()
+    root = _compiled(paths, top, include, perl=perl)
+    importer = _Importer(root.top)
+    text = importer.text()
+    errors = importer.faults or compare(text, root.top, importer.names)
+    if errors:
+        raise SpecError(dict.fromkeys(errors))
+    return Imported(text, tuple(dict.fromkeys(importer.warnings)))
 
 
-def _compiled(path: Path, top: str | None, *, perl: bool) -> Any:
+def _compiled(paths: Sequence[Path], top: str | None, include: Sequence[Path], *, perl: bool) -> Any:
+    undeclared: list[str] = []
+    while True:
+        try:
+            return _elaborated(paths, top, include, undeclared, perl=perl)
+        except SpecError as error:
+            # The compiler stops at the first property that is not declared.
+            more = [name for name in PEAKRDL if name not in undeclared and f"property '{name}'" in str(error)]
+            if not more:
+                raise
+            undeclared += more
+
+
+def _elaborated(
+    paths: Sequence[Path], top: str | None, include: Sequence[Path], declared: Sequence[str], *, perl: bool
+) -> Any:
     try:
         from systemrdl.compiler import RDLCompiler
         from systemrdl.messages import MessagePrinter, RDLCompileError, Severity
     except ImportError:
         raise UnsupportedError("SystemRDL needs its compiler: pip install 'unity-link[rdl]'") from None
     found: list[Diagnostic] = []
+    path = paths[-1]
 
     class Collector(MessagePrinter):
         def print_message(self, severity: Severity, text: str, src_ref: Any) -> None:
             # The last one only says that there were errors.
             if severity < Severity.ERROR or (severity is Severity.FATAL and found):
                 return
-            line, (first, last) = getattr(src_ref, "line", 1), getattr(src_ref, "line_selection", (0, 0))
-            span = Span(str(getattr(src_ref, "path", path)), line, first + 1, line, last + 2)
-            found.append(Diagnostic("error", "systemrdl", text, span, getattr(src_ref, "line_text", "").rstrip()))
+            found.append(diagnostic("error", "systemrdl", text, src_ref, str(path)))
 
     compiler = RDLCompiler(message_printer=Collector())
+    declare(compiler, declared)
+    folders = [str(folder) for folder in include]
     perl_at: tuple[Span, str] | None = None
     try:
-        perl_at = first_perl(compiler.env, path)
-        if perl_at is not None and not perl:
-            raise SpecError([Diagnostic("error", "systemrdl", _PERL_REFUSED, *perl_at)])
-        compiler.compile_file(str(path))
+        for path in paths:
+            perl_at = first_perl(compiler.env, path, folders)
+            if perl_at is not None and not perl:
+                raise SpecError([Diagnostic("error", "systemrdl", _PERL_REFUSED, *perl_at)])
+            compiler.compile_file(str(path), incl_search_paths=folders)
         return compiler.elaborate(top_def_name=top)
     except (RDLCompileError, OSError, ValueError, RecursionError, TimeoutExpired) as error:
         if not found:
@@ -115,130 +164,201 @@ def _compiled(path: Path, top: str | None, *, perl: bool) -> Any:
 
 
 class _Importer:
-    """Makes a spec of one address map."""
+    """Makes a spec of one address map; what no spec can say becomes a fault, and the rest goes on."""
 
     def __init__(self, top: Any) -> None:
         self._top = top
-        registers = [node for node in top.descendants() if type(node).__name__ == "RegNode"]
-        self._bits = min((node.get_property("regwidth") for node in registers), default=32)
+        nodes = list(top.descendants())
+        registers = [node for node in nodes if _is(node, "RegNode")]
+        self._bits = _word_bits(registers, [node for node in nodes if _is(node, "MemNode")])
         self._enumerations: dict[str, str] = {}
-        """Text between the braces of each, by their names."""
+        """What stands between the braces of each, by their names."""
         self._components: dict[str, str] = {}
         """Names of components by what stands in them."""
         self._docs: dict[str, str] = {}
         self._names: set[str] = set()
-        self._is_ours = any(self._ours(node, "path") for register in registers for node in register.fields())
+        self.is_ours = self._ours(top, "address_bits") is not None
+        self.names: dict[str, str] = {}
+        """The names of nodes in the spec, by their flat paths; empty for a field that is its register's signal."""
+        self.faults: list[Diagnostic] = []
+        self.warnings: list[Diagnostic] = []
 
     def text(self) -> str:
         """Return the spec, in its canonical layout."""
         from unity_link.spec import format_text
 
         top = self._top
-        part = self._part_of_paths() if self._is_ours else self._part(top)
+        part = self._part_of_paths() if self.is_ours else self._part(top)
         name = unique_name(_name(top.inst_name), self._names)
         groups = self._ours(top, "groups") or ""
-        self._names |= {*MODULES, GATEWAY_WORD, *re.findall(r"^group (\w+)", groups, re.MULTILINE)}
+        self._names |= {
+            word.lower() for word in (*MODULES, GATEWAY_WORD, *re.findall(r"^group (\w+)", groups, re.MULTILINE))
+        }
         body = self._body(part, "")
         highest = max(top.size * 8 // self._bits - 1, 1)
-        bits = self._ours(top, "address_bits") or max(8, highest.bit_length())
+        bits = self._ours(top, "address_bits") or max(ADDRESS_BITS[0], highest.bit_length())
+        if bits > ADDRESS_BITS[1]:
+            self._fault(top, f"it has {highest + 1:#x} words, and a gateway has at most {1 << ADDRESS_BITS[1]:#x}")
         public = f"public {name}() {{\nGATEWAY(ADDRESS_BITS={bits}, DATA_BITS={self._bits});\n{body}}}\n"
         enumerations = [f"enum {name} {{ {values} }}\n" for name, values in self._enumerations.items()]
         components = [f"{doc_lines(self._docs[name])}{name}(){body}" for body, name in self._components.items()]
         pieces = [doc_lines(part.doc) + public, groups, *enumerations, *components]
         return format_text("\n".join(piece for piece in pieces if piece))
 
+    def _fault(self, node: Any, message: str) -> None:
+        self.faults.append(about("error", "unsupported", f"{flat_path(node)}: {message}", node))
+
     # From SystemRDL's own tree
 
     def _part(self, node: Any) -> _Part:
         part = _Part(node.type_name or node.inst_name, doc=_desc(node))
+        if _is(node, "AddrmapNode") and node.get_property("bridge"):
+            self._fault(node, "the maps of a bridge lie over each other: choose one, declared by itself, with --top")
+            return part
         for child in node.children(unroll=False):
-            kind = type(child).__name__
-            if kind == "RegNode":
+            if getattr(child, "is_array", False) and child.n_elements > MOST_ITEMS:
+                self._fault(child, f"an array of {child.n_elements} was found, and at most {MOST_ITEMS} was expected")
+            elif _is(child, "RegNode"):
                 self._add_register(part, child)
-            elif kind == "MemNode":
+            elif _is(child, "MemNode"):
                 self._add_memory(part, child)
-            elif kind in {"RegfileNode", "AddrmapNode"}:
-                part.members.append(self._placed(child, self._part(child)))
+            elif _is(child, "RegfileNode", "AddrmapNode"):
+                inner = self._part(child)
+                if inner.members or inner.memories:
+                    part.members.append(self._placed(child, inner, self._call(child, part)))
         return part
 
-    def _placed(self, node: Any, part: _Part) -> _Placed:
+    def _call(self, node: Any, part: _Part) -> str:
+        """Return the name that a node gets in its part: its own, or near it where that is no name of a spec."""
+        name = self.names[flat_path(node)] = unique_name(_name(node.inst_name), part.taken)
+        if name != node.inst_name:
+            message = f"{flat_path(node)} is called {name}: names of specs differ by more than case, and some are words"
+            self.warnings.append(about("warning", "renamed", message, node))
+        return name
+
+    def _placed(self, node: Any, part: _Part, name: str) -> _Placed:
         address = self._word(node.raw_address_offset, node)
         if not node.is_array:
-            return _Placed(node.inst_name, part, address)
-        count = node.n_elements
-        return _Placed(node.inst_name, part, address, count, self._word(node.array_stride, node))
+            return _Placed(name, part, address)
+        return _Placed(name, part, address, node.n_elements, self._word(node.array_stride, node))
 
     def _word(self, byte_address: int, node: Any) -> int:
         """Return the word address of a byte address."""
         address, rest = divmod(byte_address, self._bits // 8)
         if rest:
-            where = f"byte {byte_address:#x}, which is not at the beginning of a word of {self._bits} bits"
-            raise UnsupportedError(f"{node.get_path()} is at {where}")
+            self._fault(node, f"byte {byte_address:#x} is not at the beginning of a word of {self._bits} bits")
         return address
 
     def _add_memory(self, part: _Part, node: Any) -> None:
-        address = self._word(node.raw_address_offset, node)
-        size = max(1, node.total_size * 8 // self._bits)
-        part.memories.append(
-            f"{doc_lines(_desc(node))}{_name(node.inst_name)}: MEMORY(BASE={address:#x}, SIZE={size});\n"
-        )
+        size = -(-node.total_size * 8 // self._bits)
+        memory = _Memory(self._call(node, part), self._word(node.raw_address_offset, node), size, doc=_desc(node))
+        inner = self._part(node)
+        if inner.members:
+            entries = unique_name(f"{memory.name}_entries", part.taken)
+            self.names[flat_path(node)] = entries
+            memory.entries = self._placed(node, inner, entries)
+            memory.entries.address = 0
+        part.memories.append(memory)
 
     def _add_register(self, part: _Part, node: Any) -> None:
-        fields = [found for one in node.fields() if (found := self._field(one)) is not None]
-        if node.is_array or len(fields) > 1:
-            inner = _Part(node.type_name or node.inst_name, [*fields], doc=_desc(node))
-            part.members.append(self._placed(node, inner))
-        elif fields:
-            (only,) = fields
-            only.name = node.inst_name
+        if not self._has_words(node):
+            return
+        inner = _Part(node.type_name or node.inst_name, doc=_desc(node))
+        kept = [one for one in node.fields() if one.is_sw_readable or one.is_sw_writable]
+        for one in kept:
+            self.warnings += warnings(one)
+            found = self._field(one)
+            if found is not None:
+                inner.members.append(found)
+                found.name = self._call(one, inner)
+        if node.is_array or len(kept) > 1:
+            part.members.append(self._placed(node, inner, self._call(node, part)))
+        elif inner.members:
+            (only,) = inner.members
+            assert isinstance(only, _Field)
+            self.names[flat_path(kept[0])] = ""
+            only.name = self._call(node, part)
             only.address += self._word(node.raw_address_offset, node)
             only.doc = "\n".join(filter(None, (_desc(node), only.doc)))
             part.members.append(only)
 
+    def _has_words(self, node: Any) -> bool:
+        """Return whether a register's bits are those of a gateway's words; report what is in the way."""
+        width, access = node.get_property("regwidth"), node.get_property("accesswidth")
+        if node.is_msb0_order and any(node.fields()):
+            self._fault(node, "its fields count bits from the most significant one (msb0): write them as [high:low]")
+        elif access > DATA_BITS[1]:
+            message = f"it is accessed {access} bits at a time (accesswidth), and a gateway's words have at most"
+            self._fault(node, f"{message} {DATA_BITS[1]}")
+        elif width > self._bits and _map_around(node).get_property("bigendian"):
+            message = f"its {width} bits are several words of {self._bits}, the highest first (bigendian)"
+            self._fault(node, f"{message}: a signal has the lowest first")
+        else:
+            if access > self._bits:
+                message = f"{flat_path(node)}: its accesswidth is {access}, and it is read and written in words of"
+                self.warnings.append(about("warning", "accesswidth", f"{message} {self._bits} bits", node))
+            return True
+        return False
+
     def _field(self, node: Any) -> _Field | None:
+        """Return a field of a register that software reads or writes; None for one that no signal can be."""
         reads, writes = node.is_sw_readable, node.is_sw_writable
         if not reads and not writes:
             return None
         access = Access.READWRITE if reads and writes else Access.READ if reads else Access.WRITE
-        address, low = divmod(node.lsb, self._bits)
+        address, low = divmod(node.low, self._bits)
+        if node.width > MOST_BITS:
+            self._fault(node, f"it has {node.width} bits, and a signal has at most {MOST_BITS}")
+            return None
         if low + node.width > self._bits and low:
-            raise UnsupportedError(f"{node.get_path()} goes over the end of a word of {self._bits} bits")
+            self._fault(node, f"it goes over the end of a word of {self._bits} bits")
+            return None
+        try:
+            kind, arguments = self._kind(node)
+        except ValueError as error:
+            self._fault(node, str(error))
+            return None
         whole = low == 0 and node.width >= self._bits
         bits = "" if whole else f"[{low}]" if node.width == 1 else f"[{low + node.width - 1}:{low}]"
-        doc = "\n".join(filter(None, (_desc(node), *_effects(node))))
-        return _Field(node.inst_name, address, bits, self._kind(node), access, [], doc)
+        doc = "\n".join(filter(None, (_desc(node), *effects(node))))
+        return _Field(node.inst_name, address, bits, kind, access, arguments, doc)
 
-    def _kind(self, node: Any) -> str:
+    def _kind(self, node: Any) -> tuple[str, list[str]]:
+        """Return the kind of a field, and the arguments that belong to it."""
+        number, width = number_of(node), node.width
         encode = node.get_property("encode")
         if encode is not None:
-            return f"{self._enumeration(encode)} {node.width}"
-        properties = node.list_properties(list_all=True)
-        signed = "is_signed" in properties and node.get_property("is_signed")
-        fraction = node.get_property("fracwidth") if "fracwidth" in properties else None
-        if fraction is not None and 0 <= fraction <= node.width:
-            return f"{'fixed' if signed else 'ufixed'} {node.width - fraction}.{fraction}"
-        if signed:
-            return f"signed {node.width}"
-        return "bool" if node.width == 1 else f"unsigned {node.width}"
+            return f"{self._enumeration(encode)} {width}", []
+        if number.fraction is not None and 0 <= number.fraction <= width:
+            return f"{'fixed' if number.signed else 'ufixed'} {width - number.fraction}.{number.fraction}", []
+        scale = [] if number.fraction is None else [f"SCALE={math.ldexp(1, -number.fraction)!r}"]
+        is_bit = width == 1 and not number.signed and not scale
+        return "bool" if is_bit else f"{'signed' if number.signed else 'unsigned'} {width}", scale
 
     def _enumeration(self, encode: Any) -> str:
-        values = values_text((_name(member.name), member.value, member.rdl_desc or "") for member in encode)
+        numbers = [member.value for member in encode]
+        twice = next((number for number in numbers if numbers.count(number) > 1), None)
+        if twice is not None:
+            raise ValueError(f"the enumeration {encode.type_name} has several names for {twice}")
+        taken: set[str] = set()
+        values = values_text(
+            (unique_name(_value_name(member.name), taken), member.value, member.rdl_desc or "") for member in encode
+        )
         name = _name(encode.type_name.removesuffix("_e") or encode.type_name)
-        return self._named(f"{name}_" if name in _KINDS else name, values)
+        return self._named(f"{name}_" if name in _KINDS or name in MODULES else name, values)
 
     def _named(self, name: str, values: str) -> str:
         """Return the name of the enumeration of these values, where that name is free."""
         while self._enumerations.setdefault(name, values) != values:
             name += "_"
-        self._names.add(name)
+        self._names.add(name.lower())
         return name
 
     # From the paths of our own export
 
     def _part_of_paths(self) -> _Part:
         whole = _Part("top", doc=_desc(self._top))
-        registers = [node for node in self._top.descendants() if type(node).__name__ == "RegNode"]
-        fields = [node for register in registers for node in register.fields()]
+        fields = [node for node in self._top.descendants() if _is(node, "FieldNode")]
         # The signals of groups have the order that their groups have, and the others follow by their addresses.
         last = len(fields)
         for node in sorted(fields, key=lambda node: last if (place := self._ours(node, "order")) is None else place):
@@ -246,13 +366,15 @@ class _Importer:
             found = self._field(node) if path else None
             if path is None or found is None:
                 continue
-            *components, found.name = re.sub(r"\[(\d+)\]", r"_\1", path).split(".")
-            part = whole
-            for name in components:
-                part = _part_named(part, name)
+            part, found.name = _part_at(whole, path)
             self._complete(found, node, path)
             found.address += self._word(node.parent.absolute_address, node.parent)
             part.members.append(found)
+        for node in self._top.descendants():
+            if _is(node, "MemNode"):
+                part, name = _part_at(whole, self._ours(node, "path") or node.inst_name)
+                address = self._word(node.absolute_address, node)
+                part.memories.append(_Memory(name, address, node.total_size * 8 // self._bits, doc=_desc(node)))
         _rebase(whole)
         return whole
 
@@ -281,7 +403,7 @@ class _Importer:
     def _ours(self, node: Any, name: str) -> Any:
         """Return one of our own properties; None where the node has it not."""
         name = f"ul_{name}"
-        return node.get_property(name) if name in node.list_properties(list_all=True) else None
+        return node.get_property(name) if name in node.list_properties() else None
 
     # Writing
 
@@ -289,19 +411,25 @@ class _Importer:
         members = (
             self._signal(one, base) if isinstance(one, _Field) else self._placement(one, base) for one in part.members
         )
-        return "".join([*part.memories, *members])
+        return "".join([*(self._memory(one, base) for one in part.memories), *members])
+
+    def _memory(self, one: _Memory, base: str) -> str:
+        # What stands in a module is addressed from its base on.
+        entries = ";\n" if one.entries is None else f" {{\n{self._placement(one.entries, '')}}}\n"
+        module = f"MEMORY(BASE={base}{one.address:#x}, SIZE={one.words})"
+        return f"{doc_lines(one.doc)}{one.name}: {module}{entries}"
 
     def _signal(self, one: _Field, base: str) -> str:
         address = f"{base}{one.address:#x}" if not base or one.address else "base"
         declaration = f"{one.kind} {one.access}({', '.join(one.arguments)})"
-        return f"{doc_lines(one.doc)}@{_name(one.name)} = {address}{one.bits}: {declaration};\n"
+        return f"{doc_lines(one.doc)}@{one.name} = {address}{one.bits}: {declaration};\n"
 
     def _placement(self, placed: _Placed, base: str) -> str:
         type_name = self._component(placed.part)
         address = f"{base}{placed.address:#x}"
         count = "" if placed.count is None else f"[{placed.count}]"
         step = "" if placed.count is None else f" + {placed.stride:#x} * i"
-        return f"{_name(placed.name)}{count}: {type_name}() @({address}{step});\n"
+        return f"{placed.name}{count}: {type_name}() @({address}{step});\n"
 
     def _component(self, part: _Part) -> str:
         body = f": @(base) {{\n{self._body(part, 'base + ')}}}\n"
@@ -310,6 +438,14 @@ class _Importer:
             found = self._components[body] = unique_name(_name(part.type_name), self._names)
             self._docs[found] = part.doc
         return found
+
+
+def _part_at(whole: _Part, path: str) -> tuple[_Part, str]:
+    """Return the part in which what has a path stands, and its name there; arrays become single components."""
+    *components, name = re.sub(r"\[(\d+)\]", r"_\1", path).split(".")
+    for component in components:
+        whole = _part_named(whole, component)
+    return whole, name
 
 
 def _part_named(around: _Part, name: str) -> _Part:
@@ -327,18 +463,10 @@ def _rebase(part: _Part) -> None:
     for placed in part.members:
         if isinstance(placed, _Placed):
             _rebase(placed.part)
-            inner = placed.part.members
+            inner = [*placed.part.members, *placed.part.memories]
             placed.address = min(one.address for one in inner)
             for one in inner:
                 one.address -= placed.address
-
-
-def _effects(node: Any) -> Iterator[str]:
-    """Yield the side effects of reading or writing, which UL-spec has no word for."""
-    for word, name in (("Reading", "onread"), ("Writing", "onwrite")):
-        effect = node.get_property(name)
-        if effect is not None:
-            yield f"{word} it has an effect: {effect.name}."
 
 
 def _desc(node: Any) -> str:
@@ -346,8 +474,38 @@ def _desc(node: Any) -> str:
     return desc or ""
 
 
+def _is(node: Any, *types: str) -> bool:
+    """Return whether a node is of one of the compiler's classes, which are imported with the compiler only."""
+    return type(node).__name__ in types
+
+
+def _map_around(node: Any) -> Any:
+    while not _is(node, "AddrmapNode"):
+        node = node.parent
+    return node
+
+
+def _word_bits(registers: Sequence[Any], memories: Sequence[Any]) -> int:
+    """Return the width of the gateway's words: that of the narrowest register, else of the narrowest memory.
+
+    A register that is wider than any gateway's word is accessed in smaller parts.
+    """
+    widths: list[int] = [node.get_property("regwidth") for node in registers]
+    narrow: list[int] = [
+        width if width <= DATA_BITS[1] else min(node.get_property("accesswidth"), DATA_BITS[1])
+        for node, width in zip(registers, widths, strict=True)
+    ]
+    entries: list[int] = [1 << max(3, (node.get_property("memwidth") - 1).bit_length()) for node in memories]
+    return min(narrow or [DATA_BITS[1], *(entries or [32])])
+
+
 def _name(name: str) -> str:
     return f"{name}_" if name in _RESERVED else name
+
+
+def _value_name(name: str) -> str:
+    """Return the name of a value, which Python's enumerations have as well."""
+    return f"v{name}" if name.startswith("_") else f"{name}_" if name == "mro" else _name(name)
 
 
 def _quoted(text: str) -> str:

@@ -10,12 +10,13 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 
-def first_perl(environment: Any, path: Path) -> tuple[Span, str] | None:
+def first_perl(environment: Any, path: Path, include: list[str]) -> tuple[Span, str] | None:
     """Return the place and the line of the first piece of Perl in a file and what it includes; None without any.
 
     Args:
         environment: of the compiler.
         path: the file.
+        include: folders in which files that it includes are looked for.
 
     Raises:
         RDLCompileError: where a file that is included cannot be found, or includes itself.
@@ -23,7 +24,7 @@ def first_perl(environment: Any, path: Path) -> tuple[Span, str] | None:
     """
     from systemrdl.preprocessor.perl_preprocessor import PerlPreprocessor, PPPUnalteredSegment
 
-    file = PerlPreprocessor(environment, str(path), [])
+    file = PerlPreprocessor(environment, str(path), include)
     # The compiler's own search: it knows comments, and follows what is included.
     segments, has_perl = file.get_perl_segments(file.tokenize())
     if not has_perl:

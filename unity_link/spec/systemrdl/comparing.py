@@ -1,0 +1,113 @@
+"""Proof of an import: the spec is compiled and compared, field by field, with the tree of the SystemRDL compiler."""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from unity_link.spec.diagnostics import SpecError
+from unity_link.spec.model import Access
+from unity_link.spec.systemrdl.numbers import number_of
+from unity_link.spec.systemrdl.places import about, flat_path, spec_path
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from unity_link.spec.diagnostics import Diagnostic
+    from unity_link.spec.model import Interface, Signal
+
+
+class _Seen(NamedTuple):
+    """What both sides know of a field."""
+
+    address: int
+    """Of its first word."""
+    lowest_bit: int
+    access: Access
+    width: int = 0
+    signed: bool = False
+    step: float = 1
+    values: tuple[int, ...] = ()
+    """Numbers of its enumeration."""
+
+
+def compare(text: str, top: Any, names: Mapping[str, str]) -> list[Diagnostic]:
+    """Return what is wrong with a spec that was made of SystemRDL: what `check` refuses, or what differs.
+
+    Args:
+        text: the spec.
+        top: the compiler's address map.
+        names: of nodes in the spec, by their flat paths.
+    """
+    from unity_link.spec import compile_text
+
+    try:
+        interface = compile_text(text).interface()
+    except SpecError as error:
+        return [_refused(one, top, names) for one in error.diagnostics if one.severity == "error"]
+    return [*_differing_fields(interface, top, names), *_differing_memories(interface, top)]
+
+
+def _refused(one: Diagnostic, top: Any, names: Mapping[str, str]) -> Diagnostic:
+    """Return the diagnostic of a spec at the place in SystemRDL of what is declared in its line."""
+    declared = re.match(r"\s*@?(\w+)", one.text)
+    name = declared[1] if declared is not None else ""
+    node = next((node for node in top.descendants() if names.get(flat_path(node)) == name), top)
+    return about("error", one.code, f"{one.message}: no spec can say so", node)
+
+
+def _differing_fields(interface: Interface, top: Any, names: Mapping[str, str]) -> list[Diagnostic]:
+    found = dict(interface.signals)
+    differing = []
+    for node in top.descendants(unroll=True):
+        if type(node).__name__ != "FieldNode" or not (node.is_sw_readable or node.is_sw_writable):
+            continue
+        ours = node.get_property("ul_path") if "ul_path" in node.list_properties() else None
+        if ours is None and not names:
+            # The second word of a signal that was exported from a spec.
+            continue
+        path = spec_path(node, names) if ours is None else re.sub(r"\[(\d+)\]", r"_\1", ours)
+        expected = _expected(node, interface.data_bits, whole=ours is None)
+        signal = found.pop(path, None)
+        seen = None if signal is None else _seen(signal, whole=ours is None)
+        if seen != expected:
+            message = f"{node.get_path()} is {expected}, and {path} of the spec would be {seen}"
+            differing.append(about("error", "differs", message, node))
+    if found:
+        message = f"{next(iter(found))} of the spec is no field"
+        differing.append(about("error", "differs", message, top))
+    return differing
+
+
+def _expected(node: Any, bits: int, *, whole: bool) -> _Seen:
+    access = Access.READ if not node.is_sw_writable else Access.READWRITE if node.is_sw_readable else Access.WRITE
+    address, low = divmod(node.parent.absolute_address * 8 + node.low, bits)
+    if not whole:
+        return _Seen(address, low, access)
+    number, encode = number_of(node), node.get_property("encode")
+    values = () if encode is None else tuple(sorted(member.value for member in encode))
+    return _Seen(address, low, access, node.width, number.signed, math.ldexp(1, -(number.fraction or 0)), values)
+
+
+def _seen(signal: Signal, *, whole: bool) -> _Seen:
+    if not whole:
+        return _Seen(signal.address, signal.lowest_bit, signal.access)
+    kind = signal.kind
+    values = () if kind.enumeration is None else tuple(sorted(one.value for one in kind.enumeration.values))
+    return _Seen(
+        signal.address, signal.lowest_bit, signal.access, signal.width, kind.is_signed, kind.step, values
+    )  # fmt: skip
+
+
+def _differing_memories(interface: Interface, top: Any) -> list[Diagnostic]:
+    width = interface.data_bits // 8
+    found = sorted((one.base, one.words or 0) for one in interface.modules if one.type == "MEMORY")
+    nodes = [node for node in top.descendants(unroll=True) if type(node).__name__ == "MemNode"]
+    # The elements of an array are one memory in a spec.
+    first = [node for node in nodes if not any(node.current_idx or ())]
+    expected = sorted((node.absolute_address // width, -(-node.total_size // width)) for node in first)
+    if found == expected:
+        return []
+    message = f"the memories are at {expected} in words, and those of the spec would be at {found}"
+    return [about("error", "differs", message, top)]

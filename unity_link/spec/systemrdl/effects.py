@@ -1,0 +1,69 @@
+"""Warnings: side effects of accesses, which SystemRDL has words for and UL-spec has not."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from unity_link.spec.systemrdl.places import about, flat_path
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from unity_link.spec.diagnostics import Diagnostic
+
+_READING = {"rclr": "clears it", "rset": "sets all of its bits", "ruser": "has an effect of the design's own"}
+_WRITING = {
+    "woset": "writing 1 sets a bit, and 0 leaves it",
+    "woclr": "writing 1 clears a bit, and 0 leaves it",
+    "wot": "writing 1 inverts a bit, and 0 leaves it",
+    "wzs": "writing 0 sets a bit, and 1 leaves it",
+    "wzc": "writing 0 clears a bit, and 1 leaves it",
+    "wzt": "writing 0 inverts a bit, and 1 leaves it",
+    "wclr": "each write clears it",
+    "wset": "each write sets all of its bits",
+    "wuser": "each write has an effect of the design's own",
+}
+
+
+def effects(node: Any) -> Iterator[str]:
+    """Return a doc string's sentences on what reading or writing a field does besides."""
+    for word, name in (("Reading", "onread"), ("Writing", "onwrite")):
+        effect = node.get_property(name)
+        if effect is not None:
+            yield f"{word} it has an effect: {effect.name}."
+
+
+def warnings(node: Any) -> Iterator[Diagnostic]:
+    """Return a warning for each side effect of a field that an access by its signal has too."""
+    for code, message in _messages(node):
+        yield about("warning", code, f"{flat_path(node)}: {message}", node)
+
+
+def _messages(node: Any) -> Iterator[tuple[str, str]]:
+    onread, onwrite, sw = node.get_property("onread"), node.get_property("onwrite"), node.get_property("sw").name
+    if onread is not None:
+        lost = "a read that is repeated on a noisy line, or by a sample or a page, loses what the first one took"
+        yield "side-effect-read", f"reading {_READING[onread.name]} ({onread.name}): {lost}"
+    if onwrite is not None:
+        yield "side-effect-write", f"{_WRITING[onwrite.name]} ({onwrite.name}), {_neighbours(node)}"
+    if node.get_property("singlepulse"):
+        yield "side-effect-write", f"1 lasts for one cycle of the clock (singlepulse), {_neighbours(node)}"
+    if sw in {"rw1", "w1"}:
+        yield "side-effect-write", f"only the first write after a reset counts ({sw}), {_neighbours(node)}"
+    for name in ("swacc", "swmod"):
+        if node.get_property(name):
+            yield "side-effect", f"the hardware sees each access ({name}), those to other fields of its word too"
+    if node.is_sw_writable and not node.is_sw_readable and _written_beside(node):
+        message = "it cannot be read back, so that a write of another field of its register writes what is read there"
+        yield "write-only-field", message
+
+
+def _neighbours(node: Any) -> str:
+    beside = ", ".join(_written_beside(node))
+    plain = "and its signal is a plain one"
+    return f"{plain}: a write of {beside} writes back what was read of this field" if beside else plain
+
+
+def _written_beside(node: Any) -> list[str]:
+    """Return the names of the other fields of its register that are written."""
+    return [one.inst_name for one in node.parent.fields() if one.is_sw_writable and one.inst_name != node.inst_name]

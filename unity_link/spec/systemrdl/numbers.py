@@ -1,0 +1,60 @@
+"""Numbers in SystemRDL's fields: PeakRDL's properties `is_signed`, `intwidth` and `fracwidth`, and enumerations.
+
+Files use PeakRDL's properties with or without a declaration of their own, for PeakRDL declares them itself.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+PEAKRDL = ("is_signed", "intwidth", "fracwidth")
+
+
+class Number(NamedTuple):
+    """A field's number."""
+
+    signed: bool
+    fraction: int | None
+    """Bits after the binary point, negative or more than there are bits too; None of a whole number."""
+
+
+def number_of(node: Any) -> Number:
+    """Return the number that a field is.
+
+    Raises:
+        ValueError: where its widths contradict each other or its enumeration.
+    """
+    signed = _property(node, "is_signed")
+    whole, fraction = _property(node, "intwidth"), _property(node, "fracwidth")
+    if (signed or whole is not None or fraction is not None) and node.get_property("encode") is not None:
+        raise ValueError("an enumeration is neither signed nor a fixed-point number")
+    if whole is not None and fraction is not None and whole + fraction != node.width:
+        raise ValueError(f"intwidth={whole} and fracwidth={fraction} are not the {node.width} bits of the field")
+    return Number(bool(signed), node.width - whole if fraction is None and whole is not None else fraction)
+
+
+def _property(node: Any, name: str) -> int | None:
+    if name not in node.list_properties():
+        return None
+    value = node.get_property(name)
+    # A property that was declared without a default has none where it is named without a value.
+    return value if isinstance(value, int) else None
+
+
+def declare(compiler: Any, names: Iterable[str]) -> None:
+    """Declare properties of PeakRDL's to a compiler."""
+    from systemrdl.component import Field
+    from systemrdl.udp import UDPDefinition
+
+    for one in names:
+        is_flag = one == "is_signed"
+        members = {
+            "name": one,
+            "valid_components": {Field},
+            "valid_type": bool if is_flag else int,
+            "default_assignment": True if is_flag else None,
+        }
+        compiler.register_udp(type(one, (UDPDefinition,), members), soft=False)
