@@ -35,8 +35,9 @@ from unity_link.errors import (
     UnityLinkError,
     UnsupportedError,
 )
+from unity_link.link.connecting import connect
 from unity_link.link.connection import Reconnect
-from unity_link.link.link import Link, Statistics, connect
+from unity_link.link.link import Link, Statistics
 from unity_link.link.subscription import Sample, Subscription
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.transport import register, register_stand_in

@@ -29,8 +29,8 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any, Self, TypeVar
 
 from unity_link.errors import LinkClosedError, Outcome, Sealed, UnityLinkError, missing, refusing
-from unity_link.link import link as asynchronous
 from unity_link.link.calling_thread import CallingThread
+from unity_link.link.connecting import connect as connect_asynchronously
 from unity_link.link.connection import CONNECT_TIMEOUT
 from unity_link.link.subscription import check_count
 
@@ -40,6 +40,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
 
+    from unity_link.link import link as asynchronous
     from unity_link.link.connection import Reconnect
     from unity_link.link.subscription import Sample
     from unity_link.link.subscription import Subscription as AsyncSubscription
@@ -119,7 +120,7 @@ class BlockingLink(Sealed):
 
     def __init__(self, target: str | Medium, *, timeout: float, reconnect: bool | Reconnect) -> None:
         self._runtime = CallingThread()
-        connecting = asynchronous.connect(target, timeout=timeout, reconnect=reconnect)
+        connecting = connect_asynchronously(target, timeout=timeout, reconnect=reconnect)
         try:
             self._link = self._runtime.run(connecting.open, self._runtime)
         except BaseException:

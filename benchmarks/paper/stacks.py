@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol
 import numpy as np
 
 from benchmarks.paper.build import checked
-from unity_link.link.link import connect
+from unity_link.link.connecting import connect
 from unity_link.protocol.messages import GroupFlag
 from unity_link.transport import parse_url
 

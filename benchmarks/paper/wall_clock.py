@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from benchmarks.paper.results import Spread, WallClock
 from benchmarks.paper.stacks import ADDRESS, WORD, of_the_link
-from unity_link.link.link import connect
+from unity_link.link.connecting import connect
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -54,7 +54,7 @@ async def served(monkeypatch: pytest.MonkeyPatch) -> AsyncIterator[Served]:
     monkeypatch.setattr(watch_view, "time", clock)
     gateway = Valve(VirtualGateway())
     async with sharing(gateway) as shared, PipedLink(shared) as link:
-        monkeypatch.setattr("unity_link.link.link.connect", lambda *_, **__: nullcontext(link))
+        monkeypatch.setattr("unity_link.link.connecting.connect", lambda *_, **__: nullcontext(link))
         yield Served(link, shared, gateway)
 
 

@@ -266,7 +266,7 @@ async def test_who_gives_up_while_the_port_is_opened_leaves_the_node_to_the_next
 
 def test_all_that_came_between_two_turns_is_dropped_also_where_a_read_gives_a_part_of_it() -> None:
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-    port = SharedPort(("a port",), parse_url("tcp://gateway:1?node=1"))
+    port = SharedPort(("a port",), parse_url("tcp://gateway:1?node=1"), {})
     port.channel = SocketChannel(ours)
     channel = SharedChannel(port, port.line.join(1))
     with theirs:

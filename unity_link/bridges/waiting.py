@@ -7,7 +7,7 @@ from contextlib import asynccontextmanager
 from typing import TYPE_CHECKING, TypeVar
 
 from unity_link.errors import BusTimeoutError, ConnectError, GatewayResetError
-from unity_link.link.link import connect
+from unity_link.link.connecting import connect
 from unity_link.transport import parse_url, prepare
 
 if TYPE_CHECKING:

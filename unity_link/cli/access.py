@@ -50,7 +50,7 @@ async def _read(
     json: bool,
     timeout: float,  # noqa: ASYNC109  (an option of the command)
 ) -> None:
-    from unity_link.link.link import connect
+    from unity_link.link.connecting import connect
 
     async with connect(url, timeout=timeout) as link:
         words = (await link.read_block(address, count)).tolist() if count != 1 else [await link.read(address)]
@@ -87,7 +87,7 @@ async def _write(
     json: bool,
     timeout: float,  # noqa: ASYNC109  (an option of the command)
 ) -> None:
-    from unity_link.link.link import connect
+    from unity_link.link.connecting import connect
 
     async with connect(url, timeout=timeout) as link:
         words = [to_word(value, link.gateway.data_bits) for value in values]

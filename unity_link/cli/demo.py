@@ -78,7 +78,7 @@ def demo(
 
 
 async def _demo(url: str, duration: float, *, json: bool) -> None:
-    from unity_link.link.link import connect
+    from unity_link.link.connecting import connect
 
     async with connect(url, timeout=DEFAULT_TIMEOUT) as link:
         await _check_robot(url, link)

@@ -34,7 +34,7 @@ def info(url: Url, *, json: Json = False, timeout: Timeout = DEFAULT_TIMEOUT) ->
 
 
 async def _info(url: str, *, json: bool, timeout: float) -> None:  # noqa: ASYNC109  (an option of the command)
-    from unity_link.link.link import connect
+    from unity_link.link.connecting import connect
     from unity_link.transport import has_bus, parse_url
 
     async with connect(url, timeout=timeout) as link:

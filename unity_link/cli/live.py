@@ -151,7 +151,7 @@ async def _live(
         raise ConnectError(
             "the page needs a web server, which is not installed: pip install 'unity-link[live]'"
         ) from None
-    from unity_link.link.link import connect
+    from unity_link.link.connecting import connect
 
     async with contextlib.AsyncExitStack() as stack:
         link = await stack.enter_async_context(connect(url, timeout=timeout, reconnect=True))

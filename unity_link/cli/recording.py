@@ -91,7 +91,7 @@ async def _record(  # noqa: PLR0913  (as `record`)
 ) -> None:
     from unity_link.bridges.recording import Recorder, RecordingError
     from unity_link.data import load
-    from unity_link.link.link import connect
+    from unity_link.link.connecting import connect
 
     robot_type = load(spec, interface)
     async with connect(url, timeout=timeout, reconnect=True) as link:

@@ -75,7 +75,7 @@ async def _get(
     timeout: float,  # noqa: ASYNC109  (an option of the command)
 ) -> None:
     from unity_link.data.groups import Group
-    from unity_link.link.link import connect
+    from unity_link.link.connecting import connect
 
     chosen = choose(robot_type, names, "read")
     async with connect(url, timeout=timeout) as link:
@@ -128,7 +128,7 @@ async def _set(
     json: bool,
     timeout: float,  # noqa: ASYNC109  (an option of the command)
 ) -> None:
-    from unity_link.link.link import connect
+    from unity_link.link.connecting import connect
 
     written: list[Proxy[Any]] = []
     async with connect(url, timeout=timeout) as link:

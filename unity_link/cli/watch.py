@@ -105,7 +105,7 @@ async def _watch(
 ) -> None:
     from unity_link.bridges.telling import Faults
     from unity_link.bridges.waiting import begin_when_there
-    from unity_link.link.link import connect
+    from unity_link.link.connecting import connect
 
     samples: Stream | None = None
     refused = False

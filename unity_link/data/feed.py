@@ -20,8 +20,8 @@ from unity_link.errors import (
     SamplesLostError,
     UnityLinkError,
 )
-from unity_link.link.running import running
 from unity_link.link.runtime import report
+from unity_link.link.synchronisation import running
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection

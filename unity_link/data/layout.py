@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from unity_link.errors import ArgumentError
-from unity_link.link.running import gather
+from unity_link.link.synchronisation import gather
 from unity_link.spec.columns import Columns
 
 if TYPE_CHECKING:

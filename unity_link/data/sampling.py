@@ -24,9 +24,9 @@ from unity_link.errors import (
     UnsupportedError,
     refusing,
 )
-from unity_link.link.running import Event, gather, running
 from unity_link.link.runtime import AsyncioRuntime
 from unity_link.link.subscription import NOT_OPEN, Sample, so_many
+from unity_link.link.synchronisation import Event, gather, running
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -10,7 +10,7 @@ import contextlib
 from typing import TYPE_CHECKING, Any
 
 from unity_link.errors import AnswerLostError, ArgumentError
-from unity_link.link.running import gather
+from unity_link.link.synchronisation import gather
 
 if TYPE_CHECKING:
     from collections.abc import Coroutine, Mapping

@@ -10,7 +10,7 @@ from unity_link.doctor.findings import FaultName, Finding
 from unity_link.doctor.gateways import check_gateway, check_send_immediate
 from unity_link.doctor.media import CHIP_SCHEMES, check_medium, explain_failure
 from unity_link.errors import ConnectError, UnansweredError, UnsupportedError
-from unity_link.link.link import connect
+from unity_link.link.connecting import connect
 from unity_link.transport import has_bus, parse_url
 
 if TYPE_CHECKING:

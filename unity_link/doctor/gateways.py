@@ -14,7 +14,7 @@ from urllib.parse import urlencode
 from unity_link.doctor.answers import has_speed
 from unity_link.doctor.findings import FaultName, Finding
 from unity_link.doctor.media import CHIP_SCHEMES
-from unity_link.link.link import connect
+from unity_link.link.connecting import connect
 from unity_link.protocol.configuration import PROTOCOL_VERSION, Feature
 from unity_link.protocol.numbers import feature_names
 

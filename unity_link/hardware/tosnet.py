@@ -41,7 +41,7 @@ import numpy as np
 from unity_link.errors import ArgumentError, UnityLinkError
 from unity_link.hardware.bus import link_under
 from unity_link.hardware.module import Module
-from unity_link.link.running import Lock
+from unity_link.link.synchronisation import Lock
 from unity_link.protocol.numbers import whole_number
 
 if TYPE_CHECKING:

@@ -1,8 +1,14 @@
 """Layer 2, the link: what a program holds of one gateway.
 
+- `connecting`: `connect`, which opens a link
 - `link`: the asynchronous face: reads, writes, blocks, batches, subscriptions
-- `subscription`: groups of addresses that the gateway samples by itself
+- `mapped`: the same calls where the bus is mapped into memory
+- `subscription` and `samples_together`: groups of addresses that the gateway samples by itself
 - `connection`: the life of a link: opened, lost, opened again, closed
-- `handshake`: the first words on a connection
-- `exchange`, `requests`: requests in flight, and what one is
+- `flow`: a session of the protocol, driven by a stream, a clock and futures
+- `runtime`, `calling_thread`, `structured`: what runs a link: an event loop, the calling thread, tasks of trio
+- `waiter`, `timers`, `relay`, `synchronisation`: futures, timers, a loop in another thread, and locks for these
+- `html`: links and robots in notebooks
+
+What the link asks of the gateway, and the handshake, are `unity_link.protocol`.
 """

@@ -19,8 +19,8 @@ from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 
 from unity_link.errors import ArgumentError
 from unity_link.link.relay import Relay, run_in_loop
-from unity_link.link.running import CALLING
 from unity_link.link.runtime import report
+from unity_link.link.synchronisation import CALLING
 from unity_link.link.timers import Timers
 from unity_link.link.waiter import Result
 from unity_link.transport import DriverUrl, has_channel, load_driver, observed, open_channel

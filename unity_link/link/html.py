@@ -4,19 +4,40 @@ from __future__ import annotations
 
 import enum
 from html import escape
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
 from unity_link.protocol.interpreter import summary
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
-    from unity_link.blocking import BlockingLink
-    from unity_link.link.link import Link, Statistics
+    from unity_link.protocol.configuration import GatewayInfo
 
 LONGEST = 200
 """Characters of a cell that are shown."""
 _CELL = 'style="text-align: left"'
+
+
+class ShownStatistics(Protocol):
+    """Counters of a link: `unity_link.Statistics`."""
+
+    __struct_fields__: ClassVar[tuple[str, ...]]
+
+    @property
+    def round_trip(self) -> float | None:
+        """Smoothed round trip in seconds."""
+
+
+class ShownLink(Protocol):
+    """A link of any face."""
+
+    @property
+    def gateway(self) -> GatewayInfo:
+        """Description of its gateway."""
+
+    @property
+    def statistics(self) -> ShownStatistics:
+        """Counters since it was opened."""
 
 
 def table(title: str, rows: Iterable[Sequence[object]], head: Sequence[object] = ()) -> str:
@@ -34,13 +55,13 @@ def table(title: str, rows: Iterable[Sequence[object]], head: Sequence[object] =
     return "".join([*parts, "<tbody>", *lines, "</tbody></table>"])
 
 
-def link_table(link: Link | BlockingLink) -> str:
+def link_table(link: ShownLink) -> str:
     """Return where a link leads, what its gateway is, and what it has seen."""
     rows = [("gateway", summary(link.gateway)), *statistics_rows(link.statistics)]
     return table(repr(link)[1:-1], rows)
 
 
-def statistics_rows(statistics: Statistics) -> list[tuple[str, str]]:
+def statistics_rows(statistics: ShownStatistics) -> list[tuple[str, str]]:
     """Return what a link has seen, as rows of a table."""
     counts = [name for name in statistics.__struct_fields__ if name != "round_trip"]
     rows = [(name.replace("_", " "), f"{getattr(statistics, name):,}") for name in counts]

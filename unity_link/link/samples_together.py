@@ -2,20 +2,35 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
-from unity_link.link.subscription import HEAD
 from unity_link.protocol import arrays
+from unity_link.protocol.messages import SAMPLE_HEAD
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from numpy.typing import NDArray
 
-    from unity_link.link.subscription import GatewayClock, Intake
     from unity_link.protocol.arrays import Words
 
 _NO_WORDS: Words = np.zeros(0, np.uint8)
+
+
+class SampleOwner(Protocol):
+    """The subscription that takes a sample."""
+
+    words_at: int
+    """Place of the first word in the body of its samples."""
+
+
+class SampleClock(Protocol):
+    """The gateway's clock."""
+
+    def seconds_of(self, timestamps: Words, now: float, /) -> NDArray[np.float64]:
+        """Return the instants of timestamps, in seconds."""
 
 
 class SamplesTogether:
@@ -31,7 +46,9 @@ class SamplesTogether:
         self.words: list[Words] = [_NO_WORDS] * count
         self._timestamps: list[tuple[NDArray[np.intp], Words]] = []
 
-    def parse(self, owners: list[Intake], places: NDArray[np.intp], bodies: NDArray[np.uint8], digits: int) -> None:
+    def parse(
+        self, owners: Sequence[SampleOwner], places: NDArray[np.intp], bodies: NDArray[np.uint8], digits: int
+    ) -> None:
         """Read samples of one length.
 
         Args:
@@ -55,16 +72,16 @@ class SamplesTogether:
     def _parse_alike(self, places: NDArray[np.intp], bodies: NDArray[np.uint8], words_at: int, digits: int) -> None:
         """Read samples that have their words at the same place."""
         values = arrays.apart(arrays.parse_rows(bodies[:, words_at:].reshape(-1, digits)).reshape(len(bodies), -1))
-        sequences = arrays.parse_rows(bodies[:, 3:HEAD]).tolist()
-        if words_at != HEAD:
-            self._timestamps.append((places, arrays.parse_rows(bodies[:, HEAD:words_at])))
+        sequences = arrays.parse_rows(bodies[:, 3:SAMPLE_HEAD]).tolist()
+        if words_at != SAMPLE_HEAD:
+            self._timestamps.append((places, arrays.parse_rows(bodies[:, SAMPLE_HEAD:words_at])))
         if len(places) == len(self.words):
             self.sequences, self.words = sequences, values
             return
         for place, sequence, words in zip(places.tolist(), sequences, values, strict=True):
             self.sequences[place], self.words[place] = sequence, words
 
-    def instants(self, clock: GatewayClock, now: float) -> list[float | None]:
+    def instants(self, clock: SampleClock, now: float) -> list[float | None]:
         """Return the instants of all in seconds, None for those without timestamp."""
         instants: list[float | None] = [None] * len(self.words)
         if self._timestamps:

@@ -15,8 +15,8 @@ import anyio
 from anyio.from_thread import BlockingPortal
 
 from unity_link.link.relay import Relay, run_in_loop
-from unity_link.link.running import STRUCTURED
 from unity_link.link.runtime import report
+from unity_link.link.synchronisation import STRUCTURED
 from unity_link.link.timers import Timers
 from unity_link.link.waiter import Result
 from unity_link.transport import DriverUrl, has_channel, load_driver, observed, open_channel

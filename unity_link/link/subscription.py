@@ -35,7 +35,7 @@ from unity_link.errors import (
 from unity_link.link.runtime import report
 from unity_link.protocol.exchange import Sampled, SampledRows, SampledTogether
 from unity_link.protocol.group_table import GroupBegun, GroupRefused, GroupStarted
-from unity_link.protocol.messages import TIMESTAMP_DIGITS, Codec, GroupFlag
+from unity_link.protocol.messages import SAMPLE_HEAD, TIMESTAMP_DIGITS, Codec, GroupFlag
 from unity_link.protocol.numbers import real_number, whole_number
 from unity_link.protocol.requests import Request
 
@@ -55,8 +55,6 @@ if TYPE_CHECKING:
 
 Overflow = Literal["drop_oldest", "fail"]
 NOT_OPEN = "the subscription is not open: write `async with ...subscribe(...) as samples:`, or `with` in blocking code"
-HEAD = 5
-"""Characters before the fields of a publish: the letter, the group and the sequence."""
 LARGEST_DIVISOR = 0xFFFF
 RESET_TOLERANCE = 1
 """Seconds by which the clock of a gateway that was not reset may be off this machine's after an interruption."""
@@ -293,7 +291,7 @@ class Intake:
         """Samples that arrived so far."""
         self.length = 0
         """Characters of a publish."""
-        self.words_at = HEAD
+        self.words_at = SAMPLE_HEAD
         """Number of characters before the words."""
         self.buffer: deque[Sample] = deque()
         self.error: UnityLinkError | None = None
@@ -398,8 +396,8 @@ class Intake:
             return
         try:
             values = protocol.arrays.parse_words(body[self.words_at :], self._publishing.info.data_digits)
-            sequence = int(body[3:HEAD], 16)
-            timestamp = int(body[HEAD : self.words_at], 16) if self.words_at != HEAD else None
+            sequence = int(body[3:SAMPLE_HEAD], 16)
+            timestamp = int(body[SAMPLE_HEAD : self.words_at], 16) if self.words_at != SAMPLE_HEAD else None
         except ValueError:
             return
         instant = None if timestamp is None else self._publishing.clock.seconds(timestamp, now)
@@ -428,12 +426,12 @@ class Intake:
             bodies: shape (n, length).
             now: when they arrived, on the loop's clock.
         """
-        digits, stamped = self._publishing.info.data_digits, self.words_at != HEAD
+        digits, stamped = self._publishing.info.data_digits, self.words_at != SAMPLE_HEAD
         parse_rows = protocol.arrays.parse_rows
         try:
             values = parse_rows(bodies[:, self.words_at :].reshape(-1, digits)).reshape(len(bodies), -1)
-            sequences = parse_rows(bodies[:, 3:HEAD])
-            timestamps = parse_rows(bodies[:, HEAD : self.words_at]) if stamped else None
+            sequences = parse_rows(bodies[:, 3:SAMPLE_HEAD])
+            timestamps = parse_rows(bodies[:, SAMPLE_HEAD : self.words_at]) if stamped else None
         except ValueError:
             for body in bodies:
                 self.receive(body.tobytes(), now)
@@ -634,7 +632,7 @@ class Subscription(OfLink):
         self._entered, self._waits_for_block = True, False
         intake = self._intake
         timestamped = GroupFlag.TIMESTAMP in self.schedule.flags
-        intake.words_at = HEAD + (TIMESTAMP_DIGITS if timestamped else 0)
+        intake.words_at = SAMPLE_HEAD + (TIMESTAMP_DIGITS if timestamped else 0)
         intake.length = intake.words_at + self._publishing.info.data_digits * len(self.schedule.addresses)
         try:
             self._group = await self._publishing.hold(intake)

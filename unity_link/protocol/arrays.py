@@ -10,7 +10,7 @@ from binascii import hexlify, unhexlify
 from collections.abc import Sequence
 from functools import lru_cache
 from operator import index
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias, cast
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeAlias, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -20,9 +20,9 @@ from unity_link.protocol.crc import byte_table
 from unity_link.protocol.frames import LF
 
 if TYPE_CHECKING:
+    from unity_link.protocol.configuration import GatewayInfo
     from unity_link.protocol.crc import Crc
     from unity_link.protocol.frames import Framing
-    from unity_link.protocol.messages import Codec
 
 Words: TypeAlias = NDArray[np.unsignedinteger[Any]]
 _FEWEST_ROWS = 20
@@ -207,18 +207,32 @@ def open_rows(framing: Framing, rows: NDArray[np.uint8], head: bytes) -> NDArray
     return rows[: _count_alike(rows, expected), len(framing.prefix) : end]
 
 
+class FrameCodec(Protocol):
+    """The part of a `messages.Codec` that frames many requests and responses."""
+
+    info: GatewayInfo
+    framing: Framing
+    ring: int
+    """Number of IDs."""
+    lower: dict[str, bytes]
+    """Letters of each command on the wire."""
+
+    def request(self, command: str, number: int, fields: bytes) -> bytes:
+        """Return the checked frame of a request with an ID."""
+
+
 @lru_cache
 def _id_rows(digits: int) -> NDArray[np.uint8]:
     """Return the digits of all IDs, twice: shape (2 * ring, digits)."""
     return np.tile(hex_rows(np.arange(16**digits), digits), (2, 1))
 
 
-def _ids(codec: Codec, first: int, count: int) -> NDArray[np.uint8]:
+def _ids(codec: FrameCodec, first: int, count: int) -> NDArray[np.uint8]:
     """Return the digits of so many consecutive IDs, shape (count, digits)."""
     return _id_rows(codec.info.id_digits)[first : first + count]
 
 
-def request_rows(codec: Codec, command: str, first: int, fields: NDArray[np.uint8]) -> bytes:
+def request_rows(codec: FrameCodec, command: str, first: int, fields: NDArray[np.uint8]) -> bytes:
     """Return the checked frames of many requests of one command under consecutive IDs.
 
     Args:
@@ -242,7 +256,7 @@ def request_rows(codec: Codec, command: str, first: int, fields: NDArray[np.uint
     return np.concatenate((covered, crc_rows(framing.crc, covered), ends), axis=1).tobytes()
 
 
-def matching_rows(codec: Codec, command: str, first: int, data: bytes, digits: int) -> NDArray[np.uint8]:
+def matching_rows(codec: FrameCodec, command: str, first: int, data: bytes, digits: int) -> NDArray[np.uint8]:
     """Check frames of one command under consecutive IDs, be they requests or responses.
 
     Args:
@@ -268,7 +282,7 @@ def matching_rows(codec: Codec, command: str, first: int, data: bytes, digits: i
     return rows[: _count_alike(rows, expected), before : before + digits]
 
 
-def response_rows(codec: Codec, command: str, first: int, data: bytes, digits: int) -> Words | None:
+def response_rows(codec: FrameCodec, command: str, first: int, data: bytes, digits: int) -> Words | None:
     """Read the responses to many requests of one command under consecutive IDs, as long as they are as expected.
 
     Args:

@@ -69,6 +69,8 @@ COMMANDS: dict[str, Command] = {
     "Q": Command(""),
     "K": Command("i", "i"),
 }
+SAMPLE_HEAD = 5
+"""Characters of the body of a sample before its timestamp and words: letter, group and sequence."""
 TIMESTAMP_DIGITS = 8
 """Hex digits of the time in a sample."""
 WITHOUT_ID = frozenset({"Q", "K"})

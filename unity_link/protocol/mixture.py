@@ -6,7 +6,7 @@ Frames of one size are looked at together, whatever groups they are of.
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeAlias
 
 import numpy as np
 
@@ -19,13 +19,20 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from unity_link.protocol.frames import Framing
-    from unity_link.protocol.group_table import HeldGroup
 
 FEWEST_OF_A_SIZE = 8
 """Frames of one size that are worth a turn of numpy."""
 
 
 _Parts: TypeAlias = list[tuple["NDArray[np.intp]", "NDArray[np.uint8]"]]
+
+
+class PublishedGroup(Protocol):
+    """The part of a `group_table.HeldGroup` by which its samples are known."""
+
+    length: int
+    """Characters of the body of a sample."""
+    owner: Any
 
 
 class Mixture(NamedTuple):
@@ -39,7 +46,7 @@ class Mixture(NamedTuple):
     """Characters of all frames."""
 
 
-def find_mixture(data: bytes, start: int, framing: Framing, groups: Mapping[bytes, HeldGroup]) -> Mixture | None:
+def find_mixture(data: bytes, start: int, framing: Framing, groups: Mapping[bytes, PublishedGroup]) -> Mixture | None:
     """Return the samples from `start` on, up to the first line that is none of these groups; None where there is none.
 
     Args:

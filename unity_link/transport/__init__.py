@@ -16,17 +16,16 @@ from __future__ import annotations
 
 import difflib
 import importlib
-import logging
 import os
 import re
 import select
 from typing import TYPE_CHECKING, Any, Protocol, TypeGuard, cast
 from urllib.parse import parse_qsl, urlsplit
 
-import msgspec
-
 from unity_link.errors import ArgumentError, ConnectError, did_you_mean
 from unity_link.transport.channel import refused_as
+from unity_link.transport.frame_log import is_wanted
+from unity_link.transport.url import DriverUrl
 
 if TYPE_CHECKING:
     import asyncio
@@ -54,93 +53,10 @@ _DEVICE_NAMES = frozenset({"ftdi", "ftdi-async"})
 COMMON_OPTIONS = frozenset({"node", "snoop", "map"})
 SNOOP_VARIABLE = "UNITY_LINK_SNOOP"
 """Environment variable with the path of the snoop of all connections whose URL names none."""
-SENT, RECEIVED, SAMPLES = (logging.getLogger(f"unity_link.frames.{name}") for name in ("sent", "received", "samples"))
-"""Loggers of the frames of connections that are opened while they are at debug level."""
 _OPENING_TIMEOUT = 5.0
 """Seconds that the thread which opens a shared port waits, whoever has given it up meanwhile."""
 _TOKEN = re.compile(r"(?<=[?&]token=)[^&]*")
 """The value of an option that is a secret."""
-
-
-class DriverUrl(msgspec.Struct, frozen=True):
-    """A parsed URL, such as ``serial:/dev/ttyUSB0?baud=12000000`` or ``tcp://robot:7001``."""
-
-    text: str
-    """The URL as it was given, without a token; messages name it."""
-    scheme: str
-    host: str
-    """A computer; or a device, as it stands in the URL."""
-    port: int | None
-    path: str
-    options: dict[str, str]
-
-    def integer(self, option: str, default: int) -> int:
-        """Return an option that is a whole number.
-
-        Raises:
-            ArgumentError: where it is none.
-        """
-        text = self.options.get(option)
-        if text is None:
-            return default
-        try:
-            return int(text, 0)
-        except ValueError:
-            raise ArgumentError(f"{option}={text} in {self.text} is not a whole number") from None
-
-    def number(self, option: str) -> float:
-        """Return an option that is a number, and is there.
-
-        Raises:
-            ArgumentError: where it is none.
-        """
-        text = self.options[option]
-        try:
-            return float(text)
-        except ValueError:
-            raise ArgumentError(f"{option}={text} in {self.text} is not a number") from None
-
-    def flag(self, option: str) -> bool:
-        """Return an option that is 0 or 1; 0 where it is not given.
-
-        Raises:
-            ArgumentError: where it is something else.
-        """
-        text = self.options.get(option, "0")
-        if text not in ("0", "1"):
-            raise ArgumentError(f"{option}={text} in {self.text} is neither 0 nor 1")
-        return text == "1"
-
-    @property
-    def without_host(self) -> str:
-        """The URL with what it has for a host as the first folder of its path."""
-        return self.text.replace("://", ":/", 1)
-
-    @property
-    def node(self) -> int | None:
-        """Number of the node on a shared medium (docs/protocol.md, "Addressed frames"), None on a medium of our own."""
-        if "node" not in self.options:
-            return None
-        node = self.integer("node", 0)
-        if not 0 <= node <= 0xFE:
-            raise ArgumentError(f"node={node} in {self.text} is not from 0 to 254")
-        return node
-
-    @property
-    def any_map(self) -> bool:
-        """Return whether a program may use a gateway that was built from another spec than its own."""
-        chosen = self.options.get("map")
-        if chosen not in (None, "any"):
-            raise ArgumentError(f"map={chosen} in {self.text} is not any")
-        return chosen is not None
-
-    @property
-    def snoop(self) -> str | None:
-        """Path of the file that is to hold what passes, None where none is named."""
-        name = self.options.get("snoop")
-        if name == "":
-            raise ArgumentError(f"snoop= in {self.text} names no file")
-        return name
 
 
 class Driver(Protocol):
@@ -398,7 +314,8 @@ def open_channel(url: DriverUrl, timeout: float | None, is_given_up: Callable[[]
         if _is_shared(url):
             from unity_link.transport.shared_port import open_shared
 
-            return open_shared(url, lambda: driver.open_channel(url, timeout), is_given_up)
+            settings = getattr(driver, "DEFAULTS", {}) | url.options
+            return open_shared(url, settings, lambda: driver.open_channel(url, timeout), is_given_up)
         channel: Channel = driver.open_channel(url, timeout)
         return channel
 
@@ -427,7 +344,7 @@ def observed(target: DriverUrl | Medium, protocol: asyncio.Protocol) -> asyncio.
     """
     named = target.snoop if isinstance(target, DriverUrl) else None
     snoop = os.environ.get(SNOOP_VARIABLE, "") if named is None else named
-    logged = any(log.isEnabledFor(logging.DEBUG) for log in (SENT, RECEIVED, SAMPLES))
+    logged = is_wanted()
     if not snoop and not logged:
         return protocol
     from unity_link.transport.tap import tapped

@@ -18,11 +18,11 @@ from unity_link.transport.channel import LARGEST_READ
 from unity_link.transport.turns import Line
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
 
-    from unity_link.transport import DriverUrl
     from unity_link.transport.channel import Channel
     from unity_link.transport.turns import Seat
+    from unity_link.transport.url import DriverUrl
 
 _OWN_OPTIONS = frozenset({"node", "snoop", "library"})
 """Options that are no matter of the port."""
@@ -37,10 +37,10 @@ _READS_OF_ALL = 16
 class SharedPort:
     """A medium that is open once, for all links of this process."""
 
-    def __init__(self, key: tuple[Any, ...], url: DriverUrl) -> None:
+    def __init__(self, key: tuple[Any, ...], url: DriverUrl, settings: Mapping[str, str]) -> None:
         self.key = key
         self.text = url.text
-        self.settings = _settings(url)
+        self.settings = settings
         self.opening = threading.Lock()
         """Held while it is being opened, which may take its time."""
         self.channel: Channel | None = None
@@ -61,12 +61,16 @@ class SharedPort:
 
 
 def open_shared(
-    url: DriverUrl, open_alone: Callable[[], Channel], is_given_up: Callable[[], bool] = lambda: False
+    url: DriverUrl,
+    settings: Mapping[str, str],
+    open_alone: Callable[[], Channel],
+    is_given_up: Callable[[], bool] = lambda: False,
 ) -> SharedChannel:
     """Return a link's part of a port, which is opened if it is not open.
 
     Args:
         url: names port and node.
+        settings: options of the URL, with the driver's defaults for those that it leaves out.
         open_alone: opens the port.
         is_given_up: whether nobody waits for the link any more: then the node is left to the next who asks for it.
 
@@ -75,10 +79,11 @@ def open_shared(
         ConnectError: where it can't be opened, or the node has a link already.
     """
     assert url.node is not None
+    of_port = {name: value for name, value in settings.items() if name not in _OWN_OPTIONS}
     key = (url.scheme, url.host, url.port, os.path.realpath(url.path) if url.path else "")
     while True:
         with _LOCK:
-            port = _PORTS.get(key) or _PORTS.setdefault(key, SharedPort(key, url))
+            port = _PORTS.get(key) or _PORTS.setdefault(key, SharedPort(key, url, of_port))
         with port.opening:
             if port.channel is None and not port.over:
                 try:
@@ -94,18 +99,11 @@ def open_shared(
                 if not port.users:
                     port.end()
                 raise ConnectError("it was given up")
-            if port.settings != _settings(url):
+            if port.settings != of_port:
                 raise ArgumentError(
                     f"{url.text}: this program has opened the port as {port.text}, so with other options"
                 )
             return SharedChannel(port, port.line.join(url.node))
-
-
-def _settings(url: DriverUrl) -> dict[str, str]:
-    from unity_link.transport import load_driver
-
-    defaults: dict[str, str] = getattr(load_driver(url.scheme), "DEFAULTS", {})
-    return defaults | {name: value for name, value in url.options.items() if name not in _OWN_OPTIONS}
 
 
 def _without_node(url: DriverUrl) -> str:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Protocol, cast
 
 from unity_link.protocol.interpreter import FrameKind
 from unity_link.protocol.transcript import Transcript
-from unity_link.transport import RECEIVED, SAMPLES, SENT
+from unity_link.transport.frame_log import RECEIVED, SAMPLES, SENT
 from unity_link.transport.pcapng import Packet
 from unity_link.transport.snoop import Snoop, now_ns
 
@@ -134,7 +134,7 @@ class Tap(asyncio.Protocol):
             observer.take(data, sent=sent)
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
-        """Hand on, with what hobservers the other direction in front of the transport."""
+        """Hand on, with what observes the other direction in front of the transport."""
         self._protocol.connection_made(_TappedTransport(cast("asyncio.Transport", transport), self))
 
     def data_received(self, data: bytes) -> None:

@@ -20,7 +20,7 @@ from collections import deque
 from functools import partial
 from typing import TYPE_CHECKING, Protocol
 
-from unity_link.protocol.messages import TIMESTAMP_DIGITS, GroupFlag
+from unity_link.protocol.messages import SAMPLE_HEAD, TIMESTAMP_DIGITS, GroupFlag
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -29,7 +29,6 @@ if TYPE_CHECKING:
     from unity_link.protocol.messages import Codec
 
 _SEQUENCE = slice(3, 5)
-_HEAD = 5
 
 
 class Taker(Protocol):
@@ -56,7 +55,7 @@ class GroupSettings:
         )
         self.has_trigger = bool(flags & GroupFlag.TRIGGER)
         stamp = TIMESTAMP_DIGITS if flags & GroupFlag.TIMESTAMP else 0
-        self.size = _HEAD + stamp + codec.info.data_digits * len(addresses)
+        self.size = SAMPLE_HEAD + stamp + codec.info.data_digits * len(addresses)
         """Characters of the body of a sample."""
         self.seconds_each = divisor / codec.info.base_frequency_hz if flags & GroupFlag.PERIODIC else None
 
@@ -103,7 +102,7 @@ class ClientGroup:
         except ValueError:
             return
         self._next = sequence + 1
-        self._taker.sample(settings.frame(b"%b%02X%b" % (self._head, sequence, body[_HEAD:])))
+        self._taker.sample(settings.frame(b"%b%02X%b" % (self._head, sequence, body[SAMPLE_HEAD:])))
 
 
 class Slot:

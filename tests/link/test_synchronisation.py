@@ -11,7 +11,7 @@ import trio
 
 import unity_link
 from unity_link import blocking
-from unity_link.link.running import Event, Lock, gather
+from unity_link.link.synchronisation import Event, Lock, gather
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine

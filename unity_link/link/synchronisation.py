@@ -9,22 +9,29 @@ import asyncio
 from collections import deque
 from contextlib import suppress
 from contextvars import ContextVar
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 from weakref import WeakSet
 
 from unity_link.errors import ArgumentError
-from unity_link.link.runtime import AsyncioRuntime
+from unity_link.link.runtime import AsyncioRuntime, Runtime
 
 if TYPE_CHECKING:
-    from collections.abc import Coroutine
+    from collections.abc import Callable, Coroutine
     from types import TracebackType
 
-    from unity_link.link.calling_thread import CallingThread
-    from unity_link.link.runtime import Runtime, Waiter
+    from unity_link.link.runtime import Waiter
+
+
+class BlockingRuntime(Runtime, Protocol):
+    """A runtime of blocking code."""
+
+    is_running_here: Callable[[], bool]
+    """Returns whether the calling thread runs a coroutine by it."""
+
 
 STRUCTURED: ContextVar[Runtime] = ContextVar("STRUCTURED")
 """Runtime of the links of the innermost block, under trio."""
-CALLING: WeakSet[CallingThread] = WeakSet()
+CALLING: WeakSet[BlockingRuntime] = WeakSet()
 """Runtimes of the links of blocking code."""
 
 
@@ -45,7 +52,7 @@ def running() -> Runtime:
     return structured
 
 
-def _calling() -> list[CallingThread]:
+def _calling() -> list[BlockingRuntime]:
     while True:
         # Another thread may open a link at this moment.
         with suppress(RuntimeError):

@@ -1,0 +1,126 @@
+"""Opening of a link: `connect`, and what it returns."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING, Any
+
+from unity_link.errors import ArgumentError, refusing
+from unity_link.link.connection import CONNECT_TIMEOUT, Reconnect
+from unity_link.link.link import NOT_CONNECTED, Link
+from unity_link.link.runtime import AsyncioRuntime
+from unity_link.protocol.numbers import real_number
+from unity_link.transport import DriverUrl, check_target, has_bus, parse_url
+
+if TYPE_CHECKING:
+    from collections.abc import Generator
+    from types import TracebackType
+
+    from unity_link.link.runtime import Runtime
+    from unity_link.link.structured import Structured
+    from unity_link.transport import Medium
+
+
+class Connecting:
+    """Result of `connect`: await it for a `Link`, or use it as an async context manager."""
+
+    def __init__(self, target: str | Medium, timeout: float, reconnect: Reconnect | None) -> None:
+        self._target = target
+        self._timeout = timeout
+        self._reconnect = reconnect
+        self._link: Link | None = None
+        self._structured: Structured | None = None
+
+    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+        __enter__ = __exit__ = refusing("write `async with unity_link.connect(...)`, or use `unity_link.blocking`")
+
+        def __getattr__(self, name: str) -> Any:
+            raise AttributeError(f"{name}: the link is not open yet: {NOT_CONNECTED}")
+
+    def __await__(self) -> Generator[Any, None, Link]:
+        if _is_under_trio():
+            raise ArgumentError(
+                "under trio a link lives in a block: write `async with unity_link.connect(...) as link`"
+            )
+        return self.open(AsyncioRuntime()).__await__()
+
+    async def open(self, runtime: Runtime) -> Link:
+        """Return an open link that something runs."""
+        target = parse_url(self._target) if isinstance(self._target, str) else self._target
+        if isinstance(target, DriverUrl):
+            await runtime.prepare(target)
+        link = self._link_to(target, runtime)
+        await link.open(self._timeout)
+        return link
+
+    def _link_to(self, target: DriverUrl | Medium, runtime: Runtime) -> Link:
+        if not has_bus(target):
+            return Link(target, self._reconnect, runtime=runtime)
+        from unity_link.link.mapped import MappedLink
+
+        return MappedLink(target, runtime)
+
+    async def __aenter__(self) -> Link:
+        if _is_under_trio():
+            self._link = await self._open_structured()
+        else:
+            self._link = await self.open(AsyncioRuntime())
+        return self._link
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        assert self._link is not None
+        try:
+            await self._link.__aexit__(kind, error, trace)
+        finally:
+            if self._structured is not None:
+                await self._structured.aclose()
+
+    async def _open_structured(self) -> Link:
+        from unity_link.link.structured import Structured
+
+        self._structured = await Structured().__aenter__()
+        try:
+            return await self.open(self._structured)
+        except BaseException:
+            await self._structured.aclose()
+            raise
+
+
+def _is_under_trio() -> bool:
+    trio = sys.modules.get("trio")
+    return trio is not None and bool(trio.lowlevel.in_trio_run())
+
+
+def connect(
+    target: str | Medium, *, timeout: float = CONNECT_TIMEOUT, reconnect: bool | Reconnect = False
+) -> Connecting:
+    """Open a link to a gateway.
+
+    ::
+
+        async with unity_link.connect("serial:/dev/ttyUSB0?baud=12000000") as link:
+            print(await link.read(0x0A))
+
+    Args:
+        target: the URL of a gateway, or a virtual gateway of this process.
+        timeout: seconds until the gateway must have answered, in each attempt to open the connection again, too.
+        reconnect: open a lost connection again, with pauses as a `Reconnect` says. Subscriptions are set up again and
+            reads and what had not been sent are sent again; other requests that were under way raise `LinkLostError`.
+
+    Raises:
+        ArgumentError: for a URL that no driver knows, or an argument of another type.
+        ConnectError: where nothing answers in time; it says what was tried.
+        UnsupportedError: for a gateway of another protocol version.
+    """
+    if not isinstance(reconnect, bool | Reconnect):
+        raise ArgumentError(f"reconnect is True, False or a Reconnect, not {reconnect!r:.80}")
+    check_target(target)
+    what = "timeout is a number of seconds above 0"
+    seconds = real_number(timeout, what)
+    if not seconds > 0:
+        raise ArgumentError(f"{what}, not {timeout!r:.80}")
+    if isinstance(reconnect, bool):
+        return Connecting(target, seconds, Reconnect() if reconnect else None)
+    return Connecting(target, seconds, reconnect)
