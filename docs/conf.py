@@ -4,7 +4,19 @@ Pages follow Diataxis: tutorials teach, how-to guides help with a task, referenc
 why. Python and console blocks in them are tests; the conftest.py at the top of the repository says how.
 """
 
+import sys
 from importlib.metadata import version as installed_version
+from pathlib import Path
+
+from sphinx.application import Sphinx
+
+sys.path.insert(0, str(Path(__file__).parents[1]))
+import unity_link.link.subscription
+from docs.ul_lexer import UlLexer
+from unity_link.protocol.arrays import Words
+
+# Known to type checkers alone, since numpy is imported late; here the signature of a sample needs it.
+vars(unity_link.link.subscription)["Words"] = Words
 
 project = "Unity-Link"
 author = "the Unity-Link authors"
@@ -18,7 +30,8 @@ nitpicky = False
 myst_enable_extensions = ["colon_fence", "deflist"]
 myst_heading_anchors = 4
 
-autodoc_class_signature = "separated"
+autoclass_content = "both"
+autodoc_default_options = {"members": True, "undoc-members": True}
 autodoc_member_order = "bysource"
 autodoc_typehints = "description"
 autodoc_typehints_format = "short"
@@ -27,3 +40,8 @@ html_theme = "furo"
 html_title = "Unity-Link"
 html_show_sphinx = False
 html_copy_source = False
+
+
+def setup(app: Sphinx) -> None:
+    """Have blocks of `ul` in colours."""
+    app.add_lexer("ul", UlLexer)

@@ -15,18 +15,32 @@ import signal
 import subprocess
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
 WALKTHROUGHS = ["docs/tutorials/rover.md"]
 """The pages that are one."""
+_ROOT = Path(__file__).parents[1]
+PAGES = [_ROOT / "README.md", *(page for page in sorted(_ROOT.glob("docs/**/*.md")) if "_build" not in page.parts)]
+"""All pages."""
 BESIDE = "Terminal 2"
 PATIENCE = 120.0
 """Seconds that a command may take."""
 _BLOCK = re.compile(r"^```(?:\{code-block\} )?(\w+)\n(?::caption: ([^\n]*)\n+)?(.*?)^```$", re.DOTALL | re.MULTILINE)
 _BY_CTRL_C = 128 + signal.SIGINT
+
+
+class Block(NamedTuple):
+    """A block of code of a page."""
+
+    language: str
+    caption: str
+    """The name of a file, or of a terminal; empty without one."""
+    text: str
+    line: int
+    """Where the text begins in the page, from 1 on."""
 
 
 def follow(page: Path, folder: Path) -> None:
@@ -36,7 +50,7 @@ def follow(page: Path, folder: Path) -> None:
         AssertionError: a command failed, or printed something else.
     """
     with contextlib.ExitStack() as beside:
-        for language, caption, text in _BLOCK.findall(page.read_text(encoding="utf-8")):
+        for language, caption, text, _ in blocks(page):
             if language == "console":
                 for command, expected in typed(text):
                     if caption == BESIDE:
@@ -45,6 +59,14 @@ def follow(page: Path, folder: Path) -> None:
                         run(command, expected, folder)
             elif caption:
                 (folder / caption).write_text(text, encoding="utf-8")
+
+
+def blocks(page: Path) -> Iterator[Block]:
+    """Yield the blocks of code of a page."""
+    text = page.read_text(encoding="utf-8")
+    for found in _BLOCK.finditer(text):
+        language, caption, code = found.groups()
+        yield Block(language, caption or "", code, text.count("\n", 0, found.start(3)) + 1)
 
 
 def typed(block: str) -> Iterator[tuple[str, str]]:

@@ -52,8 +52,11 @@ class Outcome(enum.Enum):
     """Fate of a request whose answer did not come."""
 
     EXECUTED = "executed"
+    """The gateway executed it, and the answer was lost."""
     NOT_EXECUTED = "not executed"
+    """It never reached the bus, and can be sent again."""
     UNKNOWN = "unknown"
+    """It may have reached the bus, or not."""
     NO_REQUEST = "no request"
     """The error is not about a request: samples are published without one."""
 
@@ -68,7 +71,9 @@ class UnansweredError(UnityLinkError):
     def __init__(self, reason: str, outcome: Outcome = Outcome.UNKNOWN) -> None:
         super().__init__(reason, outcome)
         self.reason = reason
+        """Cause, as a sentence without the outcome."""
         self.outcome = outcome
+        """Fate of the request."""
 
     def about(self, outcome: Outcome) -> Self:
         """Return the same error about a request of which something else is known."""
@@ -108,9 +113,10 @@ class LinkClosedError(LinkLostError):
 
 
 class GatewayError(UnityLinkError):
-    """The gateway answered with an error; `code` is its number (docs/protocol.md, "Errors")."""
+    """The gateway answered with an error (docs/protocol.md, "Errors")."""
 
     code = 0
+    """Number of the error."""
 
     def __init__(self, message: str, code: int | None = None) -> None:
         super().__init__(message)

@@ -12,8 +12,7 @@ from unity_link.spec.signals import PLAIN_KINDS
 
 ROOT = Path(__file__).parents[2]
 DOCUMENT = (ROOT / "docs/reference/ul-spec.md").read_text(encoding="utf-8")
-BLOCKS = re.findall(r"^```text\n(.*?)^```", DOCUMENT, re.MULTILINE | re.DOTALL)
-SPECS = [block for block in BLOCKS if "error:" not in block]
+SPECS = re.findall(r"^```ul\n(.*?)^```", DOCUMENT, re.MULTILINE | re.DOTALL)
 
 
 @pytest.mark.parametrize("block", SPECS, ids=range(len(SPECS)))

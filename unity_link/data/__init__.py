@@ -20,7 +20,7 @@
 from unity_link.data.batch import Batch, GroupSample, Values
 from unity_link.data.feed import Registration
 from unity_link.data.groups import Group
-from unity_link.data.loading import load, read_interface
+from unity_link.data.loading import LoadedRobot, load, read_interface
 from unity_link.data.ports import Port, ReadPort, WritePort
 from unity_link.data.proxies import Proxy, Readable, ReadWrite, Writable
 from unity_link.data.robot import Component, Robot, python_names
@@ -33,6 +33,7 @@ __all__ = [
     "Group",
     "GroupSample",
     "GroupSubscription",
+    "LoadedRobot",
     "Port",
     "Proxy",
     "ReadPort",

@@ -9,7 +9,7 @@ from __future__ import annotations
 import functools
 import time
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar, overload
+from typing import TYPE_CHECKING, Any, TypeVar, overload
 
 import msgspec
 import numpy as np
@@ -101,7 +101,7 @@ class Values(Mapping["Proxy[Any]", Any]):
         return html.table("values", rows, ("signal", "value", "unit"))
 
 
-class GroupSample(NamedTuple):
+class GroupSample(msgspec.Struct, frozen=True):
     """The values of a group at one instant: ``sample[robot.j1.cpos]``, or ``sample["j1.cpos"]``."""
 
     sequence: int
@@ -111,17 +111,21 @@ class GroupSample(NamedTuple):
     arrived: float
     """Instant of arrival in seconds of this machine's clock (`time.time`)."""
     values: Values
+    """The values, in the order of the group."""
     lost: int
     """Number of samples lost between the one before and this one."""
 
-    def __getitem__(self, key: Any) -> Any:
-        """Return the value of a signal, by its proxy or path; a number counts the fields, as in any tuple."""
-        return tuple.__getitem__(self, key) if isinstance(key, (int, slice)) else self.values[key]
+    @overload
+    def __getitem__(self, proxy: Proxy[T]) -> T: ...
+    @overload
+    def __getitem__(self, proxy: str) -> Any: ...
+    def __getitem__(self, proxy: Proxy[Any] | str) -> Any:
+        """Return the value of a signal, by its proxy or path."""
+        return self.values[proxy]
 
-
-if not TYPE_CHECKING:  # A type checker refuses them by itself, and knows no more than fields in a NamedTuple.
-    GroupSample.__getattr__ = missing_attribute("a sample")
-    GroupSample.__setattr__ = unassignable_attribute("a sample")
+    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+        __getattr__ = missing_attribute("a sample")
+        __setattr__ = unassignable_attribute("a sample")
 
 
 class Batch(Sealed):

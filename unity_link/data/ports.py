@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, cast
 
 import numpy as np
 
-from unity_link.data.proxies import Proxy, SampledSignal
+from unity_link.data.proxies import Proxy, S, SampledSignal, T
 from unity_link.errors import ArgumentError
 from unity_link.protocol.numbers import whole_number
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
-
-T = TypeVar("T")
 
 
 class ReadPort(SampledSignal[T]):
@@ -43,8 +41,8 @@ class ReadPort(SampledSignal[T]):
         return self.scalars((await self.take(1))[:1])[0]
 
 
-class WritePort(Proxy[T]):
-    """A queue that can be written."""
+class WritePort(Proxy[T], Generic[T, S]):
+    """A queue that can be written, of values `T`; it takes `S`, as `Writable`."""
 
     __slots__ = ()
 
@@ -76,15 +74,15 @@ class WritePort(Proxy[T]):
         if outside.any():
             raise self.signal.beyond_limits(values[outside][0])
 
-    async def set(self, value: T) -> None:
+    async def set(self, value: S) -> None:
         """Append one value."""
         signal = self.signal
-        words = signal.encode(value)  # type: ignore[arg-type]
+        words = signal.encode(cast("Any", value))
         await self.bus.write_queue(signal.address, words)
         self.see(self.scalar(signal.decode(words)))
 
 
-class Port(ReadPort[T], WritePort[T]):
+class Port(ReadPort[T], WritePort[T, S]):
     """A queue that can be read and written."""
 
     __slots__ = ()

@@ -9,7 +9,9 @@ from __future__ import annotations
 import contextlib
 import math
 import time
-from typing import TYPE_CHECKING, Any, Generic, Never, TypeVar, cast
+from typing import TYPE_CHECKING, Any, Generic, Never, cast
+
+from typing_extensions import TypeVar
 
 from unity_link.data.callbacks import Callback
 from unity_link.data.feed import Registration
@@ -30,6 +32,8 @@ if TYPE_CHECKING:
     from unity_link.spec.model import Signal
 
 T = TypeVar("T")
+S = TypeVar("S", default=T)
+"""What a signal takes: an enumeration is written by names, too, and never read as one."""
 
 BUFFER = 16_384
 """Samples that wait for a reader, as in `unity_link.Link.subscribe`."""
@@ -312,12 +316,12 @@ class Readable(SampledSignal[T]):
         return value
 
 
-class Writable(Proxy[T]):
-    """A signal that can be written."""
+class Writable(Proxy[T], Generic[T, S]):
+    """A signal that can be written, of values `T`; it takes `S`, which is the same without a second argument."""
 
     __slots__ = ()
 
-    async def set(self, value: T) -> None:
+    async def set(self, value: S) -> None:
         """Write it; when this returns it is on the bus.
 
         One of several words is written in one bus transaction, and a field leaves the other bits of its word alone.
@@ -343,7 +347,7 @@ class Writable(Proxy[T]):
             await self.bus.write_block(signal.address, words)
         self.see(self.scalar(signal.decode(words)))
 
-    async def post(self, value: T) -> None:
+    async def post(self, value: S) -> None:
         """Write it without waiting for the execution; errors are raised by the link's next `fence`.
 
         A field, and a value of several words, need an answer and are written as by `set`.
@@ -365,7 +369,7 @@ class Writable(Proxy[T]):
         return self.signal.limits
 
 
-class ReadWrite(Readable[T], Writable[T]):
+class ReadWrite(Readable[T], Writable[T, S]):
     """A signal that can be read and written."""
 
     __slots__ = ()

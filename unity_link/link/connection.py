@@ -60,7 +60,9 @@ class Reconnect(msgspec.Struct, frozen=True, kw_only=True):
     """
 
     first_pause: float = 0.1
+    """Seconds before the first attempt."""
     longest_pause: float = 5.0
+    """Most seconds between two attempts."""
     give_up_after: float | None = None
     """Seconds after which the link is lost for good; None: never."""
 

@@ -77,10 +77,15 @@ class Statistics(msgspec.Struct, frozen=True, kw_only=True):
     stray_frames: int
     """Sound frames that nothing waited for."""
     bytes_sent: int
+    """Bytes handed to the medium."""
     bytes_received: int
+    """Bytes that came from the medium."""
     samples: int
+    """Samples that arrived."""
     samples_lost: int
+    """Samples that the gateway took and that did not arrive, or that no reader was quick enough for."""
     reconnections: int
+    """Connections that were opened again."""
     round_trip: float | None
     """Smoothed round trip in seconds."""
 

@@ -285,6 +285,7 @@ class Intake:
         callback: Callable[[Sample], object] | None,
     ) -> None:
         self.schedule = schedule
+        """Addresses and conditions of sampling, as the gateway got them."""
         self.lost = 0
         """Samples lost so far: on the way, in the gateway, or in the buffer."""
         self.received = 0
@@ -570,6 +571,7 @@ class Subscription(OfLink):
         if inspect.iscoroutinefunction(callback):
             raise ArgumentError("a callback is a plain function, which may start a task: an async one is never awaited")
         self.schedule = schedule
+        """Addresses and conditions of sampling, as the gateway has them."""
         self._publishing = publishing
         self._intake = Intake(publishing, schedule, size, overflow, callback)
         self._entered = False

@@ -20,13 +20,21 @@ class Feature(enum.IntFlag):
     """Features that a gateway was built with."""
 
     GROUPS = 1
+    """It samples groups of words at a rate of its own."""
     EXTERNAL_TRIGGERS = 2
+    """Inputs of the gateware have groups sampled."""
     TIMESTAMPS = 4
+    """Samples can have the instant of sampling."""
     SEND_IMMEDIATE = 8
+    """It can have the USB chip send at once what it has written."""
     FLOW_CONTROL = 16
+    """The medium holds the host back while the receive FIFO is full, so that no byte is lost there."""
     MASKED_WRITE = 32
+    """Some bits of a word can be written, in one bus transaction."""
     QUEUE_COMMANDS = 64
+    """Many words can be read from one address, or written to one."""
     ADDRESSED = 128
+    """It shares its medium with others, and answers to a node's number."""
     FINGERPRINT = 256
     """The build identifier is the fingerprint of the map of a spec."""
     HALF_DUPLEX = 512
@@ -37,6 +45,7 @@ class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
     """The configuration of one gateway. The defaults are the gateware's, with all the groups that the protocol has."""
 
     protocol_version: int = PROTOCOL_VERSION
+    """Version of the protocol that it speaks."""
     data_bits: int = 32
     """Width of a word, 8 to 64 bits."""
     address_bits: int = 8
@@ -44,7 +53,9 @@ class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
     id_digits: int = 3
     """Hex digits of a message ID, 2 or 3."""
     crc_bits: int = 16
+    """Width of the CRC of a frame, 8, 16 or 32 bits."""
     crc_polynomial: int = 0x1021
+    """Polynomial of the CRC, without its highest bit."""
     block_words: int = 255
     """Most words in one block or queue request."""
     groups: int = 256
@@ -56,8 +67,11 @@ class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
     clock_hz: int = 50_000_000
     """Clock of the gateway in Hz: the unit of timestamps."""
     receive_fifo_bytes: int = 256
+    """Bytes from the host that may wait in the gateway."""
     transmit_fifo_bytes: int = 256
+    """Bytes to the host that may wait in the gateway."""
     features: Feature = Feature(0x7F)
+    """What it was built with."""
     build_id: int = 0
     """Chosen at synthesis."""
 

@@ -7,7 +7,7 @@ whose registers are memory or the values of a model. A URL says the rest by opti
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar, overload
 
 import msgspec
 
@@ -29,6 +29,8 @@ if TYPE_CHECKING:
     from unity_link.transport import DriverUrl
     from unity_link.virtual.rtl.configurations import Configuration
     from unity_link.virtual.simulated import SimulatedRobot
+
+M = TypeVar("M", bound="SimulatedRobot")
 
 
 def _attach_tosnet(gateway: BareGateway) -> object:
@@ -211,7 +213,7 @@ def build_bare(wanted: Wanted) -> BareGateway:
                 )
         bare = _compiled(wanted) if wanted.rtl else VirtualGateway(_info(wanted.configuration), node=wanted.node)
         ROBOTS[wanted.robot](bare)
-        made = SimulatedGateway(bare) if wanted.triggers else bare
+        made = SimulatedGateway(bare, None) if wanted.triggers else bare
     if isinstance(made, SimulatedGateway):
         for group, rate in wanted.triggers.items():
             made.fire_at(group, rate)
@@ -241,6 +243,14 @@ def simulated(
     return gateway
 
 
+@overload
+def simulate(
+    spec: str | Path, model: None = None, *, interface: str | None = None, rtl: bool = False
+) -> SimulatedGateway: ...
+@overload
+def simulate(
+    spec: str | Path, model: type[M], *, interface: str | None = None, rtl: bool = False
+) -> SimulatedGateway[M]: ...
 def simulate(
     spec: str | Path,
     model: type[SimulatedRobot] | None = None,

@@ -14,7 +14,9 @@ import random
 import sys
 from bisect import bisect
 from collections import deque
-from typing import TYPE_CHECKING, Generic, TypeVar
+from typing import TYPE_CHECKING, Any, Generic
+
+from typing_extensions import TypeVar
 
 from unity_link.errors import ArgumentError
 from unity_link.protocol.messages import ErrorCode
@@ -25,7 +27,7 @@ from unity_link.virtual.gateway import Gateway
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, MutableMapping
 
-T = TypeVar("T")
+T = TypeVar("T", default=Any)
 
 
 class Failing:

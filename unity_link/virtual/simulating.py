@@ -9,7 +9,9 @@ import importlib.util
 import logging
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Generic
+
+from typing_extensions import TypeVar
 
 from unity_link.errors import ANY_ERROR, ArgumentError
 from unity_link.virtual.bus import AccessError
@@ -22,10 +24,11 @@ if TYPE_CHECKING:
     from unity_link.virtual.bus import Device
     from unity_link.virtual.simulated import SimulatedRobot
 
+R_co = TypeVar("R_co", bound="SimulatedRobot | None", default="SimulatedRobot", covariant=True)
 _LOG = logging.getLogger("unity_link.virtual")
 
 
-class SimulatedGateway(BareGateway):
+class SimulatedGateway(BareGateway, Generic[R_co]):
     """A gateway in front of a bare one that lets the time of a robot pass, and fires the triggers of groups.
 
     Args:
@@ -33,7 +36,7 @@ class SimulatedGateway(BareGateway):
         robot: what is behind its bus; None for anything that needs no time of its own.
     """
 
-    def __init__(self, gateway: BareGateway, robot: SimulatedRobot | None = None) -> None:
+    def __init__(self, gateway: BareGateway, robot: R_co) -> None:
         self.info = gateway.info
         self.wake: Callable[[], None] = lambda: None
         self.robot = robot

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from unity_link.spec import EnumValue, Interface, Kind, Signal
 
-IMPORTED = ("ClassVar", "Component", "IntEnum", "Link", "Mapping", "Robot")
+IMPORTED = ("ClassVar", "Component", "IntEnum", "Link", "Literal", "Mapping", "Robot")
 """Names that the module has for itself, beside those of proxies and hardware modules."""
 
 
@@ -55,6 +55,10 @@ class EnumClass(NamedTuple):
     doc: str
     members: tuple[tuple[str, int, str], ...]
     """Name, number and doc string of each."""
+    given: str
+    """The name of the type that a signal of it is written with: a member, a number, or one of its names."""
+    names: tuple[str, ...]
+    """The names that the spec has for its members."""
 
 
 class Described(NamedTuple):
@@ -89,7 +93,8 @@ def describe(interface: Interface) -> Described:
     robot_name = namer.take(interface.name)
     names = {declaration: namer.take(declaration) for declaration in uses}
     enumerations = {known.name: namer.take(known.name) for known in interface.enumerations}
-    maker = _Maker(interface, names, enumerations)
+    given = {known.name: namer.take(f"{known.name}_given") for known in interface.enumerations}
+    maker = _Maker(interface, names, enumerations, given)
     return Described(
         robot=maker.make(interface.name, robot_name, [interface.root]),
         components=tuple(
@@ -101,6 +106,8 @@ def describe(interface: Interface) -> Described:
                 enumerations[known.name],
                 known.doc or f"The enumeration {known.name} of the spec.",
                 _members(known.values),
+                given[known.name],
+                tuple(value.name for value in known.values),
             )
             for known in interface.enumerations
         ),
@@ -127,10 +134,13 @@ class _Names:
 class _Maker:
     """Makes classes of components."""
 
-    def __init__(self, interface: Interface, names: dict[str, str], enumerations: dict[str, str]) -> None:
+    def __init__(
+        self, interface: Interface, names: dict[str, str], enumerations: dict[str, str], given: dict[str, str]
+    ) -> None:
         self._interface = interface
         self._names = names
         self._enumerations = enumerations
+        self._given = given
 
     def make(self, declaration: str, name: str, uses: list[ComponentSpec]) -> Class:
         """Make the class of a declaration from all its uses."""
@@ -149,11 +159,14 @@ class _Maker:
         yield self._modules(first)
 
     def _signal(self, signals: list[Signal]) -> Attribute:
+        first = signals[0]
         types = list(dict.fromkeys(self._value_type(signal.kind) for signal in signals))
         # A float takes whole numbers too.
         value = "float" if "float" in types else " | ".join(types)
-        doc = "\n".join([*_text(signals[0].doc), *_properties(signals)])
-        return Attribute(signals[0].name, f"{proxy_type(signals[0]).__name__}[{value}]", doc)
+        if first.access.writes and first.kind.enumeration is not None:
+            value += f", {self._given[first.kind.enumeration.name]}"
+        doc = "\n".join([*_text(first.doc), *_properties(signals)])
+        return Attribute(first.name, f"{proxy_type(first).__name__}[{value}]", doc)
 
     def _value_type(self, kind: Kind) -> str:
         if kind.enumeration is not None:
