@@ -20,6 +20,7 @@ from unity_link.boards.clocks import pll
 from unity_link.boards.families import FAMILIES, YOSYS
 from unity_link.boards.projects import VENDORS, make_project
 from unity_link.errors import ArgumentError, UnsupportedError
+from unity_link.files import digest_of
 from unity_link.gateware.cache import ToolMissingError
 from unity_link.gateware.convert import ConversionError
 from unity_link.gateware.yowasp import RefusedError
@@ -314,9 +315,27 @@ def test_a_place_that_cannot_be_written_gets_nothing(tools: pytest.MonkeyPatch, 
     (tmp_path / "out").mkdir()
     # A directory is where the report should go.
     (tmp_path / "out" / "lamp_mine.md").mkdir()
-    with pytest.raises(ArgumentError, match="out cannot be written"):
+    with pytest.raises(ArgumentError, match=r"out/lamp_mine\.md cannot be written: Is a directory$"):
         build(LAMP, "mine", HX8K, tmp_path / "out")
     assert [path.name for path in (tmp_path / "out").iterdir()] == ["lamp_mine.md"]
+
+
+@pytest.mark.parametrize("name", ["lamp_mine.bin", "lamp_mine.md"])
+def test_a_build_is_replaced_and_what_somebody_has_changed_of_it_is_not(
+    name: str, tools: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    tools.setattr(building, "run", stand_in())
+    built = build(LAMP, "mine", HX8K, tmp_path)
+    built.bitstream.write_bytes(b"of another clock")
+    built.report.write_text(built.report.read_text().replace(digest_of(b"bits"), digest_of(b"of another clock")))
+    build(LAMP, "mine", HX8K, tmp_path)
+    assert built.bitstream.read_bytes() == b"bits"
+
+    (tmp_path / name).write_bytes(b"mine")
+    tools.setattr(building, "run", pytest.fail)
+    with pytest.raises(ArgumentError, match=r"lamp_mine.* there, and Unity-Link did not make"):
+        build(LAMP, "mine", HX8K, tmp_path)
+    assert (tmp_path / name).read_bytes() == b"mine"
 
 
 @pytest.mark.parametrize("name", ["hx8k_breakout_ft245", "ulx3s_ft245_sync", "tang_nano_9k_ft245", "gatemate_evb"])

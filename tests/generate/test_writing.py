@@ -10,8 +10,10 @@ import pytest
 
 from support.unmeasured import unmeasured_environment
 from unity_link import ArgumentError
+from unity_link.files import MARK
 from unity_link.generate import GeneratedFile, write
 
+MARKED = f"# {MARK} generate x`\n"
 SPEC = Path(__file__).parents[2] / "examples" / "walker.ul"
 ON_A_FULL_DISK = """
 import resource, signal, sys
@@ -71,13 +73,13 @@ except Exception as error:
 
 
 def test_files_are_replaced_and_programs_are_executable(tmp_path: Path) -> None:
-    write([GeneratedFile("a/b", "old")], tmp_path)
+    write([GeneratedFile("a/b", MARKED)], tmp_path)
 
-    files = [GeneratedFile("a/b", "new\n", executable=True), GeneratedFile("c", ""), GeneratedFile("c.h", "h")]
+    files = [GeneratedFile("a/b", MARKED * 2, executable=True), GeneratedFile("c", ""), GeneratedFile("c.h", MARKED)]
     paths = write(files, tmp_path)
 
     assert paths == [tmp_path / "a" / "b", tmp_path / "c", tmp_path / "c.h"]
-    assert tree(tmp_path) == {"a": "", "a/b": "new\n", "c": "", "c.h": "h"}
+    assert tree(tmp_path) == {"a": "", "a/b": MARKED * 2, "c": "", "c.h": MARKED}
     assert paths[0].stat().st_mode & 0o111
 
 

@@ -153,9 +153,7 @@ def waveform_of(path: Path, vcd: Path) -> Waveform:
     """Return the waveform of all of a snoop."""
     recorded = snooped(path)
     gateway = Retrace(recorded, fitting(recorded))
-    gateway.show(vcd, 0.0, 100.0)
-    assert gateway.play().differences == 0
-    gateway.finish(vcd)
+    assert gateway.play_into(vcd, 0.0, 100.0).differences == 0
     return Waveform(vcd)
 
 

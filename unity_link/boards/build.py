@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import re
 import shutil
 import subprocess
@@ -16,6 +15,7 @@ from unity_link.boards.board import PINS, Board
 from unity_link.boards.clocks import pll
 from unity_link.boards.families import FAMILIES, YOSYS, Family
 from unity_link.errors import ArgumentError, UnityLinkError
+from unity_link.files import MARK, Writing, digest_of, listed_in
 from unity_link.gateware.cache import ToolMissingError, board_sources
 from unity_link.gateware.convert import to_verilog
 from unity_link.gateware.ghdl import converting_ghdl
@@ -25,8 +25,7 @@ from unity_link.generate import Templates, vhdl, write
 from unity_link.generate.vhdl.names import identifier
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
-
+    from unity_link.files import Overwrite
     from unity_link.spec import Interface, Spec
 
 _SEED = "1"
@@ -57,7 +56,15 @@ class _Placed(NamedTuple):
     """Frequency reached and frequency needed, in MHz, for each clock."""
 
 
-def build(spec: Spec, board_name: str, board: Board, output: Path, interface: str | None = None) -> Built:
+def build(
+    spec: Spec,
+    board_name: str,
+    board: Board,
+    output: Path,
+    interface: str | None = None,
+    *,
+    overwrite: Overwrite = False,
+) -> Built:
     """Make the bitstream of a board, and a report beside it; nothing is written before both are made.
 
     Args:
@@ -66,10 +73,11 @@ def build(spec: Spec, board_name: str, board: Board, output: Path, interface: st
         board: what it is.
         output: the directory, which is made.
         interface: which public interface, where there are several.
+        overwrite: whether files that this package did not make may go.
 
     Raises:
-        ArgumentError: where the board's clock cannot be made, or is too slow for the groups; or the directory cannot
-            be written.
+        ArgumentError: where the board's clock cannot be made, or is too slow for the groups; or the files cannot be
+            written, or others are in their way.
         BuildError: where the design does not fit, or not in time, or a site is none.
         ConversionError: where a tool refuses the design for another reason.
         ToolMissingError: where a tool is not there.
@@ -83,18 +91,29 @@ def build(spec: Spec, board_name: str, board: Board, output: Path, interface: st
     for tool in (YOSYS, family.nextpnr, family.packer):
         script(tool)
     converting_ghdl()
-    with tempfile.TemporaryDirectory() as scratch:
-        work = Path(scratch)
-        synthesise(spec, chosen, board, work)
-        (work / "pins").write_text(family.pin_file(board))
-        placed = _place(chosen.name, board_name, board, work)
-        run(work, family.packer, *family.pack(board), explained=_ANY)
-        name = f"{identifier(chosen.name)}_{board_name}"
-        made = {
-            f"{name}.{family.suffix}": (work / "bitstream").read_bytes(),
-            f"{name}.md": report_text(spec, chosen, board, placed).encode(),
-        }
-    return Built(*_keep(made, output))
+    name = f"{identifier(chosen.name)}_{board_name}"
+    built = Built(output / f"{name}.{family.suffix}", output / f"{name}.md")
+    try:
+        with Writing(overwrite=overwrite) as writing, tempfile.TemporaryDirectory() as scratch:
+            writing.claim(built, listed_in(built.report))
+            made = _make(spec, chosen, board_name, board, Path(scratch))
+            for path, data in zip(built, made, strict=True):
+                with writing.open(path) as file:
+                    file.write(data)
+    except OSError as error:
+        raise ArgumentError(f"{error.filename or output} cannot be written: {error.strerror or error}") from None
+    return built
+
+
+def _make(spec: Spec, interface: Interface, board_name: str, board: Board, work: Path) -> tuple[bytes, bytes]:
+    """Return the bitstream and the report."""
+    family = FAMILIES[board.family]
+    synthesise(spec, interface, board, work)
+    (work / "pins").write_text(family.pin_file(board))
+    placed = _place(interface.name, board_name, board, work)
+    run(work, family.packer, *family.pack(board), explained=_ANY)
+    bitstream = (work / "bitstream").read_bytes()
+    return bitstream, report_text(spec, interface, board, placed, bitstream).encode()
 
 
 def synthesise(spec: Spec, interface: Interface, board: Board, work: Path) -> None:
@@ -199,7 +218,7 @@ def _clock(net: str) -> str:
     return "ft_clkout" if "ft_clkout" in net else "clk"
 
 
-def report_text(spec: Spec, interface: Interface, board: Board, placed: _Placed) -> str:
+def report_text(spec: Spec, interface: Interface, board: Board, placed: _Placed, bitstream: bytes) -> str:
     """Return the report in Markdown."""
     family = FAMILIES[board.family]
     tools = [YOSYS, family.nextpnr, family.package.get(family.packer, family.packer)]
@@ -212,9 +231,12 @@ def report_text(spec: Spec, interface: Interface, board: Board, placed: _Placed)
     ]
     speed = "".join(f"| {clock} | {least:.3f} | {mhz:.1f} |\n" for clock, (mhz, least) in placed.clocks.items())
     return f"""\
+<!-- {MARK} build`. Its bitstream is known by the hash below. -->
+
 # {interface.name} on a {board.title}
 
 - spec: {Path(source.name).name}, SHA-256 {source.sha256}
+- bitstream: SHA-256 {digest_of(bitstream)}
 - build identifier: {interface.fingerprint:08X}, the fingerprint of the map
 - FPGA: {board.device}, {board.package}
 - link: {_link(board)}
@@ -240,29 +262,6 @@ def _link(board: Board) -> str:
         return f"a UART of {board.baud} baud"
     mode = f"mode={board.medium.replace('_', '-')}"
     return f"an FT232H, ftdi://ftdi:232h/1?{mode}, or port A of an FT2232H, ftdi://ftdi:2232h/1?{mode}"
-
-
-def _keep(files: Mapping[str, bytes], output: Path) -> list[Path]:
-    """Write files into a directory, all whole or none.
-
-    Raises:
-        ArgumentError: where that cannot be done.
-    """
-    partial = {output / name: output / f".{name}.{os.getpid()}" for name in files}
-    named: list[Path] = []
-    try:
-        output.mkdir(parents=True, exist_ok=True)
-        for path, text in zip(partial.values(), files.values(), strict=True):
-            path.write_bytes(text)
-        for path, written in partial.items():
-            written.replace(path)
-            named.append(path)
-    except OSError as error:
-        # What has its name already is half of what was made.
-        for path in (*partial.values(), *named):
-            path.unlink(missing_ok=True)
-        raise ArgumentError(f"{output} cannot be written: {error.strerror or error}") from None
-    return named
 
 
 def loader() -> str:

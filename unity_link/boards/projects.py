@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from unity_link.boards.board import Board
+    from unity_link.files import Overwrite
     from unity_link.spec import Spec
 
 _SCOPED = {
@@ -58,7 +59,15 @@ class Vendor(NamedTuple):
     """Folder of `gateware/pads` whose registers an FT245 has at its pins; None: portable ones."""
 
 
-def make_project(spec: Spec, board_name: str, board: Board, output: Path, interface: str | None = None) -> Path:
+def make_project(
+    spec: Spec,
+    board_name: str,
+    board: Board,
+    output: Path,
+    interface: str | None = None,
+    *,
+    overwrite: Overwrite = False,
+) -> Path:
     """Write a project into a folder below `output`, and return the file that the vendor's tool opens.
 
     Args:
@@ -67,9 +76,11 @@ def make_project(spec: Spec, board_name: str, board: Board, output: Path, interf
         board: what it is.
         output: the directory, which is made.
         interface: which public interface, where there are several.
+        overwrite: whether files that this package did not make may go.
 
     Raises:
-        ArgumentError: where the directory cannot be written, or the board asks for a PLL.
+        ArgumentError: where the directory cannot be written, or a file of it is not as it was made, or the board asks
+            for a PLL.
         UnsupportedError: where the spec names FIFO ports or modules, which no gateware stands behind.
     """
     vendor = VENDORS[board.family]
@@ -85,7 +96,7 @@ def make_project(spec: Spec, board_name: str, board: Board, output: Path, interf
     sources: list[tuple[str, str | None]] = [(f"{GATEWARE_FOLDER}/{path}", LIBRARY) for path in in_compile_order(pads)]
     sources += [(path, None) for path in design_files(generated)]
     design = Design(f"{prefix}_{board_name}", f"{prefix}_on_{board.medium}", generics, sources, board)
-    write([*with_gateware(generated), *vendor.files(design)], output / design.name)
+    write([*with_gateware(generated), *vendor.files(design)], output / design.name, overwrite=overwrite)
     return output / design.name / f"{design.name}.{vendor.opened}"
 
 

@@ -37,6 +37,7 @@ Timeout = Annotated[
     float, typer.Option("--timeout", metavar="SECONDS", min=0.001, help="How long the gateway may take to connect.")
 ]
 Json = Annotated[bool, typer.Option("--json", help="Print JSON for programs, one object a line.")]
+Overwrite = Annotated[bool, typer.Option("--overwrite", help="Replace what Unity-Link did not make.")]
 DEFAULT_TIMEOUT = 5.0
 
 

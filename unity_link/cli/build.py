@@ -7,9 +7,9 @@ from typing import Annotated
 
 import typer
 
-from unity_link.cli.arguments import Json  # noqa: TC001  (typer reads it)
+from unity_link.cli.arguments import Json, Overwrite  # noqa: TC001  (typer reads them)
 from unity_link.cli.completion import complete_board
-from unity_link.cli.output import print_note, print_result
+from unity_link.cli.output import may_overwrite, print_note, print_result
 from unity_link.cli.spec import Name, SpecFile, compile_or_exit
 from unity_link.errors import ArgumentError
 
@@ -37,6 +37,7 @@ def build(
     ] = Path(),
     program: Annotated[bool, typer.Option("--program", help="Then put it into the board, by openFPGALoader.")] = False,
     interface: Name = None,
+    overwrite: Overwrite = False,
     json: Json = False,
 ) -> None:
     """Build a bitstream from a spec: gateway, registers and a chain of shift registers at the pins of a board.
@@ -52,17 +53,18 @@ def build(
     from unity_link.boards.projects import VENDORS, make_project
 
     name, chosen = load_board(board)
+    replaces = may_overwrite(overwrite)
     vendor = VENDORS.get(chosen.family)
     if vendor is not None:
         if program:
             raise ArgumentError(f"--program needs a bitstream, and that of {name} is made by {vendor.tool}")
-        opened = make_project(compile_or_exit(spec), name, chosen, output, interface)
+        opened = make_project(compile_or_exit(spec), name, chosen, output, interface, overwrite=replaces)
         print_result("file", opened, json=json)
         print_note(f"for {vendor.tool}: {vendor.opens} {opened}")
         return
     if program:
         loader()
-    built = make(compile_or_exit(spec), name, chosen, output, interface)
+    built = make(compile_or_exit(spec), name, chosen, output, interface, overwrite=replaces)
     for path in built:
         print_result("file", path, json=json)
     if program:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from unity_link.cli.arguments import Json  # noqa: TC001  (typer reads it)
-from unity_link.cli.output import out, print_json, print_note
+from unity_link.cli.output import is_confirmed, out, print_json, print_note
 from unity_link.errors import ArgumentError
 
 if TYPE_CHECKING:
@@ -115,17 +115,9 @@ def configure(
         print_note(before.description)
         if not before.is_valid:
             print_note("It will be written anew, with a serial number of its own.")
-        if not yes and not _confirmed(f"Make the pins a {kind}?"):
+        if not yes and not is_confirmed(f"Make the pins a {kind}?"):
             print_note("Nothing was written.")
             raise typer.Exit(1)
         write_channel_type(chip, kind)
         after = read_info(chip)
     print_note(f"Written: {after.description}. Unplug it and plug it in again for that to take effect.")
-
-
-def _confirmed(question: str) -> bool:
-    """Ask; no answer at all is a no."""
-    try:
-        return typer.confirm(question, err=True)
-    except typer.Abort:
-        return False

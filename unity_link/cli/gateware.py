@@ -7,8 +7,8 @@ from typing import Annotated
 
 import typer
 
-from unity_link.cli.arguments import Json  # noqa: TC001  (typer reads it)
-from unity_link.cli.output import print_result
+from unity_link.cli.arguments import Json, Overwrite  # noqa: TC001  (typer reads them)
+from unity_link.cli.output import may_overwrite, print_result
 
 
 def add_to(app: typer.Typer) -> None:
@@ -22,12 +22,16 @@ def add_to(app: typer.Typer) -> None:
 
 def copy(
     folder: Annotated[
-        Path, typer.Argument(metavar="DIR", help="Where to write; must not be there, or empty.", show_default=False)
+        Path,
+        typer.Argument(
+            metavar="DIR", help="Where to write; must not be there, or be empty or such a copy.", show_default=False
+        ),
     ],
     *,
+    overwrite: Overwrite = False,
     json: Json = False,
 ) -> None:
     """Copy the gateware: VHDL in the library unity_link, pads and constraints of vendors, a script for each tool."""
     from unity_link.gateware.sources import copy_gateware
 
-    print_result("folder", copy_gateware(folder), json=json)
+    print_result("folder", copy_gateware(folder, overwrite=may_overwrite(overwrite)), json=json)

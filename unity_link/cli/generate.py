@@ -8,8 +8,8 @@ from typing import Annotated
 
 import typer
 
-from unity_link.cli.arguments import Json  # noqa: TC001  (typer reads it)
-from unity_link.cli.output import print_note, print_result
+from unity_link.cli.arguments import Json, Overwrite  # noqa: TC001  (typer reads them)
+from unity_link.cli.output import may_overwrite, print_note, print_result
 from unity_link.cli.spec import Given, Name, SpecFile, compile_or_exit
 from unity_link.errors import ArgumentError
 from unity_link.generate import TargetName  # noqa: TC001  (typer reads the annotations)
@@ -41,6 +41,7 @@ def generate(  # noqa: PLR0913  (each is an option)
             "--with-gateware", help="For vhdl: add the gateware and a script for each tool, so the folder is whole."
         ),
     ] = False,
+    overwrite: Overwrite = False,
     json: Json = False,
 ) -> None:
     """Generate code from a spec: typed proxies, clients in C, C++ and MATLAB, VHDL, packages of ROS, documents."""
@@ -63,7 +64,7 @@ def generate(  # noqa: PLR0913  (each is an option)
         from unity_link.generate.vhdl.folder import with_gateware as complete
 
         files = list(complete(files))
-    for path in write(files, output):
+    for path in write(files, output, overwrite=may_overwrite(overwrite)):
         print_result("file", path, json=json)
     if target == "vhdl":
         from unity_link.generate.vhdl import left_open

@@ -15,6 +15,8 @@ from typing import TYPE_CHECKING, Any, TextIO
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from unity_link.files import Overwrite
+
 
 def out() -> Console:
     """Return the console of stdout; a pipe gets whole lines, however long."""
@@ -102,6 +104,25 @@ def _console(stream: TextIO) -> Console:
     from rich.console import Console
 
     return Console(file=stream, highlight=False, soft_wrap=stream is sys.stderr or not stream.isatty())
+
+
+def is_confirmed(question: str) -> bool:
+    """Ask on stderr; no answer at all is a no."""
+    import typer
+
+    try:
+        return typer.confirm(question, err=True)
+    except typer.Abort:
+        return False
+
+
+def may_overwrite(overwrite: bool) -> Overwrite:
+    """Return whether files may go that Unity-Link did not make: asked on a terminal, where the option was not given."""
+    if overwrite or not (sys.stdin.isatty() and sys.stderr.isatty()):
+        return overwrite
+    from unity_link.files import in_the_way
+
+    return lambda paths: is_confirmed(f"{in_the_way(paths)}. Replace?")
 
 
 _COLOURING = ("FORCE_COLOR", "TTY_COMPATIBLE")

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json, Timeout, Url, check_poll
-from unity_link.cli.output import print_json, print_note, print_result
+from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json, Overwrite, Timeout, Url, check_poll
+from unity_link.cli.output import may_overwrite, print_json, print_note, print_result
 from unity_link.cli.running import run
 from unity_link.cli.spec import Given, Name, SpecFile, compile_or_exit
 from unity_link.errors import ArgumentError
@@ -223,6 +223,7 @@ def export_recording(
     output: Annotated[
         Path, typer.Option("--output", "-o", metavar="DIR", help="Where to write; made where it is not there.")
     ] = Path(),
+    overwrite: Overwrite = False,
     json: Json = False,
 ) -> None:
     """Make tables of a recording: a file for each group, a row for each sample, a column for each signal."""
@@ -237,7 +238,13 @@ def export_recording(
     console = Console(file=sys.stderr)
     with Progress(console=console, transient=True, disable=not console.is_terminal) as bar:
         task = bar.add_task(recording.name, total=read.size)
-        paths = export(read, "parquet" if parquet else "csv", output, lambda done: bar.update(task, completed=done))
+        paths = export(
+            read,
+            "parquet" if parquet else "csv",
+            output,
+            lambda done: bar.update(task, completed=done),
+            overwrite=may_overwrite(overwrite),
+        )
     if read.was_damaged:
         print_note(f"{recording} is damaged: what is sound in it was exported")
     elif read.was_cut:

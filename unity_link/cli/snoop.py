@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from unity_link.cli.arguments import Json  # noqa: TC001  (typer reads it)
-from unity_link.cli.output import print_error, print_json, print_line, print_note
+from unity_link.cli.arguments import Json, Overwrite  # noqa: TC001  (typer reads them)
+from unity_link.cli.output import may_overwrite, print_error, print_json, print_line, print_note
 from unity_link.errors import ArgumentError
 
 if TYPE_CHECKING:
@@ -59,6 +59,7 @@ def retrace(
     connection: Annotated[
         int | None, typer.Option(metavar="N", min=0, help="Of a file of several gateways: the one to play.")
     ] = None,
+    overwrite: Overwrite = False,
 ) -> None:
     """Play the host's bytes of a snoop into the gateware, and compare its answers and samples.
 
@@ -78,11 +79,10 @@ def retrace(
     if fields := differing(build.info, snooped.info):
         print_note(f"played into {build.name!r}, which differs from the recorded gateway in {', '.join(fields)}")
     gateway = Retrace(snooped, build)
-    if vcd is not None:
-        gateway.show(vcd, begin, math.inf if end is None else end)
-    report = gateway.play()
-    if vcd is not None:
-        gateway.finish(vcd)
+    if vcd is None:
+        report = gateway.play()
+    else:
+        report = gateway.play_into(vcd, begin, math.inf if end is None else end, overwrite=may_overwrite(overwrite))
     print_line(_comparison(report, snooped.astray))
     for text in damage:
         print_error(text)

@@ -5,16 +5,15 @@ What is wrong with a spec goes to stderr, as a compiler's messages do; under ``-
 
 from __future__ import annotations
 
-import contextlib
-import os
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from unity_link.cli.arguments import Json  # noqa: TC001  (typer reads the annotations)
-from unity_link.cli.output import out, print_json, print_line, print_note
+from unity_link.cli.arguments import Json, Overwrite  # noqa: TC001  (typer reads the annotations)
+from unity_link.cli.output import may_overwrite, out, print_json, print_line, print_note
+from unity_link.files import write_file
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -99,7 +98,8 @@ def fmt(
         elif str(spec) == STDIN and not check:
             sys.stdout.write(formatted)
         elif text != formatted and not check:
-            _replace(spec, formatted)
+            # It is the user's own, and asked for.
+            write_file(spec, formatted.encode(), overwrite=True)
         if text != formatted:
             changed = True
             if not diff and str(spec) != STDIN:
@@ -149,6 +149,7 @@ def import_rdl(
         bool, typer.Option("--perl", help="Run the Perl in it, in a compartment, for 5 seconds at most.")
     ] = False,
     seconds: Annotated[int, typer.Option("--seconds", min=1, help="Processor time that it may take.")] = 30,
+    overwrite: Overwrite = False,
 ) -> None:
     """Make a spec of a SystemRDL description, once it is proved to say the same."""
     from unity_link.cli.bounded import bounded
@@ -163,15 +164,15 @@ def import_rdl(
         print_diagnostics(error.diagnostics)
         raise typer.Exit(FAILED) from None
     print_diagnostics(imported.warnings)
-    _write(output, imported.text)
+    _write(output, imported.text, overwrite=overwrite)
 
 
-def export_rdl(spec: SpecFile, *, interface: Name = None, output: Output = None) -> None:
+def export_rdl(spec: SpecFile, *, interface: Name = None, output: Output = None, overwrite: Overwrite = False) -> None:
     """Make a SystemRDL description of a spec."""
     from unity_link.spec.systemrdl import export_text
 
     compiled = compile_or_exit(spec)
-    _write(output, export_text(compiled.interface(interface)))
+    _write(output, export_text(compiled.interface(interface)), overwrite=overwrite)
 
 
 # For commands that need a spec
@@ -293,38 +294,12 @@ def _print_diff(name: str, before: str, after: str) -> None:
     sys.stdout.flush()
 
 
-def _replace(path: Path, text: str) -> None:
-    """Write a file, or replace it, in one step, so that no moment has half of it."""
-    from unity_link.errors import ArgumentError
-
-    target = path.resolve()
-    partial = target.with_name(f".{target.name}.{os.getpid()}")
-    try:
-        partial.write_text(text, encoding="utf-8", newline="\n")
-        if target.exists():
-            partial.chmod(target.stat().st_mode)
-        partial.replace(target)
-    except OSError as error:
-        with contextlib.suppress(OSError):
-            partial.unlink()
-        raise ArgumentError(f"{path} cannot be written: {error.strerror or error}") from None
-
-
-def _write(output: Path | None, text: str) -> None:
-    from unity_link.errors import ArgumentError
-
+def _write(output: Path | None, text: str, *, overwrite: bool) -> None:
     if output is None or str(output) == STDIN:
         sys.stdout.write(text)
         sys.stdout.flush()
         return
-    if output.is_file() or not output.exists():
-        _replace(output, text)
-        return
-    try:
-        # A device, or a pipe: it is not to be replaced.
-        output.write_text(text, encoding="utf-8")
-    except OSError as error:
-        raise ArgumentError(f"{output} cannot be written: {error.strerror or error}") from None
+    write_file(output, text.encode(), overwrite=may_overwrite(overwrite))
 
 
 def _tree(interface: Interface) -> Any:

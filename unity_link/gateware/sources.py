@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-import os
-import shutil
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError
+from unity_link.files import LIST, has_mark, write_texts
 from unity_link.gateware.cache import GATEWARE, board_sources, pads_of, vhdl_sources
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+
+    from unity_link.files import Overwrite
 
 _TAKEN = ("rtl/**/*.vhd", "pads/**/*.vhd", "constraints/**/*", "import/*", "unity_link.f", "unity_link.core")
 _LICENCES = (GATEWARE / "LICENSE", GATEWARE.parent / "LICENSE")
@@ -44,24 +45,26 @@ def in_compile_order(pads: str | None = None) -> Iterator[str]:
             yield theirs[name].relative_to(GATEWARE).as_posix() if name in theirs else line
 
 
-def copy_gateware(folder: Path) -> Path:
-    """Copy the gateware into a folder that is not there yet, whole or not at all; return the folder.
+def copy_gateware(folder: Path, *, overwrite: Overwrite = False) -> Path:
+    """Copy the gateware into a folder that is not there yet, or has a copy that nobody has changed; return the folder.
+
+    Args:
+        folder: where to.
+        overwrite: whether files that this package did not make may go.
 
     Raises:
-        ArgumentError: where the folder is there, or cannot be written.
+        ArgumentError: where something else is in the folder, or it cannot be written.
     """
-    files = gateware_files()
-    if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+    if overwrite is not True and _is_taken(folder):
         raise ArgumentError(f"{folder} is there already: a folder that is not, or is empty, was expected")
-    partial = folder.parent / f".{folder.name}.{os.getpid()}"
-    try:
-        for name, text in files.items():
-            path = partial / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text)
-        partial.replace(folder)
-    except OSError as error:
-        raise ArgumentError(f"{folder} cannot be written: {error.strerror or error}") from None
-    finally:
-        shutil.rmtree(partial, ignore_errors=True)
+    write_texts(gateware_files(), folder, overwrite=overwrite)
     return folder
+
+
+def _is_taken(folder: Path) -> bool:
+    try:
+        return next(folder.iterdir(), None) is not None and not has_mark(folder / LIST)
+    except FileNotFoundError:
+        return folder.exists()
+    except NotADirectoryError:
+        return folder.exists()

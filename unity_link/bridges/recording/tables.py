@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import contextlib
-import os
-from typing import TYPE_CHECKING, Any
+from contextlib import ExitStack
+from typing import TYPE_CHECKING, Any, BinaryIO, Self
 
+import unity_link
 from unity_link.bridges.recording.files import RecordingError
 from unity_link.data.tables import column_names
 from unity_link.errors import ArgumentError
+from unity_link.files import Writing, head_of
 from unity_link.spec.columns import Columns
 
 if TYPE_CHECKING:
@@ -16,14 +18,24 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from unity_link.bridges.recording.reader import RecordedGroup, RecordedSamples, Recording
+    from unity_link.files import Overwrite
 
 FORMATS = ("parquet", "csv")
+_COLUMNS = ("time", "gateway_time", "sequence", "lost")
+"""What each table begins with."""
+_WRITER = b"unity-link"
+"""Key in the metadata of a Parquet; its value is the version that wrote it."""
 
 
 def export(
-    recording: Recording, form: str, directory: Path, progress: Callable[[int], None] = lambda _: None
+    recording: Recording,
+    form: str,
+    directory: Path,
+    progress: Callable[[int], None] = lambda _: None,
+    *,
+    overwrite: Overwrite = False,
 ) -> list[Path]:
-    """Write a recording as tables ``NAME.GROUP.parquet`` or ``.csv``; files of these names are replaced, by whole ones.
+    """Write a recording as tables ``NAME.GROUP.parquet`` or ``.csv``; those of before are replaced, by whole ones.
 
     The columns are ``time`` (UTC, instant of sampling), ``gateway_time`` (seconds of the gateway's clock),
     ``sequence``, ``lost`` and the paths of the signals, with ``_`` behind one that is taken; enumerations are numbers.
@@ -34,48 +46,67 @@ def export(
         form: one of `FORMATS`.
         directory: where to; it is made.
         progress: called with the bytes of the recording that are done.
+        overwrite: whether files that are no such tables may go.
 
     Raises:
-        ArgumentError: for another form, or a directory that cannot be made.
+        ArgumentError: for another form, or a file in the way that is no such table.
         RecordingError: where the recording cannot be read or the table cannot be written.
     """
     if form not in FORMATS:
         raise ArgumentError(f"there is no table format {form!r}: one of {', '.join(FORMATS)} was expected")
-    tables: dict[str, _Table] = {}
+    paths = {group.name: directory / f"{recording.path.stem}.{group.name}.{form}" for group in recording.groups}
     try:
         directory.mkdir(parents=True, exist_ok=True)
-        for group in recording.groups:
-            tables[group.name] = _Table(group, directory / f"{recording.path.stem}.{group.name}.{form}", form)
-        try:
+        with Writing(overwrite=overwrite) as writing, ExitStack() as opened:
+            writing.claim(paths.values(), _is_parquet_of_ours if form == "parquet" else _is_csv_of_ours)
+            tables = {
+                group.name: opened.enter_context(_Table(group, writing.open(paths[group.name]), form))
+                for group in recording.groups
+            }
             for samples, done in recording.samples():
                 tables[samples.group.name].write(samples)
                 progress(done)
-            for table in tables.values():
-                table.finish()
-        finally:
-            for table in tables.values():
-                table.discard()
     except OSError as error:
-        # A whole table takes the place of another by its second name.
-        where = error.filename2 or error.filename or directory
-        raise RecordingError(f"{where} cannot be written: {error.strerror or error}") from None
-    return [table.path for table in tables.values()]
+        raise RecordingError(f"{error.filename or directory} cannot be written: {error.strerror or error}") from None
+    return list(paths.values())
+
+
+def _is_csv_of_ours(path: Path) -> bool:
+    """Return whether a CSV begins with the columns that each table has, in quotes, which spreadsheets leave out."""
+    return head_of(path).startswith(",".join(f'"{name}"' for name in _COLUMNS).encode())
+
+
+def _is_parquet_of_ours(path: Path) -> bool:
+    import pyarrow as pa
+    from pyarrow import parquet
+
+    try:
+        with path.open("rb") as file:
+            return _WRITER in (parquet.read_schema(file).metadata or {})
+    except pa.ArrowException:
+        return False
 
 
 class _Table:
-    def __init__(self, group: RecordedGroup, path: Path, form: str) -> None:
+    def __init__(self, group: RecordedGroup, file: BinaryIO, form: str) -> None:
         import pyarrow as pa
         from pyarrow import csv, parquet
 
-        self.path = path
         self._group = group
         self._columns = Columns(group.signals, group.addresses)
-        self._schema = pa.schema(list(self._fields()))
+        self._schema = pa.schema(list(self._fields()), {_WRITER: unity_link.__version__})
         writer: Any = parquet.ParquetWriter if form == "parquet" else csv.CSVWriter
-        self._part = path.with_name(f"{path.name}.part")
-        # By its bytes, as pyarrow takes no name that is no UTF-8.
-        self._file = pa.OSFile(os.fsencode(self._part), "wb")
-        self._writer = writer(self._file, self._schema)
+        self._file = file
+        self._writer = writer(file, self._schema)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, kind: object, *_: object) -> None:
+        # What is not finished goes; that it cannot be ended is no matter then.
+        with contextlib.suppress(*(() if kind is None else (OSError,))):
+            self._writer.close()
+            self._file.close()
 
     def write(self, samples: RecordedSamples) -> None:
         import pyarrow as pa
@@ -90,32 +121,16 @@ class _Table:
         ]
         self._writer.write_table(pa.Table.from_arrays(columns, schema=self._schema))
 
-    def finish(self) -> None:
-        self._close()
-        self._part.replace(self.path)
-
-    def discard(self) -> None:
-        """Remove what was not finished."""
-        with contextlib.suppress(OSError):
-            self._close()
-        self._part.unlink(missing_ok=True)
-
-    def _close(self) -> None:
-        self._writer.close()
-        self._file.close()
-
     def _fields(self) -> Iterator[Any]:
         import pyarrow as pa
 
-        known = [
-            pa.field("time", pa.timestamp("ns", tz="UTC")),
-            pa.field("gateway_time", pa.float64(), metadata={"unit": "s"}),
-            pa.field("sequence", pa.int64()),
-            pa.field("lost", pa.int64()),
-        ]
-        yield from known
+        time, gateway_time, sequence, lost = _COLUMNS
+        yield pa.field(time, pa.timestamp("ns", tz="UTC"))
+        yield pa.field(gateway_time, pa.float64(), metadata={"unit": "s"})
+        yield pa.field(sequence, pa.int64())
+        yield pa.field(lost, pa.int64())
         signals = self._group.signals
-        names = column_names([signal.path for signal in signals], [field.name for field in known])
+        names = column_names([signal.path for signal in signals], list(_COLUMNS))
         for name, signal in zip(names, signals, strict=True):
             values = signal.kind.enumeration.values if signal.kind.enumeration else ()
             metadata = {

@@ -8,6 +8,7 @@ from graphlib import TopologicalSorter
 from typing import TYPE_CHECKING
 
 from unity_link.errors import UnsupportedError
+from unity_link.files import MARK
 from unity_link.spec.model import Access, GroupSpec, Interface, Joint, ModuleSpec, Signal
 
 if TYPE_CHECKING:
@@ -45,7 +46,7 @@ def export_text(interface: Interface) -> str:
         for address in signal.addresses:
             words.setdefault(address, []).append(signal)
     lines = [
-        f"// The interface {interface.name} of a UL-spec.",
+        f"// {MARK} export rdl`: the interface {interface.name} of a UL-spec.",
         "property ul_path { component = field | mem; type = string; };",
         *(f"property ul_{name} {{ component = field; type = string; }};" for name in _FIELD_PROPERTIES),
         "property ul_order { component = field; type = longint unsigned; };",

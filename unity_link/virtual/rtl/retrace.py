@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import msgspec
 
 from unity_link.errors import ArgumentError, ConnectError
+from unity_link.files import Writing, head_of, is_device
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.messages import Codec, ErrorCode, GroupFlag
 from unity_link.protocol.transcript import FrameCutter
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
     from pathlib import Path
 
+    from unity_link.files import Overwrite
     from unity_link.virtual.rtl.configurations import Configuration
     from unity_link.virtual.rtl.snooped import Snooped, SnoopedAccess, SnoopedGroup
 
@@ -36,6 +38,8 @@ _SHAPE = ("protocol_version", "data_bits", "address_bits", "id_digits", "crc_bit
 _MOST_CYCLES = 2_000_000
 """Within these everything that was asked for is answered, even if each access of a block runs into its time out."""
 _PIECE = 64
+_WAVEFORM = b"$version unity-link retrace $end"
+"""What a waveform begins with."""
 _FARTHEST = 1024
 """So many accesses are looked through for one that was recorded."""
 
@@ -139,17 +143,6 @@ class Retrace(RtlGateway):
         """Groups that did not come as far as they should."""
         self._set_time(0.0)
 
-    def show(self, path: Path, begin: float, end: float) -> None:
-        """Write a waveform of all that happens between two times in seconds; `finish` ends it.
-
-        Raises:
-            ArgumentError: where the file can't be made.
-        """
-        failure = int(self._library.ul_open_waveform(self._handle, os.fsencode(path)))
-        if failure:
-            raise ArgumentError(f"{path} can't be made ({os.strerror(failure)})")
-        self._window = begin * 1e9, end * 1e9
-
     def play(self) -> Report:
         """Play all of it, and return what was found."""
         steps = self._snooped.steps
@@ -167,15 +160,32 @@ class Retrace(RtlGateway):
         self.report.seconds = self._now / 1e9
         return self.report
 
-    def finish(self, path: Path) -> None:
-        """End the waveform.
+    def play_into(self, path: Path, begin: float, end: float, *, overwrite: Overwrite = False) -> Report:
+        """Play all of it, and write a waveform of what happens between two times in seconds; return what was found.
 
         Raises:
+            ArgumentError: where the file can't be made, or one that is no such waveform is in its way.
             ConnectError: where it could not be written.
         """
+        self._window = begin * 1e9, end * 1e9
+        if is_device(path):
+            return self._play_into(path, path)
+        try:
+            with Writing(overwrite=overwrite, folders=False) as writing:
+                writing.claim([path], lambda known: head_of(known).startswith(_WAVEFORM))
+                return self._play_into(writing.part_of(path), path)
+        except OSError as error:
+            raise ArgumentError(f"{path} can't be made ({error.strerror or error})") from error
+
+    def _play_into(self, part: Path, path: Path) -> Report:
+        failure = int(self._library.ul_open_waveform(self._handle, os.fsencode(part)))
+        if failure:
+            raise ArgumentError(f"{path} can't be made ({os.strerror(failure)})")
+        report = self.play()
         failure = int(self._library.ul_close_waveform(self._handle))
         if failure:
             raise ConnectError(f"{path} could not be written ({os.strerror(failure)})")
+        return report
 
     def _bounds(self) -> list[dict[int, int]]:
         """Bounds before each step and behind the last: samples up to which groups may run undivided."""
