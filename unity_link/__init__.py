@@ -16,7 +16,13 @@ With a spec of what stands behind the gateway, the same by names and in units::
 """
 
 import importlib
+import signal
+import sys
 from typing import TYPE_CHECKING
+
+# A command that is still being loaded ends at Ctrl-C without a traceback; `unity_link.cli.main` takes the signal back.
+if sys.argv[0].endswith("unity-link") and signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 from unity_link.errors import (
     AnswerLostError,

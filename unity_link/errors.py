@@ -190,11 +190,11 @@ def missing(thing: object, name: str, what: str, **instead: str) -> AttributeErr
     return AttributeError(f"{what} has no {name!r}" + (f": {hint}" if hint else ""), name=name, obj=thing)
 
 
-def missing_attribute(what: str) -> Callable[[object, str], Never]:
-    """Return a `__getattr__` that tells of names that there are not."""
+def missing_attribute(what: str, **instead: str) -> Callable[[object, str], Never]:
+    """Return a `__getattr__` that raises `missing` for names that there are not."""
 
     def refuse(thing: object, name: str) -> Never:
-        raise AttributeError(name) if name.startswith("_") else missing(thing, name, what)
+        raise AttributeError(name) if name.startswith("_") else missing(thing, name, what, **instead)
 
     return refuse
 

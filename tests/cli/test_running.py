@@ -63,3 +63,24 @@ def test_a_command_that_hangs_at_its_end_is_ended_by_a_later_signal(hanging: str
         process.send_signal(signal.SIGINT)
         said, errors = process.communicate()
     assert (said, errors, process.returncode) == ("", "", -signal.SIGINT)
+
+
+LOADING = """
+    import os, signal, sys
+
+    class Interrupting:
+        def find_spec(self, name, path=None, target=None):
+            if name == "unity_link.cli.families":
+                os.kill(os.getpid(), signal.SIGINT)
+
+    sys.argv = ["/usr/bin/unity-link", "info", "sim:"]
+    sys.meta_path.insert(0, Interrupting())
+    from unity_link.cli import main
+    main()
+"""
+
+
+def test_ctrl_c_while_a_command_is_being_loaded_ends_it_without_a_word() -> None:
+    program = [sys.executable, "-c", textwrap.dedent(LOADING)]
+    done = subprocess.run(program, capture_output=True, text=True, check=False, timeout=60)
+    assert (done.stdout, done.stderr, done.returncode) == ("", "", -signal.SIGINT)

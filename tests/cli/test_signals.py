@@ -115,6 +115,23 @@ def test_without_a_spec_a_name_is_answered_by_what_to_give() -> None:
     assert "no SPEC says which signals there are: give one before j1.cpos, such as robot.ul" in result.stderr
 
 
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["get", SCARA, "sim:scara", "j1.cpos"], "URL and SPEC are swapped: sim:scara"),
+        (["watch", SCARA, "sim:scara"], "URL and SPEC are swapped: sim:scara"),
+        (["live", SCARA, "sim:scara"], "sim:scara is the URL of a gateway, and a spec was expected"),
+        (["show", "sim:scara"], "sim:scara is the URL of a gateway, and a spec was expected"),
+        (["info", SCARA], "is no URL of a gateway: it is a spec"),
+        (["read", "0x10", "sim:scara"], "it is a URL, which stands before the addresses"),
+    ],
+)
+def test_a_url_and_a_spec_that_are_swapped_are_told(arguments: list[str], said: str) -> None:
+    result = run(*arguments)
+    assert result.returncode != 0
+    assert said in result.stderr
+
+
 def test_signals_are_watched_by_name() -> None:
     lines = run("watch", "sim:scara", SCARA, "j1.spd_sp", "j3.spd_sp", "--count", "2").stdout.splitlines()
     assert lines[0] == "time\tlost\tj1.spd_sp\tj3.spd_sp"

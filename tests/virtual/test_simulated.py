@@ -553,7 +553,9 @@ def test_a_model_with_a_bug_never_has_a_command_wait(tmp_path: Path) -> None:
     done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
     assert done.returncode == 1
     assert f'File "{model}", line 5, in step' in done.stderr
-    assert done.stderr.splitlines()[-1] == "error: read at 0x10: the bus refused the access"
+    last = done.stderr.splitlines()[-1]
+    assert last.startswith("error: read at 0x10: the bus refused the access, for the model Bad failed 0.000 s after")
+    assert last.endswith("ZeroDivisionError: division by zero")
 
 
 def test_a_trigger_reaches_its_group_through_a_shared_link(tmp_path: Path) -> None:

@@ -31,6 +31,7 @@ from __future__ import annotations
 import errno
 import io
 import os
+import signal
 import sys
 from pathlib import Path
 from typing import Annotated
@@ -82,6 +83,8 @@ _UNWRITABLE = {errno.EBADF, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.ENOSPC, 
 
 def main(program: typer.Typer = app, name: str = NAME) -> None:
     """Run a command line, and exit with its code; `name` is what users type to get there."""
+    if signal.getsignal(signal.SIGINT) is signal.SIG_DFL:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
     _open_what_is_closed()
     with words_of_bash():
         sys.exit(_run(program, name))

@@ -17,6 +17,7 @@ from unity_link.cli.output import print_json, print_line, print_parts
 from unity_link.cli.running import run
 from unity_link.cli.spec import Name, compile_or_exit
 from unity_link.errors import ArgumentError
+from unity_link.transport import is_url
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -156,6 +157,8 @@ def split(url: str, arguments: Sequence[str]) -> tuple[Path, list[str]]:
     if arguments and is_spec(arguments[0]):
         return Path(arguments[0]), list(arguments[1:])
     named = os.environ.get(SPEC_VARIABLE) or _spec_in(url)
+    if named is None and is_spec(url) and arguments and is_url(arguments[0]):
+        raise ArgumentError(f"URL and SPEC are swapped: {arguments[0]} {url} was expected")
     if named is None:
         before = f" before {arguments[0]}" if arguments else ""
         hint = f"; an address is written 0x{arguments[0]}" if arguments and _HEX.fullmatch(arguments[0]) else ""

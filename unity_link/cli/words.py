@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError
 from unity_link.protocol.numbers import to_signed
+from unity_link.transport import is_url
 
 if TYPE_CHECKING:
     from unity_link.protocol.arrays import Words
@@ -21,6 +22,8 @@ def parse_number(text: str) -> int:
         return int(text, 0)
     except ValueError:
         hint = f"; did you mean 0x{text}?" if _is_hex(text) else ""
+        if is_url(text):
+            hint = "; it is a URL, which stands before the addresses"
         raise ValueError(f"{text!r} is not a whole number like 10, 0x0A or 0b1010{hint}") from None
 
 

@@ -7,9 +7,10 @@ bridges and recorders take, at tens of thousands of samples a second. A `GroupSa
 from __future__ import annotations
 
 import functools
+import re
 import time
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any, TypeVar, overload
+from typing import TYPE_CHECKING, Any, Never, TypeVar, overload
 
 import msgspec
 import numpy as np
@@ -124,7 +125,12 @@ class GroupSample(msgspec.Struct, frozen=True):
         return self.values[proxy]
 
     if not TYPE_CHECKING:  # A type checker refuses them by itself.
-        __getattr__ = missing_attribute("a sample")
+
+        def __getattr__(self, name: str) -> Never:
+            paths = [proxy.path for proxy in self.values if re.match(rf"{re.escape(name)}(?![A-Za-z0-9_])", proxy.path)]
+            instead = {name: f"write sample[{paths[0]!r}]"} if paths else {}
+            missing_attribute("a sample", **instead)(self, name)
+
         __setattr__ = unassignable_attribute("a sample")
 
 

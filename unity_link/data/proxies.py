@@ -15,7 +15,7 @@ from typing_extensions import TypeVar
 
 from unity_link.data.callbacks import Callback
 from unity_link.data.feed import Registration
-from unity_link.errors import AnswerLostError, ArgumentError, Sealed, missing
+from unity_link.errors import AnswerLostError, ArgumentError, Sealed, missing, refusing
 from unity_link.hardware import link_under
 from unity_link.link.subscription import check_buffer
 
@@ -237,7 +237,7 @@ def _refuse_as_value(proxy: Proxy[Any], *_: object) -> Never:
     raise ArgumentError(f"{proxy.path} is a signal and no value: `get` reads it, `{proxy.path}.value` was seen last")
 
 
-_NAMES = "bool int float lt le gt ge add radd sub rsub mul rmul truediv rtruediv neg abs round"
+_NAMES = "bool int float index lt le gt ge add radd sub rsub mul rmul truediv rtruediv neg abs round"
 OPERATORS = tuple(f"__{name}__" for name in _NAMES.split())
 """Operators of values: who uses one on a signal has forgotten to read it."""
 for _name in OPERATORS:
@@ -262,6 +262,9 @@ class SampledSignal(Proxy[T]):
     """A signal of which there are samples, where a group publishes or polls it."""
 
     __slots__ = ()
+
+    if not TYPE_CHECKING:  # A type checker refuses it by itself.
+        __iter__ = refusing("write `async for` over the samples of a signal, or make a blocking robot by `put`")
 
     def feed(self) -> Feed | None:
         """Return the samples of the group that publishes or polls it; None where nothing does."""

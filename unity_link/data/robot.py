@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Never
 from unity_link.data.groups import Group
 from unity_link.data.ports import Port, ReadPort, WritePort
 from unity_link.data.proxies import Proxy, Readable, ReadWrite, Writable, signals_table
-from unity_link.errors import ArgumentError, OfLink, UnknownNameError, UnsupportedError, did_you_mean
+from unity_link.errors import ArgumentError, OfLink, UnknownNameError, UnsupportedError, did_you_mean, missing
 from unity_link.hardware import Module, module_type
 from unity_link.link.link import NOT_CONNECTED, Link
 from unity_link.protocol.configuration import Feature
@@ -74,6 +74,8 @@ class Component(OfLink):
         """Return the error for a name that there is not."""
         known = [other for other in dir(self) if not other.startswith("_")]
         hint = did_you_mean(name, known) or f"there are {', '.join(sorted(vars(self).keys() & {*known})[:8])}"
+        if name in _OF_SIGNALS and self.signals:
+            hint = f"a signal such as {self.signals[0].path} has it, and a `unity_link.data.Group` of several"
         return AttributeError(f"{self._called()} has no {name!r}: {hint}", name=name, obj=self)
 
     def __repr__(self) -> str:
@@ -126,6 +128,7 @@ class Robot(Component):
         self._by_path: dict[str, Proxy[Any]] = {}
         self._fill(self, interface.root)
         self._by_id = {proxy.id: proxy for proxy in self._by_path.values()}
+        link.name_addresses(_names_of_addresses(self._by_path))
         own["groups"] = _Groups(
             {
                 group.name: Group.declared(group, [self._by_path[path] for path in group.signals])
@@ -225,6 +228,21 @@ class _Groups(dict[str, Group]):
         hint = did_you_mean(name, self) or f"there are {', '.join(self) or 'none'}"
         raise UnknownNameError(f"the spec declares no group {name!r}: {hint}")
 
+    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+
+        def __getattr__(self, name: str) -> Never:
+            instead = {known: f"write groups[{known!r}]" for known in self}
+            raise AttributeError(name) if name.startswith("_") else missing(self, name, "`groups`", **instead)
+
+
+def _names_of_addresses(proxies: Mapping[str, Proxy[Any]]) -> dict[int, str]:
+    """Return the paths of the signals at each address, for messages."""
+    paths: dict[int, list[str]] = {}
+    for path, proxy in proxies.items():
+        for address in proxy.signal.addresses:
+            paths.setdefault(address, []).append(path)
+    return {address: " and ".join(there) for address, there in paths.items()}
+
 
 def _annotations(kind: type) -> dict[str, Any]:
     """Return what a class declares by itself."""
@@ -270,6 +288,8 @@ def python_names(names: Iterable[str]) -> list[str]:
     return made
 
 
+_OF_SIGNALS = frozenset({"get", "post", "samples", "set", "value"})
+"""Methods of signals that are tried on a part."""
 _OWN = frozenset(
     {
         *Robot.__annotations__,

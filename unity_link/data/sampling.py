@@ -22,10 +22,11 @@ from unity_link.errors import (
     SamplesLostError,
     Sealed,
     UnsupportedError,
+    missing_attribute,
     refusing,
 )
 from unity_link.link.runtime import AsyncioRuntime
-from unity_link.link.subscription import NOT_OPEN, Sample, so_many
+from unity_link.link.subscription import INSTEAD, NOT_OPEN, Sample, so_many
 from unity_link.link.synchronisation import Event, gather, running
 
 if TYPE_CHECKING:
@@ -223,6 +224,8 @@ class GroupSubscription(Sealed):
         __await__ = refusing(NOT_OPEN)
         __enter__ = __exit__ = refusing("write `async with` before this subscription: its link is not a blocking one")
         __iter__ = refusing("write `async for` over the samples: their link is not a blocking one")
+
+        __getattr__ = missing_attribute("a subscription of a group", **INSTEAD)
 
     def _called(self) -> str:
         return "a subscription of a group"

@@ -43,7 +43,7 @@ from unity_link.protocol.numbers import whole_number
 from unity_link.protocol.requests import Fence, PostedFailure, Request, RequestBlock, WordBatch, common_outcome
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
     from types import TracebackType
 
     from numpy.typing import ArrayLike, NDArray
@@ -130,6 +130,15 @@ class Link(OfLink, Connection):
         # Where both sides share a pair of wires, each must know when its turn is.
         self._takes_turns = Feature.HALF_DUPLEX in codec.info.features
         self._publishing.start(codec)
+        codec.refusal = self._refusal
+
+    def _refusal(self) -> str:
+        stream = self._flow.stream
+        return "" if stream is None else stream.refusal
+
+    def name_addresses(self, names: Mapping[int, str]) -> None:
+        """Give addresses names, by which errors call them; a robot does so for its signals."""
+        self._flow.codec.names.update(names)
 
     def _ended(self, error: LinkLostError) -> None:
         self._publishing.end(error)

@@ -55,6 +55,8 @@ if TYPE_CHECKING:
 
 Overflow = Literal["drop_oldest", "fail"]
 NOT_OPEN = "the subscription is not open: write `async with ...subscribe(...) as samples:`, or `with` in blocking code"
+INSTEAD = {"next": "`await anext(samples)` waits for one sample, and `take` for all that are there"}
+"""Advice for names that are often tried on a subscription."""
 LARGEST_DIVISOR = 0xFFFF
 RESET_TOLERANCE = 1
 """Seconds by which the clock of a gateway that was not reset may be off this machine's after an interruption."""
@@ -595,7 +597,7 @@ class Subscription(OfLink):
         __await__ = refusing(NOT_OPEN)
         __enter__ = __exit__ = refusing("write `async with` before this subscription: its link is not a blocking one")
         __iter__ = refusing("write `async for` over the samples: their link is not a blocking one")
-        __getattr__ = missing_attribute("a subscription")
+        __getattr__ = missing_attribute("a subscription", **INSTEAD)
 
     def _called(self) -> str:
         return "a subscription"

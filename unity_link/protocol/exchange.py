@@ -497,7 +497,8 @@ class Exchange:
         offset = number - run.first & self._mask
         if head == 1 and body[0] == _LOWER_X:
             self._counters.errors += 1
-            run.fail_part(offset, 1, gateway_error(_number_of(body[after:]), run.describe(offset)), events)
+            error = gateway_error(_number_of(body[after:]), run.describe(offset), self.codec.refusal)
+            run.fail_part(offset, 1, error, events)
         elif not run.accept(offset, body, after, events) and not (run.unwanted() and body[0] == _LOWER_H):
             self._counters.stray += 1
             return

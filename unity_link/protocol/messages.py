@@ -175,6 +175,10 @@ class Codec:
         """Characters of a checked frame with an ID, beyond its fields or data."""
         self.commands = {name: row for name, row in COMMANDS.items() if row.feature in info.features}
         self._layouts = {name: self._layout(row.fields) for name, row in COMMANDS.items()}
+        self.names: dict[int, str] = {}
+        """Names of addresses for messages to people, where a program has given some."""
+        self.refusal: Callable[[], str] = lambda: ""
+        """Returns the reason why the bus refuses accesses, where the medium knows one."""
         self.write_fields = self._write_fields()
         """Returns the fields of `W` and `WS` as `fields` does: this is on the way of every write."""
 

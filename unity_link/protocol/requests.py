@@ -68,10 +68,17 @@ _NAMES = {
 }
 
 
-def gateway_error(code: int, what: str) -> GatewayError:
-    """Return the exception for an error code of the gateway; `what` names the request."""
+def gateway_error(code: int, what: str, refusal: Callable[[], str]) -> GatewayError:
+    """Return the exception for an error code of the gateway.
+
+    Args:
+        code: of the error.
+        what: names the request.
+        refusal: returns the reason why the bus refuses accesses, empty where none is known.
+    """
     kind, text = _ERRORS.get(code, (GatewayError, f"the gateway answered error {code:02X}"))
-    return kind(f"{what}: {text}", code)
+    reason = refusal() if kind is BusError else ""
+    return kind(f"{what}: {text}" + (f", for {reason}" if reason else ""), code)
 
 
 class PostedFailure(NamedTuple):
@@ -177,7 +184,9 @@ class Message(Run):
         fields = self.fields_at(offset).decode()
         if self.command[0] not in "RW":
             return _NAMES[self.command]
-        return f"{_NAMES[self.command]} at 0x{fields[: self.codec.info.address_digits]}"
+        address = fields[: self.codec.info.address_digits]
+        name = self.codec.names.get(int(address, 16))
+        return f"{_NAMES[self.command]}{f' of {name}' if name else ''} at 0x{address}"
 
     def fields_at(self, offset: int) -> bytes:
         """Return the fields of one message."""

@@ -60,6 +60,10 @@ def read_text(path: Path) -> str:
     except UnicodeDecodeError as error:
         raise ValueError(f"{path} is no UTF-8 text: byte {error.start} is 0x{error.object[error.start]:02X}") from None
     except OSError as error:
+        from unity_link.transport import is_url
+
+        if is_url(str(path)):
+            raise ValueError(f"{path} is the URL of a gateway, and a spec was expected: are the two swapped?") from None
         raise ValueError(f"{path} cannot be read: {error.strerror or error}") from None
 
 

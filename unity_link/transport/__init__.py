@@ -185,6 +185,8 @@ def parse_url(url: str) -> DriverUrl:
         known = ", ".join(f"{name}:" for name in dict.fromkeys((*_DRIVERS, *_installed().names)))
         likely = _likely_url(text)
         hint = f"did you mean {likely!r}?" if likely else f"it should begin with one of {known}"
+        if text.endswith(".ul") and not likely:
+            hint = f"it is a spec, which `unity_link.load` and SPEC of a command take; {hint}"
         raise ArgumentError(f"{text!r} is no URL of a gateway: {hint}")
     try:
         # A # may be in the name of a file, and a + in a token.
@@ -206,6 +208,12 @@ def parse_url(url: str) -> DriverUrl:
             known = f"{scheme}: takes {', '.join(sorted(allowed))}"
             raise ArgumentError(f"unknown option {name!r} in {text}: {known}{hint}")
     return parsed
+
+
+def is_url(text: str) -> bool:
+    """Return whether a text begins with a scheme that is known, as URLs of gateways do."""
+    scheme, colon, _ = text.partition(":")
+    return bool(colon) and (scheme in _DRIVERS or scheme in _installed().names)
 
 
 def _likely_url(text: str) -> str:

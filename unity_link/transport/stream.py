@@ -91,6 +91,12 @@ class Stream(asyncio.Protocol):
         """The link's place on a line on which nodes take turns, None where it is alone."""
         return None if self._transport is None else self._transport.get_extra_info("seat")
 
+    @property
+    def refusal(self) -> str:
+        """The reason why the bus at the other end refuses accesses; empty where the medium does not know it."""
+        told = None if self._transport is None else self._transport.get_extra_info("refusal")
+        return "" if told is None else told()
+
     async def close(self) -> None:
         """End the connection and wait until it has ended."""
         self.abort()

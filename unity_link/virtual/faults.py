@@ -228,6 +228,11 @@ class NoisyLine(Gateway):
         return self._towards.held_bytes + self._gateway.waiting + self._back.held_bytes
 
     @property
+    def refusal(self) -> str:
+        """The reason why the robot behind the bus refuses each access; empty where it does not."""
+        return self._gateway.refusal
+
+    @property
     def leaves_time_out(self) -> bool:
         """Return whether the gateway leaves out what it is too late for."""
         return self._gateway.leaves_time_out

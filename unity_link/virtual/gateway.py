@@ -74,6 +74,11 @@ class Gateway(Protocol):
         """Return whether `advance` leaves out what it is too late for: it need not be told to lose samples then."""
         return False
 
+    @property
+    def refusal(self) -> str:
+        """The reason why the robot behind the bus refuses each access; empty where it does not."""
+        return ""
+
     def receive(self, data: bytes, now: float) -> bytes:
         """Take bytes at the time `now`, in seconds of any origin, and return the bytes sent at once."""
 

@@ -68,6 +68,11 @@ class SlowLine(Gateway):
         return len(self._fifo)
 
     @property
+    def refusal(self) -> str:
+        """The reason why the robot behind the bus refuses each access; empty where it does not."""
+        return self._gateway.refusal
+
+    @property
     def leaves_time_out(self) -> bool:
         """Return whether the gateway leaves out what it is too late for."""
         return self._gateway.leaves_time_out

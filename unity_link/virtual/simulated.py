@@ -144,7 +144,8 @@ class SimulatedRobot(Part):
     _last: float
     """Instant of the last look, on the same clock."""
     _steps: int
-    _failed: bool
+    refusal: str
+    """The reason why it refuses each access, which is that `step` has failed; empty while it has not."""
     _told_late: bool
 
     def __new__(cls, interface: Interface, *_: Any) -> Self:
@@ -158,7 +159,8 @@ class SimulatedRobot(Part):
         robot._parts = []
         robot._began = None
         robot._steps = 0
-        robot._failed = robot._told_late = False
+        robot.refusal = ""
+        robot._told_late = False
         robot._fill(robot, interface.root)
         return robot
 
@@ -253,7 +255,7 @@ class SimulatedRobot(Part):
     @property
     def next_step(self) -> float | None:
         """Instant up to which time should pass without a call; None where that makes no difference."""
-        if self._failed or self._began is None or self.step_seconds is None or not self._moves:
+        if self.refusal or self._began is None or self.step_seconds is None or not self._moves:
             return None
         return self._last + max(self.step_seconds, 0.01)
 
@@ -290,7 +292,7 @@ class SimulatedRobot(Part):
         Raises:
             AccessError: where `step` has failed, now or before.
         """
-        if self._failed:
+        if self.refusal:
             raise AccessError(ErrorCode.BUS_ERROR)
         self.begin(now)
         assert self._began is not None
@@ -327,8 +329,9 @@ class SimulatedRobot(Part):
         try:
             self.step(dt)
         except ANY_ERROR as error:
-            self._failed = True
-            _LOG.exception("%r failed %.3f s after its start: all accesses are bus errors from now on", self, self.now)
+            after = f"{self.now:.3f} s after its start"
+            self.refusal = f"the model {type(self).__name__} failed {after}: {type(error).__name__}: {error}"
+            _LOG.exception("%r failed %s: all accesses are bus errors from now on", self, after)
             raise AccessError(ErrorCode.BUS_ERROR) from error
 
     def _leave_out(self, seconds: float) -> None:

@@ -106,6 +106,11 @@ class SimulatedGateway(BareGateway, Generic[R_co]):
         return self._gateway.waiting
 
     @property
+    def refusal(self) -> str:
+        """The reason why the robot refuses each access; empty where it does not."""
+        return "" if self.robot is None else self.robot.refusal
+
+    @property
     def leaves_time_out(self) -> bool:
         """Return whether the gateway leaves out what it is too late for."""
         return self._gateway.leaves_time_out

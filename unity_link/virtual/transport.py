@@ -38,7 +38,8 @@ class GatewayTransport(BufferedTransport):
     """
 
     def __init__(self, gateway: Gateway, protocol: asyncio.Protocol, *, at_once: bool = False) -> None:
-        super().__init__(protocol, {"gateway": gateway, "shortest_timeout": QUICK_TIMEOUT})
+        refusal = lambda: gateway.refusal  # noqa: E731  (it is asked when an access is refused)
+        super().__init__(protocol, {"gateway": gateway, "shortest_timeout": QUICK_TIMEOUT, "refusal": refusal})
         self._pump = Pump(gateway, self._collect, self._loop)
         self._to_gateway = bytearray()
         self._to_protocol = bytearray()

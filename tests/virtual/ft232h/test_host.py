@@ -144,6 +144,7 @@ class Echo:
         self.wake: Callable[[], None] = lambda: None
         self.next_due: float | None = None
         self.leaves_time_out = False
+        self.refusal = ""
         self.waiting = 0
 
     @property
