@@ -51,6 +51,7 @@ async def measure() -> Row:
         f"{pair.ratio:.2f}",
         f"ratio at most {MOST}",
         pair.ratio <= MOST,
+        pair.processor,
     )
 
 

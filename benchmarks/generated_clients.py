@@ -51,6 +51,13 @@ def c_program() -> Iterator[Path]:
             yield program
 
 
+def missing_octave() -> str:
+    """Return the sentence for a machine without Octave; empty where there is one."""
+    if shutil.which("octave-cli") and shutil.which("mkoctfile"):
+        return ""
+    return "it needs GNU Octave and its headers: apt install octave liboctave-dev"
+
+
 @contextmanager
 def octave_package() -> Iterator[Path]:
     """Build the package for Octave, and return its folder.
@@ -58,8 +65,8 @@ def octave_package() -> Iterator[Path]:
     Raises:
         FileNotFoundError: where there is no Octave.
     """
-    if shutil.which("octave-cli") is None or shutil.which("mkoctfile") is None:
-        raise FileNotFoundError("this benchmark needs GNU Octave and its headers: apt install octave liboctave-dev")
+    if text := missing_octave():
+        raise FileNotFoundError(text)
     with tempfile.TemporaryDirectory() as folder:
         write(generate("matlab", compile_file(SPEC)), Path(folder))
         _output([*_OCTAVE, "unity_link.build();"], Path(folder))
@@ -102,4 +109,5 @@ def row(question: str, pair: Pair, most: float) -> Row:
         f"{pair.ratio:.2f}",
         f"ratio at most {most}",
         pair.ratio <= most,
+        pair.processor,
     )

@@ -47,4 +47,5 @@ async def measure() -> Row:
         f"{pair.ratio:.2f}",
         f"ratio at most {MOST}",
         pair.ratio <= MOST,
+        pair.processor,
     )

@@ -65,4 +65,5 @@ async def measure() -> Row:
         f"{pair.ratio:.2f}",
         f"at least {LEAST:.0%} of the bare loop's",
         1 / pair.ratio >= LEAST,
+        pair.processor,
     )

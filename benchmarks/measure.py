@@ -6,6 +6,7 @@ counts is the median of their ratios; the rates beside it are medians of the sam
 
 from __future__ import annotations
 
+import resource
 import statistics
 import time
 from typing import TYPE_CHECKING
@@ -26,24 +27,51 @@ class Row(msgspec.Struct, frozen=True):
     bare: str
     ratio: str
     target: str
-    met: bool
+    met: bool | None
+    """None where it was not measured."""
+    processor: str = ""
+    """Shares of a processor that ours and the bare loop took, without the responder; empty where not told."""
 
 
 class Pair(msgspec.Struct, frozen=True):
-    """Medians over all runs: seconds for one unit of work, and the ratio of ours to the bare loop's."""
+    """Medians over all runs: seconds for one unit of work, the ratio of ours to the bare loop's, and their loads."""
 
     ours: float
     bare: float
     ratio: float
+    ours_load: float
+    """Share of a processor that ours took while it ran."""
+    bare_load: float
+
+    @property
+    def processor(self) -> str:
+        """Both loads, for a row."""
+        return f"{self.ours_load:.0%}, {self.bare_load:.0%}"
 
 
 async def compare(ours: Callable[[], Awaitable[float]], bare: Callable[[], Awaitable[float]]) -> Pair:
     """Run both in turn; each gives its seconds for one unit of work."""
     await ours(), await bare()
-    pairs = [(await ours(), await bare()) for _ in range(RUNS)]
-    mine, other = zip(*pairs, strict=True)
-    ratio = statistics.median(a / b for a, b in pairs)
-    return Pair(statistics.median(mine), statistics.median(other), ratio)
+    pairs = [(await _loaded(ours), await _loaded(bare)) for _ in range(RUNS)]
+    times, loads = zip(*(zip(*pair, strict=True) for pair in pairs), strict=True)
+    mine, other = zip(*times, strict=True)
+    ratio = statistics.median(a / b for a, b in times)
+    return Pair(
+        statistics.median(mine), statistics.median(other), ratio, *map(statistics.median, zip(*loads, strict=True))
+    )
+
+
+async def _loaded(work: Callable[[], Awaitable[float]]) -> tuple[float, float]:
+    """Return what work gives, and the share of a processor that it took."""
+    began, used = time.perf_counter(), processor_seconds()
+    given = await work()
+    return given, (processor_seconds() - used) / (time.perf_counter() - began)
+
+
+def processor_seconds() -> float:
+    """Return the processor time of this process, and of those that it has waited for."""
+    usages = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    return sum(usage.ru_utime + usage.ru_stime for usage in usages)
 
 
 async def seconds(work: Awaitable[object]) -> float:
@@ -62,4 +90,5 @@ def rate_row(question: str, unit: str, pair: Pair, least: float) -> Row:
         f"{pair.ratio:.2f}",
         f"at least {least:,.0f} {unit}/s",
         1 / pair.ours >= least,
+        pair.processor,
     )

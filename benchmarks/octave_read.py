@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from benchmarks.generated_clients import c_program, octave_package, seconds_bare, seconds_in_octave
+from benchmarks.generated_clients import c_program, missing_octave, octave_package, seconds_bare, seconds_in_octave
 from benchmarks.measure import Row, compare
 from benchmarks.responder import responder
 
 READS = 2000
 MOST = 40e-6
 """Seconds more than a bare program takes: 0.1 ms where that takes 0.06."""
+missing_tools = missing_octave
 
 
 async def measure() -> Row:
@@ -25,4 +26,5 @@ async def measure() -> Row:
         f"{pair.ratio:.2f}",
         f"at most {MOST * 1e6:.0f} us more",
         pair.ours - pair.bare <= MOST,
+        pair.processor,
     )

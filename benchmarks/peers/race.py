@@ -9,9 +9,11 @@ from __future__ import annotations
 import statistics
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import msgspec
+
+from benchmarks.measure import processor_seconds
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -66,27 +68,44 @@ class Finish(msgspec.Struct, frozen=True):
     beside: str
     ratio: float | None
     """Ratio of its speed to ours, median over the rounds; None of ours."""
+    load: float
+    """Share of a processor that it took, without the responder."""
     wire: float | None = None
     """Ratio of its bytes of the wire a second to ours, where those are given."""
+
+
+class Timed(NamedTuple):
+    """One run of a contender."""
+
+    seconds: float
+    """Seconds for one unit."""
+    load: float
 
 
 def run_race(race: Race, rounds: int) -> list[Finish]:
     """Run all contenders in turn, once to warm up."""
     for contender in race.contenders:
         contender.run()
-    seen = [{contender.name: contender.run() for contender in race.contenders} for _ in range(rounds)]
+    seen = [{contender.name: _timed(contender) for contender in race.contenders} for _ in range(rounds)]
     return [_finish(race, contender, seen) for contender in race.contenders]
 
 
-def _finish(race: Race, contender: Contender, seen: list[dict[str, float]]) -> Finish:
-    seconds = statistics.median(times[contender.name] for times in seen)
+def _timed(contender: Contender) -> Timed:
+    began, used = time.perf_counter(), processor_seconds()
+    seconds = contender.run()
+    return Timed(seconds, (processor_seconds() - used) / (time.perf_counter() - began))
+
+
+def _finish(race: Race, contender: Contender, seen: list[dict[str, Timed]]) -> Finish:
+    seconds = statistics.median(runs[contender.name].seconds for runs in seen)
+    load = statistics.median(runs[contender.name].load for runs in seen)
     ratio = wire = None
     if contender.beside:
-        ratio = statistics.median(times[contender.beside] / times[contender.name] for times in seen)
+        ratio = statistics.median(runs[contender.beside].seconds / runs[contender.name].seconds for runs in seen)
         ours = next((other.wire for other in race.contenders if other.name == contender.beside), 0.0)
         wire = ratio * contender.wire / ours if ours and contender.wire else None
     figure = _figure(race, contender, seconds)
-    return Finish(race.question, race.medium, contender.name, figure, contender.beside, ratio, wire)
+    return Finish(race.question, race.medium, contender.name, figure, contender.beside, ratio, load, wire)
 
 
 def _figure(race: Race, contender: Contender, seconds: float) -> str:

@@ -30,7 +30,9 @@ def text(finishes: list[Finish], machine: str, rounds: int, picture: str) -> str
     """
     seen = (
         f"Seen on {dt.datetime.now(dt.UTC):%Y-%m-%d} by unity-link {unity_link.__version__}: {machine}. Medians of "
-        f"{rounds} rounds, in each of which all run in turn; the ratios are medians of those within a round."
+        f"{rounds} rounds, in each of which all run in turn; the ratios are medians of those within a round. "
+        "The share of a processor is that of the process that reads; a lone read of Unity-Link looks for its answer "
+        "again and again, where answers come quickly, instead of sleeping."
     )
     lines = [
         BEGIN,
@@ -45,8 +47,8 @@ def text(finishes: list[Finish], machine: str, rounds: int, picture: str) -> str
         "",
         f"![How many times as quick as Unity-Link each peer is]({picture})",
         "",
-        "| what | on | by | | beside it |",
-        "|---|---|---|---|---|",
+        "| what | on | by | | processor | beside it |",
+        "|---|---|---|---|---|---|",
         *(_line(finish) for finish in finishes),
         "",
         END,
@@ -72,7 +74,9 @@ def _quicker(finishes: list[Finish]) -> list[str]:
 
 def _line(finish: Finish) -> str:
     told = beside(finish) if finish.beside else ""
-    return f"| {finish.question} | {finish.medium} | {finish.contender} | {finish.figure} | {told} |"
+    return (
+        f"| {finish.question} | {finish.medium} | {finish.contender} | {finish.figure} | {finish.load:.0%} | {told} |"
+    )
 
 
 def beside(finish: Finish) -> str:

@@ -21,6 +21,7 @@ from benchmarks import (
     octave_read,
     posts,
     read_beside_protocol,
+    read_beside_spinning,
 )
 from benchmarks.__main__ import NAMED
 from generate.octave import why_not
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
 needs_octave = pytest.mark.skipif(bool(why_not()), reason=why_not())
 SMALL = [
     (read_beside_protocol, {"READS": 5}),
+    (read_beside_spinning, {"READS": 5}),
     (blocking_read, {"READS": 5}),
     (c_read, {"READS": 5}),
     pytest.param(octave_read, {"READS": 5}, marks=[needs_octave, pytest.mark.slow]),
@@ -55,4 +57,5 @@ def test_a_benchmark_answers_its_question(
     assert re.match(r"[\d,.]+ (us|reads/s|writes/s)", row.ours)
     assert re.match(r"[\d,.]+ (us|reads/s|writes/s)", row.bare)
     assert float(row.ratio) >= 0
+    assert re.fullmatch(r"\d+%, \d+%", row.processor)
     assert NAMED[benchmark.__name__.rpartition(".")[2]] is benchmark

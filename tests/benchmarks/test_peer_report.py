@@ -12,11 +12,11 @@ if TYPE_CHECKING:
 
 
 FINISHES = [
-    Finish("a read", "UDP", "ours", "20.0 µs", "", None),
-    Finish("a read", "UDP", "slow", "40.0 µs", "ours", 0.5),
-    Finish("a read", "UDP", "quick", "10.0 µs", "ours", 2.0),
-    Finish("a read", "UDP", "level", "19.5 µs", "ours", 1.03),
-    Finish("a block", "UDP", "quickest", "9 words/s", "ours", 3.0),
+    Finish("a read", "UDP", "ours", "20.0 µs", "", None, 0.25),
+    Finish("a read", "UDP", "slow", "40.0 µs", "ours", 0.5, 0.25),
+    Finish("a read", "UDP", "quick", "10.0 µs", "ours", 2.0, 0.25),
+    Finish("a read", "UDP", "level", "19.5 µs", "ours", 1.03, 0.25),
+    Finish("a block", "UDP", "quickest", "9 words/s", "ours", 3.0, 0.25),
 ]
 
 
@@ -27,6 +27,7 @@ def test_what_is_quicker_elsewhere_is_said_before_the_table_the_quickest_first()
         "- quick, a read on UDP: 10.0 µs, **2.0 times** as quick as ours.",
     ]
     assert table.count("\n| a ") == len(FINISHES)
+    assert "| a read | UDP | slow | 40.0 µs | 25% | 0.50 times ours |" in table
 
 
 def test_a_run_in_which_nothing_was_quicker_says_so() -> None:

@@ -17,7 +17,7 @@ class Question:
     """A benchmark that knows its answer."""
 
     def __init__(self, question: str, *, met: bool) -> None:
-        self._row = Row(question, "1 us", "1 us", "1.00", "ratio at most 1", met)
+        self._row = Row(question, "1 us", "1 us", "1.00", "ratio at most 1", met, "90%, 30%")
 
     async def measure(self) -> Row:
         return self._row
@@ -36,8 +36,8 @@ def test_all_are_written_down_and_a_missed_target_is_the_exit_status(
 ) -> None:
     monkeypatch.setattr("sys.argv", ["benchmarks"])
     assert command.main() == 1
-    assert "| quick enough? | 1 us | 1 us | 1.00 | ratio at most 1 | yes |" in results.read_text()
-    assert "| too slow? | 1 us | 1 us | 1.00 | ratio at most 1 | **no** |" in results.read_text()
+    assert "| quick enough? | 1 us | 1 us | 1.00 | 90%, 30% | ratio at most 1 | yes |" in results.read_text()
+    assert "| too slow? | 1 us | 1 us | 1.00 | 90%, 30% | ratio at most 1 | **no** |" in results.read_text()
 
 
 def test_what_is_named_is_run_alone_and_not_written_down(
@@ -49,3 +49,15 @@ def test_what_is_named_is_run_alone_and_not_written_down(
     assert "quick enough?" in shown
     assert "too slow?" not in shown
     assert not results.exists()
+
+
+def test_what_cannot_be_run_is_told_first_and_has_a_row_that_says_so(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], results: Path
+) -> None:
+    lacking = Question("in Octave?", met=True)
+    monkeypatch.setattr(lacking, "missing_tools", lambda: "it needs GNU Octave", raising=False)
+    monkeypatch.setattr(command, "NAMED", {"quick": Question("quick enough?", met=True), "octave": lacking})
+    monkeypatch.setattr("sys.argv", ["benchmarks"])
+    assert command.main() == 0
+    assert capsys.readouterr().out.startswith("octave is not measured: it needs GNU Octave\n")
+    assert "| `octave` | not measured: it needs GNU Octave |  |  |  |  |  |" in results.read_text()

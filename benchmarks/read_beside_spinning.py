@@ -1,0 +1,57 @@
+"""How fast is a lone read beside the least there can be: a loop that looks for the answer again and never sleeps?"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import statistics
+import time
+
+import unity_link
+from benchmarks.concurrent_reads import REQUEST, RESPONSE
+from benchmarks.expected import ADDRESS, expect
+from benchmarks.measure import Row, compare
+from benchmarks.responder import responder
+
+READS = 4000
+MOST = 1.5
+
+
+async def measure() -> Row:
+    """Compare `await link.read(...)`, which spins as well, with the same bytes, median of the round trips."""
+    with responder() as path:
+
+        async def ours() -> float:
+            async with unity_link.connect(f"serial:{path}") as link:
+                expect(await link.read(ADDRESS))
+                times = []
+                for _ in range(READS):
+                    start = time.perf_counter()
+                    await link.read(ADDRESS)
+                    times.append(time.perf_counter() - start)
+                return statistics.median(times)
+
+        async def bare() -> float:
+            port = os.open(path, os.O_RDWR | os.O_NONBLOCK | os.O_NOCTTY)
+            times = []
+            for _ in range(READS):
+                start = time.perf_counter()
+                os.write(port, REQUEST)
+                missing = len(RESPONSE)
+                while missing > 0:
+                    with contextlib.suppress(BlockingIOError):
+                        missing -= len(os.read(port, missing))
+                times.append(time.perf_counter() - start)
+            os.close(port)
+            return statistics.median(times)
+
+        pair = await compare(ours, bare)
+    return Row(
+        "A read, one after the other, beside a bare loop that spins, as ours does",
+        f"{pair.ours * 1e6:.1f} us",
+        f"{pair.bare * 1e6:.1f} us",
+        f"{pair.ratio:.2f}",
+        f"ratio at most {MOST}",
+        pair.ratio <= MOST,
+        pair.processor,
+    )
