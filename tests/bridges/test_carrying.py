@@ -97,7 +97,7 @@ def test_a_polled_read_that_is_refused_is_told_once_and_lost_and_the_others_go_o
     carrier = asyncio.run(carry())
     assert taken[1] == 0
     assert carrier.lost > 0
-    assert told == ["read at 0x11: nothing on the bus answered (told once)"]
+    assert told == ["read of polled at 0x11: nothing on the bus answered (told once)"]
 
 
 def test_turns_of_polling_that_pass_while_the_end_takes_its_time_are_not_lost(tmp_path: Path) -> None:

@@ -105,6 +105,6 @@ def test_a_bad_value_spoils_none_of_the_others_and_each_kind_of_fault_of_each_si
     assert noted(notes) == list(range(100))
     assert sorted(told) == [
         "angle: nan is no value of signed 32: a finite number was expected (told once)",
-        "posted write at 0x21: the bus refused the access (told once)",
+        "posted write of refused at 0x21: the bus refused the access (told once)",
         "target: 1000001 is outside of its limits, 0 to 1000000 (told once)",
     ]

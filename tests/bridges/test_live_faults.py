@@ -153,7 +153,7 @@ def test_samples_go_on_when_the_gateway_comes_back_and_a_page_is_told_of_both(tm
 
 
 def test_a_shared_gateway_that_goes_away_is_told_once_and_waited_for(tmp_path: Path) -> None:
-    refused = "read at 0x"
+    refused = "read of j"
     with ExitStack() as stack:
         simulate = ("simulate", "--robot", "scara")
         with gateway(tmp_path / "gateway", *simulate) as behind:

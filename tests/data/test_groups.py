@@ -79,7 +79,7 @@ async def test_posted_values_are_not_waited_for_and_a_fence_raises_their_errors(
         group = Group(robot.angle, robot.level, robot.tools[0], robot.tools[1])
         responses = link.statistics.responses
         await group.post([1, 2, 3, 4])
-        with pytest.raises(BusError, match="posted write at 0x19"):
+        with pytest.raises(BusError, match=r"posted write of tools\[1\].force at 0x19"):
             await link.fence()
         assert link.statistics.responses == responses + 3, "of the masked write, the error and the fence"
         assert (bus.words, robot.tools[0].force.value) == ({0x10: 4, 0x12: 2, 0x18: 3}, 3)
@@ -179,10 +179,10 @@ async def test_one_bus_error_is_raised_and_leaves_the_other_writes() -> None:
     bus = RecordedBus(gateway, failing=frozenset({0x12}))
     async with unity_link.connect(gateway) as link:
         robot = ROBOT(link)
-        with pytest.raises(BusError, match="write at 0x12"):
+        with pytest.raises(BusError, match="write of angle at 0x12"):
             await Group(robot.angle, robot.tools[0].force).set([1, 2])
         assert bus.words == {0x18: 2}
-        with pytest.raises(BusError, match="read at 0x12"):
+        with pytest.raises(BusError, match="read of angle at 0x12"):
             await Group(robot.angle, robot.tools[0].force).get()
 
 

@@ -721,7 +721,7 @@ async def test_a_loop_is_told_of_a_polled_read_that_is_refused_and_another_one_b
                 device.is_away = value == 3
 
         for _ in range(2):
-            with pytest.raises(BusError, match="read at 0x12"):
+            with pytest.raises(BusError, match="read of slow at 0x12"):
                 await loop()
             await asyncio.sleep(0.1)
             assert not tasks_of_feeds()
@@ -730,7 +730,7 @@ async def test_a_loop_is_told_of_a_polled_read_that_is_refused_and_another_one_b
         assert told(caplog) == []
         with robot.slow.on_change(lambda _: None):
             for _ in range(2):
-                with pytest.raises(BusError, match="read at 0x12"):
+                with pytest.raises(BusError, match="read of slow at 0x12"):
                     await loop()
                 await asyncio.sleep(0.1)
                 device.is_away, device.count = False, 0

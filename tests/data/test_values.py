@@ -191,13 +191,13 @@ async def test_errors_of_the_bus_are_those_of_the_link() -> None:
     RecordedBus(gateway, failing=frozenset({BROKEN}))
     async with unity_link.connect(gateway) as link:
         robot = ROBOT(link)
-        with pytest.raises(BusError, match="read at 0x20"):
+        with pytest.raises(BusError, match="read of broken at 0x20"):
             await robot.broken.get()
-        with pytest.raises(BusError, match="write at 0x20"):
+        with pytest.raises(BusError, match="write of broken at 0x20"):
             await robot.broken.set(1)
         assert robot.broken.value is None
         await robot.broken.post(1)
-        with pytest.raises(BusError, match="posted write at 0x20"):
+        with pytest.raises(BusError, match="posted write of broken at 0x20"):
             await link.fence()
 
 

@@ -185,8 +185,8 @@ def parse_url(url: str) -> DriverUrl:
         known = ", ".join(f"{name}:" for name in dict.fromkeys((*_DRIVERS, *_installed().names)))
         likely = _likely_url(text)
         hint = f"did you mean {likely!r}?" if likely else f"it should begin with one of {known}"
-        if text.endswith(".ul") and not likely:
-            hint = f"it is a spec, which `unity_link.load` and SPEC of a command take; {hint}"
+        if text.endswith(".ul"):
+            hint = f"it is a spec, which `unity_link.load` and SPEC of a command take; a URL begins with one of {known}"
         raise ArgumentError(f"{text!r} is no URL of a gateway: {hint}")
     try:
         # A # may be in the name of a file, and a + in a token.
