@@ -131,7 +131,9 @@ class GroupSample(msgspec.Struct, frozen=True):
             instead = {name: f"write sample[{paths[0]!r}]"} if paths else {}
             missing_attribute("a sample", **instead)(self, name)
 
-        __setattr__ = unassignable_attribute("a sample")
+
+if not TYPE_CHECKING:  # Frozen, it has one of its own, whose message names no signal.
+    GroupSample.__setattr__ = unassignable_attribute("a sample")
 
 
 class Batch(Sealed):
