@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from gateware.tools.constraints import constraints
 from gateware.tools.lists import TOP, in_compile_order, lists
 from unity_link.gateware.cache import GATEWARE, LIBRARY, vhdl_sources
 
@@ -31,6 +32,16 @@ def test_what_is_in_the_tree_is_what_is_made_of_it(name: str) -> None:
     text = (GATEWARE / name).read_text()
     assert text == lists()[name], "run make lists"
     assert list(dict.fromkeys(_PATH.findall(text))) == in_compile_order()
+
+
+@pytest.mark.parametrize("name", constraints())
+def test_the_constraints_in_the_tree_are_those_of_the_vhdl(name: str) -> None:
+    assert (GATEWARE / name).read_text() == constraints()[name], "run make lists"
+
+
+def test_no_constraint_is_written_by_hand() -> None:
+    there = {path.relative_to(GATEWARE).as_posix() for path in (GATEWARE / "constraints").glob("*/*")}
+    assert there == set(constraints())
 
 
 @pytest.mark.parametrize("tool", ["vivado", "quartus", "radiant", "diamond", "gowin"])

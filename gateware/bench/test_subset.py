@@ -102,10 +102,11 @@ def test_the_gateware_has_nothing_that_a_tool_refuses(path: Path) -> None:
     assert faults(path.read_text()) == []
 
 
-@pytest.mark.parametrize("name", ["scara", "walker"])
-def test_generated_designs_have_nothing_that_a_tool_refuses(name: str) -> None:
+@pytest.mark.parametrize(("name", "count"), [("scara", 3), ("walker", 6)])
+def test_generated_designs_have_nothing_that_a_tool_refuses(name: str, count: int) -> None:
     made = [file for file in generate("vhdl", compile_file(EXAMPLES / f"{name}.ul")) if "_bench" not in file.name]
-    assert len(made) == 6
+    # The scara has its signals in a TosNet, which no whole design brings.
+    assert len(made) == count
     assert {file.name: found for file in made if (found := faults(file.text))} == {}
 
 

@@ -1,7 +1,8 @@
 """The gateware's files in compile order, as each tool wants to be told: written by `make lists`, held by a test.
 
-`unity_link.f` is the list itself, `unity_link.core` for FuseSoC, and `import/` has a script for each vendor's tool. Who
-adds, renames or removes a file of `gateware/rtl` runs this again.
+`unity_link.f` is the list itself, `unity_link.core` for FuseSoC, and `import/` has a script for each vendor's tool;
+`constraints/` is written with them. Who adds, renames or removes a file of `gateware/rtl`, or a crossing, runs this
+again.
 
     python -m gateware.tools.lists
 """
@@ -14,6 +15,7 @@ import sys
 from typing import TYPE_CHECKING
 
 import unity_link
+from gateware.tools.constraints import constraints
 from unity_link.gateware import LICENCE
 from unity_link.gateware.cache import GATEWARE, LIBRARY, vhdl_sources
 from unity_link.gateware.vendors import add_vhdl
@@ -136,7 +138,7 @@ def _core(files: list[str]) -> str:
 
 def main() -> int:
     """Write all; returns the exit status."""
-    for name, text in lists().items():
+    for name, text in (lists() | constraints()).items():
         path = GATEWARE / name
         path.parent.mkdir(exist_ok=True)
         path.write_text(text)

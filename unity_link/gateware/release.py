@@ -13,6 +13,7 @@ import unity_link
 from unity_link.gateware import LICENCE
 from unity_link.gateware.cache import vhdl_sources
 from unity_link.gateware.convert import to_verilog
+from unity_link.gateware.registers import SETTINGS, with_names
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -22,9 +23,7 @@ if TYPE_CHECKING:
 _NEEDLESS = ("UNUSEDSIGNAL", "PINCONNECTEMPTY", "CMPCONST", "UNSIGNED")
 _MODULE = re.compile(r"^module (\w+)$", re.MULTILINE)
 _MENTION = re.compile(r"^(module |  )(\w+)(?=$| \w+ \()", re.MULTILINE)
-# What GHDL puts behind the name of an entity that has generics.
-_SETTINGS = re.compile(r"(_(\d+|[0-9a-f]{40}))+$")
-_PORT = re.compile(r"^ +\(?(input|output) +(?:\[(\d+):0\] )?(\w+)[,)]", re.MULTILINE)
+_PORT = re.compile(r"^ +\(?(input|output)(?: reg)? +(?:\[(\d+):0\] )?(\w+)[,)]", re.MULTILINE)
 _DEFAULT = re.compile(r"^\s*(\w+)\s*:\s*in\s[^:;]*:=\s*('[01]'|\(others => '[01]'\))", re.MULTILINE)
 
 
@@ -58,8 +57,9 @@ def release(
         ConversionError: if GHDL refuses the sources.
         ToolMissingError: if there is no GHDL that can be used.
     """
-    text = to_verilog(top, generics, extra_sources).read_text()
-    found = ports(text, top, top, [*extra_sources, *vhdl_sources()])
+    sources = [*extra_sources, *vhdl_sources()]
+    text = with_names(to_verilog(top, generics, extra_sources).read_text(), sources)
+    found = ports(text, top, top, sources)
     lines = [
         *([] if LICENCE in about else [LICENCE, ""]),
         *about,
@@ -115,7 +115,7 @@ def _named(text: str, top: str, name: str) -> str:
     """Return a design of which the top bears a name, and all other modules that with their entity's behind it."""
     names: dict[str, str] = {}
     for module in _MODULE.findall(text):
-        wanted = name if module == top else f"{name}_{_SETTINGS.sub('', module)}"
-        number = sum(_SETTINGS.sub("", known) == _SETTINGS.sub("", module) for known in names)
+        wanted = name if module == top else f"{name}_{SETTINGS.sub('', module)}"
+        number = sum(SETTINGS.sub("", known) == SETTINGS.sub("", module) for known in names)
         names[module] = f"{wanted}_{number + 1}" if number else wanted
     return _MENTION.sub(lambda mention: mention[1] + names.get(mention[2], mention[2]), text)

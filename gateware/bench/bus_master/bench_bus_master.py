@@ -76,6 +76,9 @@ async def _request(
         dut.request_more.value = index < len(addresses) - 1
         while True:
             await RisingEdge(dut.clk)
+            # Behind its last access a client asks for nothing before that has been told.
+            if dut.request_granted.value == 1 and dut.request_more.value == 0:
+                dut.request.value = 0
             if dut.request_done.value == 1:
                 break
         failures.append(int(dut.failure.value))
@@ -97,6 +100,8 @@ async def _sample(dut: SimHandleBase, addresses: list[int], after: int = 0) -> l
         dut.sample_more.value = index < len(addresses) - 1
         while True:
             await RisingEdge(dut.clk)
+            if dut.sample_granted.value == 1 and dut.sample_more.value == 0:
+                dut.sample.value = 0
             if dut.sample_done.value == 1:
                 break
         words.append(int(dut.read_data.value))

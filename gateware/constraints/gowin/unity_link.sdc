@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-
-// unity_link in Gowin's tool. Unchecked: see README.md. A pointer's skew has no command of its own there: a delay of less
-// than a cycle of the faster clock bounds it, too.
+//
+// unity_link in Gowin's tool. Made by `make lists` from the VHDL. Unchecked: see README.md.
+//
+// 10 ns: put the period of the faster clock here. It also bounds the skew of a pointer, which has no command of its
+// own.
 //
 // FT232H: outputs from 0 to 9 ns after CLKOUT, setup 7.5 ns, hold 0. FT2232H: outputs from 1 to 7.15 ns, setup 8 ns.
 
@@ -12,8 +14,21 @@ set_input_delay -clock ft_clkout -min 0 [get_ports {ft_rxf_n ft_txe_n ft_data[*]
 set_output_delay -clock ft_clkout -max 7.5 [get_ports {ft_rd_n ft_wr_n ft_oe_n ft_siwu_n ft_data[*]}]
 set_output_delay -clock ft_clkout -min 0 [get_ports {ft_rd_n ft_wr_n ft_oe_n ft_siwu_n ft_data[*]}]
 
-// 10 ns: put the period of the faster clock here.
+// Gray pointers, and the memory of a FIFO where it is one of LUTs.
 set_max_delay -from [get_regs {*write_gray*}] -to [get_regs {*write_crossing/meta*}] 10
 set_max_delay -from [get_regs {*read_gray*}] -to [get_regs {*read_crossing/meta*}] 10
-set_false_path -to [get_regs {*up_crossing/meta* *driving_crossing/meta* *question_crossing/meta* *answer_crossing/meta*}]
-set_false_path -to [get_regs {*rx_crossing/meta* *cts_crossing/meta* *trigger_crossing/meta*}]
+set_max_delay -from [get_regs {*ft245_sync*fifo*memory*}] -to [get_regs {*ft245_sync*fifo*out_data*}] 10
+
+// One bit each, and resets, which begin at any instant.
+set_false_path -to [get_regs {*trigger_crossing/meta*}]
+set_false_path -to [get_regs {*up_crossing/meta*}]
+set_false_path -to [get_regs {*question_crossing/meta*}]
+set_false_path -to [get_regs {*answer_crossing/meta*}]
+set_false_path -to [get_regs {*driving_crossing/meta*}]
+set_false_path -to [get_regs {*rx_crossing/meta*}]
+set_false_path -to [get_regs {*cts_crossing/meta*}]
+set_false_path -to [get_regs {*chip_reset/meta*}]
+set_false_path -to [get_regs {*chip_quiet/meta*}]
+set_false_path -to [get_regs {*chip_quiet_data/meta*}]
+set_false_path -to [get_regs {*ft245_async*receive_flag*}]
+set_false_path -to [get_regs {*ft245_async*transmit_flag*}]

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# ul_subscription_manager in Vivado: read_xdc -ref ul_subscription_manager ul_subscription_manager.xdc. Unchecked: see README.md.
+# ul_subscription_manager in Vivado: read_xdc -ref ul_subscription_manager ul_subscription_manager.xdc
 #
-# A trigger need not know clk; each bit goes its own way.
+# Made by `make lists` from the VHDL. Unchecked: see README.md.
+#
+# What comes from no clock, or is one bit: any delay is right. A reset begins at any instant; its end is timed, from the
+# last register of its row on.
 
-set_false_path -quiet -to [get_cells -quiet -hierarchical -filter {NAME =~ *trigger_crossing/meta_reg[*]}]
+set_false_path -quiet -to [get_cells -quiet -hierarchical -filter {NAME =~ *trigger_crossing/meta_reg*}]

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# ul_uart in Vivado: read_xdc -ref ul_uart ul_uart.xdc. Unchecked: see README.md.
+# ul_uart in Vivado: read_xdc -ref ul_uart ul_uart.xdc
 #
-# RXD and CTS# come from no clock.
+# Made by `make lists` from the VHDL. Unchecked: see README.md.
+#
+# What comes from no clock, or is one bit: any delay is right. A reset begins at any instant; its end is timed, from the
+# last register of its row on.
 
-set_false_path -to [get_cells {rx_crossing/meta_reg[0]}]
-set_false_path -quiet -to [get_cells -quiet -hierarchical -filter {NAME =~ *cts_crossing/meta_reg[0]}]
+set_false_path -quiet -to [get_cells -quiet -hierarchical -filter {NAME =~ *rx_crossing/meta_reg*}]
+set_false_path -quiet -to [get_cells -quiet -hierarchical -filter {NAME =~ *cts_crossing/meta_reg*}]

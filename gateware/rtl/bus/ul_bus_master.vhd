@@ -9,8 +9,14 @@
 -- has not.
 --
 -- One access takes three cycles on a bus without wait states: chosen (`..._granted`), on the bus, told (`..._done`,
--- with `failure` and `read_data`). A client keeps its request up until it is granted; address and data of the next
--- access must stand there in the cycle after that.
+-- with `failure` and `read_data`).
+--
+-- Rules for a client, which a simulation checks by assertions:
+-- - It keeps its request up until it is granted; address and data of the next access must stand there in the cycle
+--   after that.
+-- - A transaction of several accesses is of reads, or exclusive, from its first to its last.
+-- - Behind its last access it asks for nothing before that has been told: what it asks for while a block is under way
+--   would be taken for another word of the block.
 --
 -- The words of a block that is read, and those of a sample, are asked for before the answers to those before them
 -- (`bus_ahead`), where the bus takes an access before it answers it (`bus_next`): up to four are under way, and they
@@ -132,6 +138,34 @@ begin
   bus_ahead       <= ahead;
   -- An access that timed out takes the bus down with it, whatever transaction it stood in, until its rest is over.
   bus_lock <= (sample_lock or request_lock or (ahead and is_asking)) and not timed_out;
+
+  -- Not for synthesis, which makes something of an assertion in each tool. (The port hides the severity of its name.)
+  -- synthesis translate_off
+  check_rules : process (clk) is
+
+    variable block_runs : std_logic;
+
+  begin
+
+    if rising_edge(clk) then
+      block_runs := ahead and to_std_logic(state = state_active) and not rst;
+      assert not (block_runs and not for_sample and not request_lock and request)
+        report "ul_bus_master: a request behind the last access of a block, before that has been told"
+        severity std.standard.failure;
+      assert not (block_runs and for_sample and not sample_lock and sample)
+        report "ul_bus_master: a sample behind the last access of another, before that has been told"
+        severity std.standard.failure;
+      assert not (block_runs and not for_sample and request and (request_write or request_exclusive))
+        report "ul_bus_master: a request of another kind in a block that is read"
+        severity std.standard.failure;
+      assert not (not rst and request and request_write and request_more and not request_exclusive)
+        report "ul_bus_master: a transaction of writes that is not exclusive"
+        severity std.standard.failure;
+    end if;
+
+  end process check_rules;
+
+  -- synthesis translate_on
 
   main : process (clk) is
 

@@ -1,0 +1,295 @@
+"""The constraints of the crossings and of a synchronous FT245's pins for each vendor's tool: written by `make lists`.
+
+What crosses is read from the VHDL: each `ul_synchroniser` whose label ends in `_crossing` takes bits that know nothing
+of each other, each `ul_reset_synchroniser` a reset, and the two of `ul_fifo_async` Gray pointers. So every tool is told
+of the same paths.
+"""
+
+from __future__ import annotations
+
+import re
+import textwrap
+from typing import TYPE_CHECKING, NamedTuple
+
+from unity_link.gateware import LICENCE
+from unity_link.gateware.cache import vhdl_sources
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+
+_ENTITY = re.compile(r"^entity (\w+) is$", re.MULTILINE)
+_BITS = re.compile(r"^ *(\w+_crossing) : entity work\.ul_synchroniser$", re.MULTILINE)
+_RESETS = re.compile(r"^ *(\w+) : entity work\.ul_reset_synchroniser$", re.MULTILINE)
+_FIFO = "ul_fifo_async"
+_POINTERS = ("write", "read")
+_FIFOS = "*ft245_sync*fifo*"
+"""Finds the instances of it, and none of a FIFO with one clock, which `unity_link` has beside them."""
+_PADS = {"ul_ft245_async": ("receive_flag", "transmit_flag")}
+"""Registers at pins of an entity that meet what comes from no clock."""
+_BOUND_NS = 10
+_PERIOD_NS = 16.667
+_FROM_CHIP = "ft_rxf_n ft_txe_n ft_data[*]"
+_TO_CHIP = "ft_rd_n ft_wr_n ft_oe_n ft_siwu_n ft_data[*]"
+_OUTPUT_NS, _SETUP_NS, _HOLD_NS = (0, 9), 7.5, 0
+"""Of an FT232H, table 4.1 of FT_000288: when its outputs change, and what its inputs need."""
+_CHIPS = (
+    "FT232H: outputs from 0 to 9 ns after CLKOUT, setup 7.5 ns, hold 0. FT2232H: outputs from 1 to 7.15 ns, setup 8 ns."
+)
+_BOUND = (
+    f"{_BOUND_NS} ns: put the period of the faster clock here. It also bounds the skew of a pointer, which has no "
+    "command of its own."
+)
+_MADE = "Made by `make lists` from the VHDL. Unchecked: see README.md."
+
+
+class _Tool(NamedTuple):
+    """What the tools of SDC differ in."""
+
+    name: str
+    comment: str
+    registers: Callable[[str], str]
+    """Writes what finds registers by a pattern of their names, in which `/` stands between instances."""
+    clock: str
+    bound: str
+    """The command for the most that a way may take."""
+
+
+_GOWIN = _Tool("Gowin's tool", "//", "[get_regs {{{}}}]".format, "ft_clkout", "set_max_delay")
+_RADIANT = _Tool("Radiant", "#", "[get_cells {{{}}}]".format, "[get_clocks ft_clkout]", "set_max_delay -datapath_only")
+_EFINITY = _Tool("Efinity", "#", "[get_cells {{{}}}]".format, "ft_clkout", "set_max_delay")
+
+
+def crossings() -> dict[str, tuple[list[str], list[str]]]:
+    """Return the labels of single bits and of resets that cross, by the entity in which they stand."""
+    found: dict[str, tuple[list[str], list[str]]] = {}
+    for source in vhdl_sources():
+        text = source.read_text()
+        bits, resets = _BITS.findall(text), _RESETS.findall(text)
+        entity = _ENTITY.search(text)
+        if entity is not None and entity[1] != _FIFO and (bits or resets):
+            found[entity[1]] = (bits, resets)
+    return found
+
+
+def constraints() -> dict[str, str]:
+    """Return the files, by their path below `gateware`."""
+    files = {
+        "quartus/unity_link.sdc": _quartus(),
+        "gowin/unity_link.sdc": _sdc(_GOWIN),
+        "lattice/unity_link.pdc": _sdc(_RADIANT),
+        "efinity/unity_link.sdc": _sdc(_EFINITY),
+        "lattice/unity_link.lpf": _lpf(),
+        "vivado/ul_ft245_sync_pins.xdc": _vivado_pins(),
+        f"vivado/{_FIFO}.xdc": _vivado_fifo(),
+    }
+    known = crossings()
+    for entity in sorted({*known, *_PADS}):
+        files[f"vivado/{entity}.xdc"] = _vivado(entity, *known.get(entity, ([], [])))
+    return {f"constraints/{name}": text for name, text in sorted(files.items())}
+
+
+def _lines(comment: str, head: Iterable[str], commands: Iterable[str]) -> str:
+    """Return a file: the licence, paragraphs as comments, and commands."""
+    start = f"{comment} "
+    filled = ((comment, *textwrap.wrap(text, 120, initial_indent=start, subsequent_indent=start)) for text in head)
+    told = (line for paragraph in filled for line in paragraph)
+    return "".join(f"{line}\n" for line in (f"# {LICENCE}", *told, "", *commands))
+
+
+def _all(which: int) -> list[str]:
+    return [label for found in crossings().values() for label in found[which]]
+
+
+def _sdc(tool: _Tool) -> str:
+    registers, bound = tool.registers, f"{tool.bound} -from {{}} -to {{}} {_BOUND_NS}"
+    return _lines(
+        tool.comment,
+        (
+            f"unity_link in {tool.name}. {_MADE}",
+            _BOUND,
+            _CHIPS,
+        ),
+        (
+            f"create_clock -name ft_clkout -period {_PERIOD_NS} [get_ports {{ft_clkout}}]",
+            "",
+            *_pins(tool.clock, f"[get_ports {{{_FROM_CHIP}}}]", f"[get_ports {{{_TO_CHIP}}}]"),
+            "",
+            f"{tool.comment} Gray pointers, and the memory of a FIFO where it is one of LUTs.",
+            *(bound.format(registers(f"*{way}_gray*"), registers(f"*{way}_crossing/meta*")) for way in _POINTERS),
+            bound.format(registers(f"{_FIFOS}memory*"), registers(f"{_FIFOS}out_data*")),
+            "",
+            f"{tool.comment} One bit each, and resets, which begin at any instant.",
+            *(f"set_false_path -to {registers(f'*{label}/meta*')}" for label in (*_all(0), *_all(1))),
+            *(
+                f"set_false_path -to {registers(f'*{entity[3:]}*{label}*')}"
+                for entity, labels in _PADS.items()
+                for label in labels
+            ),
+        ),
+    )
+
+
+def _pins(clock: str, from_chip: str, to_chip: str) -> tuple[str, ...]:
+    return (
+        f"set_input_delay -clock {clock} -max {_OUTPUT_NS[1]} {from_chip}",
+        f"set_input_delay -clock {clock} -min {_OUTPUT_NS[0]} {from_chip}",
+        f"set_output_delay -clock {clock} -max {_SETUP_NS} {to_chip}",
+        f"set_output_delay -clock {clock} -min {-_HOLD_NS} {to_chip}",
+    )
+
+
+def _quartus() -> str:
+    pads = (f"*{entity}*|*{label}|*" for entity, labels in _PADS.items() for label in labels)
+    return _lines(
+        "#",
+        (f"unity_link in Quartus. {_MADE}", _CHIPS),
+        (
+            "if {[get_collection_size [get_ports -nowarn ft_clkout]]} {",
+            f"    create_clock -name ft_clkout -period {_PERIOD_NS} [get_ports ft_clkout]",
+            f"    set from_chip [get_ports {{{_FROM_CHIP}}}]",
+            f"    set to_chip   [get_ports {{{_TO_CHIP}}}]",
+            *(f"    {line}" for line in _pins("ft_clkout", "$from_chip", "$to_chip")),
+            "}",
+            "",
+            "# Gray pointers: within a cycle of the clock that takes them, by less than one of the other apart.",
+            f"foreach way {{{' '.join(_POINTERS)}}} {{",
+            f'    set from [get_registers -nowarn "*{_FIFO}*|${{way}}_gray\\[*\\]"]',
+            f'    set to   [get_registers -nowarn "*{_FIFO}*|*:${{way}}_crossing|meta\\[*\\]"]',
+            "    if {[get_collection_size $to]} {",
+            "        set_false_path -hold -from $from -to $to",
+            "        set_max_delay -from $from -to $to 100",
+            (
+                "        set_net_delay -from $from -to $to -max "
+                "-get_value_from_clock_period dst_clock_period -value_multiplier 0.8"
+            ),
+            (
+                "        set_max_skew -from $from -to $to "
+                "-get_skew_value_from_clock_period src_clock_period -skew_value_multiplier 0.8"
+            ),
+            "    }",
+            "}",
+            "",
+            f"# The memory of a FIFO where it is one of LUTs. {_BOUND_NS} ns: put the period of the faster clock here.",
+            f'set memory [get_registers -nowarn "*{_FIFO}*|*memory*"]',
+            f'set taken  [get_registers -nowarn "*{_FIFO}*|out_data\\[*\\]"]',
+            "if {[get_collection_size $memory] && [get_collection_size $taken]} {",
+            f"    set_max_delay -from $memory -to $taken {_BOUND_NS}",
+            "}",
+            "",
+            "# One bit each, and resets, which begin at any instant.",
+            f"foreach crossing {{{' '.join(_all(0))}}} {{",
+            '    set_false_path -to [get_registers -nowarn "*${crossing}|meta*"]',
+            "}",
+            f"foreach crossing {{{' '.join(_all(1))}}} {{",
+            '    set_false_path -to [get_pins -nowarn -compatibility_mode "*${crossing}|meta*|clrn"]',
+            "}",
+            *(f'set_false_path -to [get_registers -nowarn "{pattern}"]' for pattern in pads),
+        ),
+    )
+
+
+def _lpf() -> str:
+    return _lines(
+        "#",
+        (
+            f"unity_link in Diamond: the crossings, for a board's .lpf, which has pins and clocks. {_MADE}",
+            _BOUND,
+        ),
+        (
+            *(
+                f'MAXDELAY FROM CELL "*{way}_gray*" TO CELL "*{way}_crossing/meta*" {_BOUND_NS} NS;'
+                for way in _POINTERS
+            ),
+            f'MAXDELAY FROM CELL "{_FIFOS}memory*" TO CELL "{_FIFOS}out_data*" {_BOUND_NS} NS;',
+            *(f'BLOCK PATH TO CELL "*{label}/meta*";' for label in (*_all(0), *_all(1))),
+            *(f'BLOCK PATH TO CELL "*{entity[3:]}*{label}*";' for entity, labels in _PADS.items() for label in labels),
+        ),
+    )
+
+
+def _vivado(entity: str, bits: list[str], resets: list[str]) -> str:
+    found = "-quiet -hierarchical -filter"
+    return _lines(
+        "#",
+        (
+            f"{entity} in Vivado: read_xdc -ref {entity} {entity}.xdc",
+            _MADE,
+            (
+                "What comes from no clock, or is one bit: any delay is right. A reset begins at any instant; its end "
+                "is timed, from the last register of its row on."
+            ),
+        ),
+        (
+            *(f"set_false_path -quiet -to [get_cells {found} {{NAME =~ *{label}/meta_reg*}}]" for label in bits),
+            *(f"set_false_path -quiet -to [get_pins {found} {{NAME =~ *{label}/meta_reg*/PRE}}]" for label in resets),
+            *(
+                f"set_false_path -quiet -to [get_cells {found} {{NAME =~ *{label}/*}}]"
+                for label in _PADS.get(entity, ())
+            ),
+        ),
+    )
+
+
+def _vivado_fifo() -> str:
+    ways = {"write": ("$out_ns", "$in_ns"), "read": ("$in_ns", "$out_ns")}
+    return _lines(
+        "#",
+        (
+            (
+                f"{_FIFO} in Vivado: read_xdc -ref {_FIFO} {_FIFO}.xdc, behind the create_clock of both clocks (with "
+                "PROCESSING_ORDER LATE where those are in a file of a project)."
+            ),
+            _MADE,
+            (
+                "The bits of a Gray pointer must differ by less than a cycle of the clock that makes them, and arrive "
+                "within one of that which takes them. What is read has stood there for more than a cycle."
+            ),
+        ),
+        (
+            *(
+                f"set {way}_ns [get_property -min PERIOD [get_clocks -of_objects [get_ports {way}_clk]]]"
+                for way in ("in", "out")
+            ),
+            *(
+                line
+                for way, (bound, skew) in ways.items()
+                for line in (
+                    "",
+                    f"set from [get_cells {{{way}_gray_reg[*]}}]",
+                    f"set to   [get_cells {{{way}_crossing/meta_reg[*]}}]",
+                    f"set_max_delay -datapath_only -from $from -to $to {bound}",
+                    f"set_bus_skew -from $from -to $to {skew}",
+                )
+            ),
+            "",
+            "# Where the memory is one of LUTs: a block RAM reads by the clock that takes.",
+            "set_max_delay -quiet -datapath_only -from [get_clocks -of_objects [get_ports in_clk]] \\",
+            "    -to [get_cells -quiet {out_data_reg[*]}] $out_ns",
+        ),
+    )
+
+
+def _vivado_pins() -> str:
+    return _lines(
+        "#",
+        (
+            (
+                "The pins of a synchronous FT245 in Vivado: read_xdc ul_ft245_sync_pins.xdc, for the top, with ports "
+                "named as those of unity_link."
+            ),
+            _MADE,
+            _CHIPS,
+        ),
+        (
+            f"create_clock -name ft_clkout -period {_PERIOD_NS} [get_ports ft_clkout]",
+            "",
+            f"set from_chip [get_ports {{{_FROM_CHIP}}}]",
+            f"set to_chip   [get_ports {{{_TO_CHIP}}}]",
+            "",
+            *_pins("ft_clkout", "$from_chip", "$to_chip"),
+            "",
+            "# Of gateware/pads/xilinx; the attribute IOB asks for it already.",
+            "set_property IOB TRUE $from_chip",
+            "set_property IOB TRUE $to_chip",
+        ),
+    )
