@@ -107,6 +107,18 @@ def test_the_first_page_leads_every_user_to_every_tutorial_and_guide() -> None:
     assert {page for page in pages if f"\n{page.removesuffix('.md')}\n" not in lists} == set()
 
 
+def test_no_page_installs_from_an_index_that_does_not_have_us() -> None:
+    pages = [ROOT / "README.md", *(ROOT / "docs").rglob("*.md")]
+    # Where it is installed already, the same line adds an extra, as commands say it.
+    of_commands = {"install.md", "command-line.md"}
+    found = {
+        page.name
+        for page in pages
+        if re.search(r"pip install [\"']?unity-link", page.read_text(encoding="utf-8")) and page.name not in of_commands
+    }
+    assert found == set()
+
+
 def test_every_picture_of_the_documents_is_shown_and_made_by_a_command() -> None:
     pages = [ROOT / "README.md", *(ROOT / "docs").rglob("*.md")]
     shown = {Path(name).name for page in pages for name in re.findall(r"\]\(([^)]+\.(?:png|svg))\)", page.read_text())}

@@ -27,8 +27,10 @@ from docs.walkthrough import follow
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
 ROVER = "sim:examples/rover.ul?model=examples/rover.py:Rover"
-INTO_THE_MOTION = 6.6
-"""Seconds of the demo's ten, by the clock on the wall: its curves have turned by then, and it still moves."""
+FRAMES = 12
+"""Frames of the picture that moves."""
+FRAME_SECONDS = 0.6
+"""Time from one of them to the next."""
 DRIVEN_FOR = 1.0
 """Seconds of each movement that the picture of `watch` shows, by the clock on the wall."""
 PATIENCE = 60.0
@@ -36,12 +38,28 @@ PATIENCE = 60.0
 
 
 def demo(picture: Path) -> None:
-    """Draw `unity-link demo` in the middle of its motion."""
-    with Terminal(110, 40) as terminal:
+    """Draw the motion of `unity-link demo`, in frames that a browser shows in turn, without a script."""
+    frames = []
+    with Terminal(80, 20) as terminal:
         terminal.enter("unity-link demo")
         terminal.wait_for("rate_hz")
-        time.sleep(INTO_THE_MOTION)
-        picture.write_text(terminal.draw("unity-link demo"))
+        for number in range(FRAMES):
+            time.sleep(FRAME_SECONDS)
+            frames.append(terminal.draw("unity-link demo", f"demo{number}"))
+    turn = FRAMES * FRAME_SECONDS
+    style = (
+        f".frame {{ visibility: hidden; animation: show {turn:g}s step-end infinite }}\n"
+        f"@keyframes show {{ 0% {{ visibility: visible }} {100 / FRAMES:g}% {{ visibility: hidden }} }}\n"
+        "@media (prefers-reduced-motion) { .frame { animation: none } .frame:last-child { visibility: visible } }"
+    )
+    shown = [
+        f'<g class="frame" style="animation-delay: {number * FRAME_SECONDS - turn:g}s">{frame}</g>\n'
+        for number, frame in enumerate(frames)
+    ]
+    size = re.search(r'viewBox="[^"]*"', frames[0])
+    assert size is not None
+    head = f'<svg {size[0]} xmlns="http://www.w3.org/2000/svg">\n<style>\n{style}\n</style>\n'
+    picture.write_text(head + "".join(shown) + "</svg>\n")
 
 
 def doctor(picture: Path) -> None:
@@ -129,8 +147,13 @@ class Terminal:
                 raise TimeoutError(f"{pattern} does not come, this stays:\n{self._tmux('capture-pane', '-p')}")
             time.sleep(0.05)
 
-    def draw(self, title: str) -> str:
-        """Return what is on the screen as SVG, without lines at the end that are empty or wait for a command."""
+    def draw(self, title: str, name: str | None = None) -> str:
+        """Return what is on the screen as SVG, without lines at the end that are empty or wait for a command.
+
+        Args:
+            title: of the window.
+            name: with which its styles begin; the title's last word without one.
+        """
         screen = re.sub(r"(\n\$ ?)?\s*\Z", "", self._tmux("capture-pane", "-p", "-e"))
         console = Console(
             record=True,
@@ -142,7 +165,7 @@ class Terminal:
         )
         console.print(Text.from_ansi(screen))
         # A fixed name instead of one made of the content keeps the difference between two pictures small.
-        svg = console.export_svg(title=title, unique_id=title.rpartition(" ")[2])
+        svg = console.export_svg(title=title, unique_id=name or title.rpartition(" ")[2])
         # A page must not fetch the fonts that rich names on the network, and the reader's own will do.
         return re.sub(r"\s*@font-face \{.*?\}", "", svg, flags=re.DOTALL) + "\n"
 
