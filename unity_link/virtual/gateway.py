@@ -29,6 +29,7 @@ from unity_link.protocol.messages import Codec, ErrorCode
 from unity_link.virtual.bus import AccessError, Device, ModelBus
 from unity_link.virtual.commands import CommandSet, FieldRangeError
 from unity_link.virtual.groups import PublishGroups
+from unity_link.virtual.pump import PumpedGateway
 from unity_link.virtual.transport import GatewayTransport
 
 if TYPE_CHECKING:
@@ -47,49 +48,17 @@ _DEFAULT_INFO = GatewayInfo()
 
 
 @runtime_checkable
-class Gateway(Protocol):
+class Gateway(PumpedGateway, Protocol):
     """Anything that behaves like a gateway: this model, the gateware in a simulator, a bad line before either.
 
     What subclasses it is a `unity_link.transport.Medium`: `unity_link.connect` opens it in place of a URL.
     """
 
     info: GatewayInfo
-    wake: Callable[[], None]
-    """Called when `next_due` has moved ahead for another reason than a call of `receive` or `advance`."""
 
     @property
     def memory(self) -> MutableMapping[int, int]:
         """The words behind the gateway, by address."""
-
-    @property
-    def next_due(self) -> float | None:
-        """Instant at which `advance` must be called next; None while nothing is planned."""
-
-    @property
-    def waiting(self) -> int:
-        """Bytes that were received and not looked at yet. A medium with flow control stops while this is large."""
-
-    @property
-    def leaves_time_out(self) -> bool:
-        """Return whether `advance` leaves out what it is too late for: it need not be told to lose samples then."""
-        return False
-
-    @property
-    def refusal(self) -> str:
-        """The reason why the robot behind the bus refuses each access; empty where it does not."""
-        return ""
-
-    def receive(self, data: bytes, now: float) -> bytes:
-        """Take bytes at the time `now`, in seconds of any origin, and return the bytes sent at once."""
-
-    def advance(self, now: float, room: int | None = None) -> bytes:
-        """Let time pass, and return the bytes sent.
-
-        Args:
-            now: the time in seconds; it never goes back.
-            room: how many bytes the medium can take. Responses are never cut, but a sample is sent only while fewer
-                bytes were sent. It waits otherwise, and where too many do, it is an overrun. None for no limit.
-        """
 
     async def open(self, protocol: asyncio.Protocol) -> asyncio.Transport:
         """Connect a protocol to the gateway, as a driver does to a medium."""

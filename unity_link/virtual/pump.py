@@ -12,13 +12,12 @@ samples in one turn of the loop cost little more than one, and a turn for each w
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
     import asyncio
     from collections.abc import Callable
 
-    from unity_link.virtual.gateway import Gateway
 
 MOST_BYTES = 65536
 """Bytes that are published before the loop gets its turn."""
@@ -32,6 +31,43 @@ MOST_LAG = 1.0
 """Seconds by which the gateway's time may be behind that of the loop."""
 
 
+class PumpedGateway(Protocol):
+    """A gateway that is moved along from outside."""
+
+    wake: Callable[[], None]
+    """Called when `next_due` has moved ahead for another reason than a call of `receive` or `advance`."""
+
+    @property
+    def next_due(self) -> float | None:
+        """Instant at which `advance` must be called next; None while nothing is planned."""
+
+    @property
+    def waiting(self) -> int:
+        """Bytes that were received and not looked at yet. A medium with flow control stops while this is large."""
+
+    @property
+    def leaves_time_out(self) -> bool:
+        """Return whether `advance` leaves out what it is too late for: it need not be told to lose samples then."""
+        return False
+
+    @property
+    def refusal(self) -> str:
+        """The reason why the robot behind the bus refuses each access; empty where it does not."""
+        return ""
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        """Take bytes at the time `now`, in seconds of any origin, and return the bytes sent at once."""
+
+    def advance(self, now: float, room: int | None = None) -> bytes:
+        """Let time pass, and return the bytes sent.
+
+        Args:
+            now: the time in seconds; it never goes back.
+            room: how many bytes the medium can take. Responses are never cut, but a sample is sent only while fewer
+                bytes were sent. It waits otherwise, and where too many do, it is an overrun. None for no limit.
+        """
+
+
 class Pump:
     """Moves one gateway along.
 
@@ -42,7 +78,7 @@ class Pump:
         loop: whose time counts.
     """
 
-    def __init__(self, gateway: Gateway, send: Callable[[bytes], None], loop: asyncio.AbstractEventLoop) -> None:
+    def __init__(self, gateway: PumpedGateway, send: Callable[[bytes], None], loop: asyncio.AbstractEventLoop) -> None:
         self.gateway = gateway
         self.blocked = False
         self._send = send

@@ -18,7 +18,7 @@ from unity_link.virtual.pump import MOST_BYTES, Pump
 if TYPE_CHECKING:
     import asyncio
 
-    from unity_link.virtual.gateway import Gateway
+    from unity_link.virtual.pump import PumpedGateway
 
 MOST_TAKEN = 16384
 PIECE = 2048
@@ -37,7 +37,7 @@ class GatewayTransport(BufferedTransport):
             the loop; only for a protocol that expects `data_received` at that time.
     """
 
-    def __init__(self, gateway: Gateway, protocol: asyncio.Protocol, *, at_once: bool = False) -> None:
+    def __init__(self, gateway: PumpedGateway, protocol: asyncio.Protocol, *, at_once: bool = False) -> None:
         refusal = lambda: gateway.refusal  # noqa: E731  (it is asked when an access is refused)
         super().__init__(protocol, {"gateway": gateway, "shortest_timeout": QUICK_TIMEOUT, "refusal": refusal})
         self._pump = Pump(gateway, self._collect, self._loop)
