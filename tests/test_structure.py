@@ -1,13 +1,27 @@
-"""The package keeps its structure: one concept has one name, and imports run one way."""
+"""The package keeps its structure: one concept has one name, imports run one way, docstrings state."""
 
 import ast
 from collections import defaultdict
 from pathlib import Path
 
+from support.docstrings import questions
+from support.import_circles import circles
+
 ROOT = Path(__file__).parent.parent
 PACKAGE = ROOT / "unity_link"
 MOST_SHARED_NAMES = 10
 """Class names that may stand in two files, where both are clear from their place."""
+
+
+OF_ONE_PIECE = {
+    # A client is known to the shared link that it uses.
+    "unity_link.bridges.serve",
+    # A signal finds the group that samples it, and a group its signals.
+    "unity_link.data",
+    # Components are built of components: elaboration, building and placing call each other.
+    "unity_link.spec",
+}
+"""Rooms with a circle, which each calls itself by design."""
 
 
 def shared_class_names(package: Path) -> dict[str, list[str]]:
@@ -31,3 +45,32 @@ def test_a_class_name_in_two_files_is_found(tmp_path: Path) -> None:
     (tmp_path / "a.py").write_text("class Batch:\n    class _Part: ...\nclass Alone: ...\n")
     (tmp_path / "room" / "b.py").write_text("def make():\n    class Batch: ...\nclass _Part: ...\n")
     assert shared_class_names(tmp_path) == {"Batch": ["a.py", "room/b.py"]}
+
+
+def test_no_modules_import_each_other_for_types_or_in_functions_either() -> None:
+    found = [circle for circle in circles(PACKAGE) if circle[0].rpartition(".")[0] not in OF_ONE_PIECE]
+    assert found == [], "\n".join(" - ".join(circle) for circle in found)
+
+
+def test_a_circle_of_imports_is_found_through_types_functions_and_packages(tmp_path: Path) -> None:
+    package = tmp_path / "package"
+    package.mkdir()
+    (package / "__init__.py").write_text("def late():\n    from package import a\n")
+    (package / "a.py").write_text("import package.b\n")
+    (package / "b.py").write_text("if TYPE_CHECKING:\n    from package.c import C\n")
+    (package / "c.py").write_text("def late():\n    from package import a, missing\n")
+    (package / "d.py").write_text("from package import c\n")
+    assert circles(package) == [["package", "package.a", "package.b", "package.c"]]
+
+
+def test_a_docstring_that_asks_or_orders_is_found_and_one_that_states_is_not(tmp_path: Path) -> None:
+    (tmp_path / "a.py").write_text(
+        '"""Whether it is."""\n'
+        'HEIGHT = 3\n"""Of the mast."""\n'
+        'class A:\n    """Whichever."""\n    def a(self):\n        """  Give it."""\n    b: int\n    """Height."""\n'
+    )
+    assert [(line, text) for _, line, text in questions(tmp_path)] == [
+        (1, "Whether it is."),
+        (3, "Of the mast."),
+        (7, "Give it."),
+    ]
