@@ -33,7 +33,7 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 S = TypeVar("S", default=T)
-"""What a signal takes: an enumeration is written by names, too, and never read as one."""
+"""Type of the values that a signal takes: an enumeration is written by names, too, and never read as one."""
 
 BUFFER = 16_384
 """Samples that wait for a reader, as in `unity_link.Link.subscribe`."""

@@ -137,7 +137,7 @@ class CallingThread:
         self._attended = 0
         self._attendant: threading.Thread | None = None
         self._resting: threading.Lock | None = None
-        """Of `_parked`, that of the attendant."""
+        """Lock in `_parked` that the attendant waits for."""
         self._jobs: deque[_Job] = deque()
         """Those that the attendant is to run until their next wait."""
         self._waking, self._woken = socket.socketpair()
@@ -293,7 +293,7 @@ class CallingThread:
         return job
 
     def go_on(self, job: _Job) -> None:
-        """Have the link's own thread run a job until its next wait."""
+        """Make the link's own thread run a job until its next wait."""
         self._jobs.append(job)
         if self._resting is None:
             self._stir()

@@ -140,7 +140,7 @@ class Connection:
         self._resumption: Job | None = None
         self._sessions = 0
         self._opened_again_at = -math.inf
-        """When an attempt to connect again has succeeded, the last time."""
+        """Instant of the last attempt to connect again that succeeded."""
         self._lost_at_once = 0
         """Reconnections, up to now and one after the other, that were lost again before the next pause was over."""
         self._closed = self._closed_by_program = False

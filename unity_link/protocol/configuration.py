@@ -71,7 +71,7 @@ class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
     transmit_fifo_bytes: int = 256
     """Bytes to the host that may wait in the gateway."""
     features: Feature = Feature(0x7F)
-    """What it was built with."""
+    """Features that it was built with."""
     build_id: int = 0
     """Chosen at synthesis."""
 

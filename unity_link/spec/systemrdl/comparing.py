@@ -19,10 +19,10 @@ if TYPE_CHECKING:
 
 
 class _Seen(NamedTuple):
-    """What both sides know of a field."""
+    """Properties of a field that both sides know."""
 
     address: int
-    """Of its first word."""
+    """Address of its first word."""
     lowest_bit: int
     access: Access
     width: int = 0

@@ -172,7 +172,7 @@ class _Importer:
         registers = [node for node in nodes if _is(node, "RegNode")]
         self._bits = _word_bits(registers, [node for node in nodes if _is(node, "MemNode")])
         self._enumerations: dict[str, str] = {}
-        """What stands between the braces of each, by their names."""
+        """Text between the braces of each, by their names."""
         self._components: dict[str, str] = {}
         """Names of components by what stands in them."""
         self._docs: dict[str, str] = {}

@@ -72,8 +72,8 @@ class SnoopedFrame(msgspec.Struct):
     """The ID that the gateway expected before it, and whether it had told of a gap."""
     accesses: list[SnoopedAccess] = []
     samples_before: dict[int, int] = {}
-    """Of a command of `GROUP_COMMANDS`, by group: the last sample that was taken before it, counted from the group's
-    settings on; -1 for none."""
+    """Last sample that was taken before a command of `GROUP_COMMANDS`, by group, counted from the group's settings on;
+    -1 for none."""
 
     @property
     def divides_samples(self) -> bool:
