@@ -137,7 +137,7 @@ class Link(OfLink, Connection):
         return "" if stream is None else stream.refusal
 
     def name_addresses(self, names: Mapping[int, str]) -> None:
-        """Give addresses names, by which errors call them; a robot does so for its signals."""
+        """Name addresses, for errors to call them by; a robot does so for its signals."""
         self._flow.codec.names.update(names)
 
     def _ended(self, error: LinkLostError) -> None:

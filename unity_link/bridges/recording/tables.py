@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 FORMATS = ("parquet", "csv")
 _COLUMNS = ("time", "gateway_time", "sequence", "lost")
-"""What each table begins with."""
+"""Columns that each table begins with."""
 _WRITER = b"unity-link"
 """Key in the metadata of a Parquet; its value is the version that wrote it."""
 

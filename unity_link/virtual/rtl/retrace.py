@@ -39,7 +39,7 @@ _MOST_CYCLES = 2_000_000
 """Within these everything that was asked for is answered, even if each access of a block runs into its time out."""
 _PIECE = 64
 _WAVEFORM = b"$version unity-link retrace $end"
-"""What a waveform begins with."""
+"""First lines of a waveform."""
 _FARTHEST = 1024
 """So many accesses are looked through for one that was recorded."""
 
