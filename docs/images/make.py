@@ -21,6 +21,7 @@ from typing import Self
 from rich.console import Console
 from rich.text import Text
 
+from docs.images import wiring
 from docs.images.live import draw_live
 from docs.walkthrough import follow
 
@@ -95,6 +96,9 @@ def rover(picture: Path) -> None:
 
 PICTURES: dict[str, Callable[[Path], None]] = {
     "demo.svg": demo,
+    "wiring-uart.svg": wiring.uart,
+    "wiring-ft245.svg": wiring.ft245,
+    "wiring-rs485.svg": wiring.rs485,
     "doctor.svg": doctor,
     "watch.svg": watch,
     "rover.png": rover,
