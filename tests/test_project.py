@@ -92,7 +92,7 @@ def test_every_file_says_at_its_top_why_it_is_there() -> None:
     assert silent == []
 
 
-@pytest.mark.parametrize("document", ["README.md", "CHANGELOG.md"])
+@pytest.mark.parametrize("document", ["README.md", "CHANGELOG.md", "CONTRIBUTING.md"])
 def test_every_relative_link_of_the_documents_at_the_top_leads_to_a_file(document: str) -> None:
     links = re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", (ROOT / document).read_text(encoding="utf-8"))
     assert [link for link in links if not (ROOT / link).exists()] == []
@@ -149,3 +149,13 @@ def test_the_reference_of_the_command_line_has_every_command() -> None:
     described = set(re.findall(r"^## (.*)$", reference, re.MULTILINE))
     assert commands <= described <= commands | families
     assert {family for family in families if f"unity-link {family} " not in reference} == set()
+
+
+def test_the_table_of_what_to_touch_names_files_that_are_there() -> None:
+    text = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+    table = text.partition("## To add something")[2].partition("\n## ")[0]
+    paths = {name for name in re.findall(r"`([\w./]+)`", table) if "/" in name or "." in name}
+    assert len(paths) > 40
+    # A medium and a target that are there stand for new ones.
+    places = [path.replace("NAME", "matlab" if "generate" in path else "udp") for path in sorted(paths)]
+    assert [path for path in places if not ((ROOT / path).exists() or (ROOT / "unity_link" / path).exists())] == []
