@@ -432,7 +432,7 @@ def test_maintainer_and_licence_are_the_users(target: str, tmp_path: Path) -> No
     ("arguments", "what"),
     [
         (["ros1", "--maintainer", "Ada"], "--maintainer 'Ada': a name and an address were expected"),
-        (["c", "--licence", "MIT"], "c is no package: a maintainer and a licence are for ros1 and ros2"),
+        (["c", "--licence", "MIT"], "c takes no licence: it is for ros1 and ros2"),
     ],
 )
 def test_wrong_options_are_one_sentence(arguments: list[str], what: str, tmp_path: Path) -> None:

@@ -35,6 +35,16 @@ def generate(  # noqa: PLR0913  (each is an option)
     licence: Annotated[
         str | None, typer.Option(metavar="NAME", help="Of a package of ROS.", show_default=False)
     ] = None,
+    clock_hz: Annotated[
+        int | None,
+        typer.Option("--clock-hz", metavar="HZ", help="For verilog: of clk; 50000000 if not said.", show_default=False),
+    ] = None,
+    baud: Annotated[
+        int | None,
+        typer.Option(
+            "--baud", metavar="RATE", help="For verilog: of the UART; 1000000 if not said.", show_default=False
+        ),
+    ] = None,
     with_gateware: Annotated[
         bool,
         typer.Option(
@@ -50,16 +60,17 @@ def generate(  # noqa: PLR0913  (each is an option)
 
     if with_gateware and target != "vhdl":
         raise ArgumentError(f"--with-gateware belongs to vhdl, and {target} was asked for")
-    package = {} if licence is None else {"licence": licence}
+    given_options = {"licence": licence, "clock_hz": clock_hz, "baud": baud}
+    options = {name: value for name, value in given_options.items() if value is not None}
     if maintainer is not None:
         found = re.fullmatch(r"\s*([^<>]*[^<>\s])\s*<([^<>@\s]+@[^<>@\s]+)>\s*", maintainer)
         if found is None:
             raise ArgumentError(
                 f"--maintainer {maintainer!r}: a name and an address were expected, as 'Ada <ada@lab.org>'"
             )
-        package |= {"maintainer": found[1], "email": found[2]}
+        options |= {"maintainer": found[1], "email": found[2]}
     compiled = compile_or_exit(spec, interface=interface, given=given)
-    files = make(target, compiled, interface, **package)
+    files = make(target, compiled, interface, **options)
     if with_gateware:
         from unity_link.generate.vhdl.folder import with_gateware as complete
 

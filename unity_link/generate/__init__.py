@@ -4,6 +4,7 @@ One folder a target, with its templates. The module of a target has
 
 - ``DOC``: what it makes, in a line
 - ``files(interface, templates)``: the files, one after another; `templates` renders those of its folder
+- where users choose something beside the spec, ``Options``, a named tuple that `files` takes as well
 
 A new target is a new folder and a new word of `TargetName`. Output is the same for the same spec, byte for byte, and
 each file begins by naming the spec and its hash (`Templates.origin`)::
@@ -37,6 +38,12 @@ TARGETS: tuple[str, ...] = get_args(TargetName)
 
 _COPIED = ("c", "cpp", "verilog", "vhdl")
 """Targets of which users copy the files into sources of their own."""
+
+
+_TAKEN_BY = dict.fromkeys(("maintainer", "email", "licence"), "ros1 and ros2") | dict.fromkeys(
+    ("clock_hz", "baud"), "verilog"
+)
+"""The targets that take an option: in their modules, the fields of ``Options``."""
 
 
 class GeneratedFile(NamedTuple):
@@ -90,26 +97,27 @@ class Templates:
         return Templates(target, self._spec, filters)
 
 
-def generate(target: str, spec: Spec, interface: str | None = None, **package: str) -> list[GeneratedFile]:
+def generate(target: str, spec: Spec, interface: str | None = None, **options: str | int) -> list[GeneratedFile]:
     """Make the files of a target.
 
     Args:
         target: one of `TARGETS`.
         spec: a compiled spec.
         interface: which public interface, where there are several.
-        package: ``maintainer``, ``email`` and ``licence`` of a package of ROS.
+        options: ``maintainer``, ``email`` and ``licence`` of a package of ROS, ``clock_hz`` and ``baud`` of Verilog.
 
     Raises:
-        ArgumentError: for a target or an interface that there is not, or what only packages have.
+        ArgumentError: for a target or an interface that there is not, or an option that belongs to another target.
         UnsupportedError: where the target cannot say what the spec says.
     """
     module = load_target(target)
     templates = Templates(target, spec, getattr(module, "FILTERS", {}))
-    described = getattr(module, "Package", None)
+    described = getattr(module, "Options", None)
+    for option in options:
+        if described is None or option not in described._fields:
+            raise ArgumentError(f"{target} takes no {option}: it is for {_TAKEN_BY[option]}")
     if described is not None:
-        return list(cast("Any", module).files(spec.interface(interface), templates, described(**package)))
-    if package:
-        raise ArgumentError(f"{target} is no package: a maintainer and a licence are for ros1 and ros2")
+        return list(cast("Any", module).files(spec.interface(interface), templates, described(**options)))
     return list(module.files(spec.interface(interface), templates))
 
 

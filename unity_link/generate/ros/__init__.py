@@ -47,7 +47,7 @@ class SampledSignals(NamedTuple):
     signals: list[Signal]
 
 
-class Package(NamedTuple):
+class Options(NamedTuple):
     """Options of a package that the user chooses."""
 
     maintainer: str = "Maintainer"
@@ -61,7 +61,7 @@ def package_name(interface: Interface) -> str:
     return f"{name if name[:1].isalpha() else f'x{name}'}_unity_link"
 
 
-def names(interface: Interface, package: Package) -> dict[str, Any]:
+def names(interface: Interface, package: Options) -> dict[str, Any]:
     """Return what every template sees."""
     return {
         "package": package_name(interface),
@@ -95,7 +95,7 @@ def runtime(interface: Interface, templates: Templates, dot: str) -> Iterator[Ge
             networks=repr([_control(module) for module in _networks(interface)]),
             data_bits=interface.data_bits,
             lines=list(_table(interface)),
-            **names(interface, Package()),
+            **names(interface, Options()),
         ),
     )
 

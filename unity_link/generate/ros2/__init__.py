@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from unity_link.generate import GeneratedFile
-from unity_link.generate.ros import FILTERS, Package, names, runtime
+from unity_link.generate.ros import FILTERS, Options, names, runtime
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -17,12 +17,12 @@ if TYPE_CHECKING:
     from unity_link.generate import Templates
     from unity_link.spec import Interface
 
-__all__ = ["DOC", "FILTERS", "Package", "files"]
+__all__ = ["DOC", "FILTERS", "Options", "files"]
 
 DOC = "a package of ROS 2: a node on rclpy, for colcon and ros2 launch"
 
 
-def files(interface: Interface, templates: Templates, package: Package) -> Iterator[GeneratedFile]:
+def files(interface: Interface, templates: Templates, package: Options) -> Iterator[GeneratedFile]:
     """Make the files of a package."""
     seen = names(interface, package)
     folder = module_folder = seen["package"]

@@ -8,13 +8,16 @@ from __future__ import annotations
 
 import tempfile
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
+from unity_link.errors import ArgumentError
+from unity_link.gateware.limits import check_generics
 from unity_link.gateware.release import release
 from unity_link.generate import GeneratedFile, write
 from unity_link.generate.verilog.flat import flat_ports
 from unity_link.generate.vhdl import FILTERS as VHDL_FILTERS
 from unity_link.generate.vhdl import files as vhdl_files
+from unity_link.generate.vhdl import gateway_generics
 from unity_link.generate.vhdl.bank import Bank
 from unity_link.generate.vhdl.names import identifier
 
@@ -26,21 +29,34 @@ if TYPE_CHECKING:
 
 DOC = "Verilog: gateway and register bank as a netlist, one file for each medium; needs GHDL"
 _MEDIA = {
-    "uart": "a UART of 1 Mbaud",
+    "uart": "a UART of {baud} baud",
     "ft245": "an FT245 (asynchronous)",
     "ft245_sync": "an FT245 (synchronous)",
 }
 
 
-def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]:
+class Options(NamedTuple):
+    """Generics that a netlist has no more, and the user chooses."""
+
+    clock_hz: int = 50_000_000
+    """Of `clk`."""
+    baud: int = 1_000_000
+    """Of the UART."""
+
+
+def files(interface: Interface, templates: Templates, options: Options) -> Iterator[GeneratedFile]:
     """Make the files of an interface.
 
     Raises:
+        ArgumentError: where the gateware refuses the clock or the baud rate.
         ConversionError: if GHDL refuses the sources.
         ToolMissingError: if there is no GHDL of version 4 or later.
         UnsupportedError: where addresses belong to two modules alike.
     """
     name = identifier(interface.name)
+    if min(options) <= 0:
+        raise ArgumentError(f"clock_hz is {options.clock_hz} and baud {options.baud}: more than 0 was expected of both")
+    check_generics({**gateway_generics(interface), **options._asdict()})
     bank = Bank(interface)
     vhdl = list(vhdl_files(interface, templates.of("vhdl", VHDL_FILTERS)))
     wanted = {f"{name}_{part}.vhd" for part in ("map", "registers", "gateway")}
@@ -49,6 +65,12 @@ def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]
         sources = [*(file for file in vhdl if file.name in wanted), GeneratedFile(f"{name}_flat.vhd", flat)]
         paths = write(sources, Path(scratch))
         for medium, described in _MEDIA.items():
-            about = [*templates.origin, "", f"The gateway of {interface.name} on {described}, at 50 MHz."]
-            text = release(f"{name}_on_{medium}", about, f"{name}_flat", {"physical": medium}, paths)
+            link = described.format(baud=options.baud)
+            about = [
+                *templates.origin,
+                "",
+                f"The gateway of {interface.name} on {link}, at {options.clock_hz / 1e6:g} MHz.",
+            ]
+            generics = {"physical": medium, **options._asdict()}
+            text = release(f"{name}_on_{medium}", about, f"{name}_flat", generics, paths)
             yield GeneratedFile(f"{name}_on_{medium}.v", text)

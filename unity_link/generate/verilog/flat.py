@@ -38,7 +38,7 @@ _MASTER_PINS = ("cyc", "stb", "we", "adr", "dat_o", "dat_i", "ack", "err")
 _TAKEN = (
     *("clk", "rst", "uart_rxd", "uart_txd", "uart_rts_n", "uart_cts_n", "trigger", "from_hardware", "to_hardware"),
     *(f"ft_{pin}" for pin in ("clkout", "data_in", "data_out", "data_oe", "rxf_n", "txe_n", "rd_n", "wr_n", "oe_n")),
-    *("ft_siwu_n", "physical", "to_bits", "work", "ieee"),
+    *("ft_siwu_n", "physical", "clock_hz", "baud", "to_bits", "work", "ieee"),
 )
 
 
