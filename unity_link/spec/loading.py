@@ -9,6 +9,7 @@ from pathlib import Path, PurePath
 from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
 
 from unity_link.spec.diagnostics import Reporter, SourceText, Span
+from unity_link.spec.modules import MODULES
 from unity_link.spec.parser import MOST_CHARACTERS, parse
 from unity_link.spec.syntax import ComponentDeclaration, EnumDeclaration, File, GroupDeclaration, Import
 
@@ -143,7 +144,10 @@ class Loader:
         rooms = self.declarations
         for item in file.items:
             if isinstance(item, ComponentDeclaration):
-                if self._is_new(source, item.name, declared := Declared(source, item)):
+                if item.name in MODULES and not item.public:
+                    message = f"{item.name} is the word of a hardware module, and no component can have it"
+                    self._reporter.error(source, item.name.place, "module-word", message, help="call it otherwise")
+                elif self._is_new(source, item.name, declared := Declared(source, item)):
                     rooms.components[str(item.name)] = declared
                     if item.public and is_first:
                         rooms.interfaces.append(declared)
