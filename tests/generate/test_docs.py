@@ -17,7 +17,8 @@ from generate.every_kind import WORD_BITS, every_kind
 from support.searching import examples
 from support.spec_examples import FIGURE_1, specs
 from unity_link.generate import generate
-from unity_link.generate.docs.pages import Page, markdown, number
+from unity_link.generate.docs.pages import Page, number
+from unity_link.quoting import markdown
 from unity_link.spec import Spec, compile_file, compile_text
 from unity_link.spec.printer import print_file
 

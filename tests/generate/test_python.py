@@ -18,9 +18,9 @@ from support.spec_examples import FIGURE_1
 from unity_link import ArgumentError
 from unity_link.data import Group, read_interface
 from unity_link.generate import generate, write
-from unity_link.generate.python import docstring
 from unity_link.generate.python.model import model_text
 from unity_link.protocol.configuration import GatewayInfo
+from unity_link.quoting import python_docstring
 from unity_link.spec import Access, Spec, compile_file, compile_text
 from unity_link.virtual import VirtualGateway
 
@@ -243,7 +243,7 @@ def test_a_class_says_what_its_declaration_says_and_an_attribute_what_its_place(
 
 @pytest.mark.parametrize("text", ["", "plain", 'ends in "', "back \\ slash", 'three """ quotes', "two\n\nlines"])
 def test_any_text_is_a_docstring(text: str) -> None:
-    assert eval(docstring(text, 0)).strip() == text.strip()
+    assert eval(python_docstring(text, 0)).strip() == text.strip()
 
 
 @pytest.mark.parametrize("name", ["string", "asyncio", "lambda", "unity_link"])

@@ -8,6 +8,7 @@ from typing import Literal
 
 import msgspec
 
+from unity_link.boards.checking import misuse, name_fault, spelling_fault
 from unity_link.errors import ArgumentError, did_you_mean
 
 _DATA = Path(__file__).with_name("data")
@@ -89,7 +90,7 @@ def load_board(name: str) -> tuple[str, Board]:
     given = Path(name)
     path = given if given.suffix == ".toml" or given.name != name else _DATA / f"{name}.toml"
     try:
-        board = msgspec.convert(tomllib.loads(path.read_text(encoding="utf-8")), Board)
+        data = tomllib.loads(path.read_text(encoding="utf-8"))
     except FileNotFoundError:
         known, hint = ", ".join(board_names()), did_you_mean(name, board_names())
         raise ArgumentError(
@@ -98,9 +99,12 @@ def load_board(name: str) -> tuple[str, Board]:
         ) from None
     except OSError as error:
         raise ArgumentError(f"{path} cannot be read: {error.strerror}") from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError, msgspec.ValidationError) as error:
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
         raise ArgumentError(f"{path} describes no board: {error}") from None
-    if fault := _fault(board):
+    if fault := name_fault(path.stem) or misuse(data, Board):
+        raise ArgumentError(f"{path} describes no board: {fault}")
+    board = msgspec.convert(data, Board)
+    if fault := spelling_fault(board) or _fault(board):
         raise ArgumentError(f"{path} describes no board: {fault}")
     return path.stem, board
 

@@ -23,6 +23,7 @@ from unity_link.gateware.limits import check_generics
 from unity_link.gateware.yowasp import RefusedError, run, script, version
 from unity_link.generate import Templates, vhdl, write
 from unity_link.generate.vhdl.names import identifier
+from unity_link.quoting import markdown
 
 if TYPE_CHECKING:
     from unity_link.files import Overwrite
@@ -233,9 +234,9 @@ def report_text(spec: Spec, interface: Interface, board: Board, placed: _Placed,
     return f"""\
 <!-- {MARK} build`. Its bitstream is known by the hash below. -->
 
-# {interface.name} on a {board.title}
+# {interface.name} on a {markdown(board.title)}
 
-- spec: {Path(source.name).name}, SHA-256 {source.sha256}
+- spec: {markdown(Path(source.name).name)}, SHA-256 {source.sha256}
 - bitstream: SHA-256 {digest_of(bitstream)}
 - build identifier: {interface.fingerprint:08X}, the fingerprint of the map
 - FPGA: {board.device}, {board.package}

@@ -16,6 +16,7 @@ from unity_link.gateware.vendors import add_vhdl
 from unity_link.generate import GeneratedFile, Templates, vhdl, write
 from unity_link.generate.vhdl.folder import GATEWARE_FOLDER, design_files, with_gateware
 from unity_link.generate.vhdl.names import identifier
+from unity_link.quoting import tcl_comment, tcl_string
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -123,6 +124,7 @@ def _false_paths(board: Board) -> list[str]:
 def _vivado(design: Design) -> Iterator[GeneratedFile]:
     name, board = design.name, design.board
     generics = " ".join(f"{generic}={value}" for generic, value in design.generics.items())
+    too_slow = f"{design.top} is too slow on {board.title}: see the timing report of impl_1"
     constraints = f"[file join $here {GATEWARE_FOLDER} constraints vivado"
     yield GeneratedFile(
         f"{name}.tcl",
@@ -142,7 +144,7 @@ def _vivado(design: Design) -> Iterator[GeneratedFile]:
             "    launch_runs impl_1 -to_step write_bitstream",
             "    wait_on_run impl_1",
             "    if {[get_property STATS.WNS [get_runs impl_1]] < 0} {",
-            f'        error "{design.top} is too slow on {board.title}: see the timing report of impl_1"',
+            f"        error {tcl_string(too_slow)}",
             "    }",
             "}",
         ),
@@ -150,7 +152,7 @@ def _vivado(design: Design) -> Iterator[GeneratedFile]:
     yield GeneratedFile(
         f"{name}.xdc",
         _lines(
-            f"# The pins of {board.title}. {_ATTENTION}",
+            f"# The pins of {tcl_comment(board.title)}. {_ATTENTION}",
             f"create_clock -name clk -period {_period_ns(board.clock.hz)} [get_ports clk]",
             *(
                 f"set_property -dict {{PACKAGE_PIN {site} IOSTANDARD {board.io_type}{_vivado_pull(pin)}}} "
@@ -199,7 +201,7 @@ def _quartus(design: Design) -> Iterator[GeneratedFile]:
     yield GeneratedFile(
         f"{name}.sdc",
         _lines(
-            f"# The clock of {board.title}. {_ATTENTION}",
+            f"# The clock of {tcl_comment(board.title)}. {_ATTENTION}",
             f"create_clock -name clk -period {_period_ns(board.clock.hz)} [get_ports clk]",
             "derive_clock_uncertainty",
             *_false_paths(board),

@@ -70,7 +70,7 @@ def info(
         print_json({"url": url, **msgspec.structs.asdict(content)})
         return
     console = out()
-    console.print(url, style="bold", markup=False)
+    console.print(url, style="bold")
     rows = {
         "chip": content.chip,
         "port": port_letter(content.port),
@@ -81,7 +81,7 @@ def info(
         "serial number": content.serial or "none",
     }
     for name, text in rows.items():
-        console.print(f"{name:<14}  {text}", markup=False)
+        console.print(f"{name:<14}  {text}")
 
 
 def _list(*, json: bool) -> None:
@@ -92,7 +92,7 @@ def _list(*, json: bool) -> None:
         if json:
             print_json({"url": url, "description": description})
         else:
-            out().print(f"{url}  {description}", markup=False)
+            out().print(f"{url}  {description}")
     if not chips:
         print_note("no FT232H and no FT2232H is plugged in")
 

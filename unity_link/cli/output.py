@@ -1,7 +1,8 @@
 """The output of commands.
 
 stdout has what was asked for, and under `--json` nothing but one JSON object a line. stderr has errors and summaries.
-Colours and moving pictures are for terminals alone; rich sees to that, and to `NO_COLOR`.
+Colours and moving pictures are for terminals alone; rich sees to that, and to `NO_COLOR`. Strings of specs, gateways,
+recordings and other machines are printed so that no terminal obeys them.
 """
 
 from __future__ import annotations
@@ -9,20 +10,44 @@ from __future__ import annotations
 import contextlib
 import functools
 import os
+import re
 import sys
 from typing import TYPE_CHECKING, Any, TextIO
 
+from unity_link.quoting import terminal
+
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from rich.console import Console
+    from rich.segment import Segment
 
     from unity_link.files import Overwrite
+
+_LATE_CONTROL = re.compile("[\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]")
+"""What JSON may have as it is, and some terminals obey."""
 
 
 def out() -> Console:
     """Return the console of stdout; a pipe gets whole lines, however long."""
+    return console_on(sys.stdout, soft_wrap=not sys.stdout.isatty())
+
+
+def console_on(stream: TextIO, *, soft_wrap: bool = False) -> Console:
+    """Return a console that prints strings from outside as a terminal shows and does not obey them."""
+    return _console_class()(file=stream, highlight=False, markup=False, emoji=False, soft_wrap=soft_wrap)
+
+
+@functools.cache
+def _console_class() -> type[Console]:
     from rich.console import Console
 
-    return Console(highlight=False, soft_wrap=not sys.stdout.isatty())
+    class Quoting(Console):
+        def render(self, renderable: Any, options: Any = None) -> Iterable[Segment]:
+            for segment in super().render(renderable, options):
+                yield segment if segment.control else segment._replace(text=terminal(segment.text))
+
+    return Quoting
 
 
 def is_live() -> bool:
@@ -34,7 +59,7 @@ def is_live() -> bool:
 
 def print_line(text: str) -> None:
     """Print a line on stdout at once, so that a program that reads it does not wait."""
-    sys.stdout.write(text + "\n")
+    sys.stdout.write(terminal(text) + "\n")
     sys.stdout.flush()
 
 
@@ -46,7 +71,7 @@ def print_json(value: Any) -> None:
         text = msgspec.json.encode(value)
     except UnicodeEncodeError:
         text = msgspec.json.encode(_in_utf_8(msgspec.to_builtins(value)))
-    print_line(text.decode())
+    print_line(_LATE_CONTROL.sub(lambda found: f"\\u{ord(found[0]):04x}", text.decode()))
 
 
 def _in_utf_8(value: Any) -> Any:
@@ -70,7 +95,7 @@ def print_note(text: str) -> None:
     """Print a line for people on stderr."""
     # A stderr that cannot be written, such as a pipe without a reader, ends no command.
     with contextlib.suppress(OSError):
-        print(text, file=sys.stderr, flush=True)  # noqa: T201  (this is where commands print)
+        print(terminal(text), file=sys.stderr, flush=True)  # noqa: T201  (this is where commands print)
 
 
 def print_error(text: str, hint: str = "") -> None:
@@ -91,7 +116,7 @@ def print_parts(*parts: str | tuple[str, str], on: TextIO | None = None) -> None
     """
     stream = sys.stdout if on is None else on
     if not (stream.isatty() or any(name in os.environ for name in _COLOURING)):
-        stream.write("".join(part if isinstance(part, str) else part[0] for part in parts) + "\n")
+        stream.write(terminal("".join(part if isinstance(part, str) else part[0] for part in parts)) + "\n")
         stream.flush()
         return
     from rich.text import Text
@@ -101,9 +126,7 @@ def print_parts(*parts: str | tuple[str, str], on: TextIO | None = None) -> None
 
 @functools.lru_cache(maxsize=2)
 def _console(stream: TextIO) -> Console:
-    from rich.console import Console
-
-    return Console(file=stream, highlight=False, soft_wrap=stream is sys.stderr or not stream.isatty())
+    return console_on(stream, soft_wrap=stream is sys.stderr or not stream.isatty())
 
 
 def is_confirmed(question: str) -> bool:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json, Overwrite, Timeout, Url, check_poll
-from unity_link.cli.output import may_overwrite, print_json, print_note, print_result
+from unity_link.cli.output import console_on, may_overwrite, print_json, print_note, print_result
 from unity_link.cli.running import run
 from unity_link.cli.spec import Given, Name, SpecFile, compile_or_exit
 from unity_link.errors import ArgumentError
@@ -144,9 +144,7 @@ def _bytes(size: int) -> str:
 @contextmanager
 def _shown(text: Callable[[], str]) -> Iterator[Callable[[], Any]]:
     """Show a line that changes, on a terminal; return what refreshes it."""
-    from rich.console import Console
-
-    console = Console(stderr=True, highlight=False)
+    console = console_on(sys.stderr)
     status = console.status(text()) if console.is_terminal else None
 
     async def refresh() -> None:
@@ -229,15 +227,15 @@ def export_recording(
     """Make tables of a recording: a file for each group, a row for each sample, a column for each signal."""
     if parquet == csv:
         raise ArgumentError("one of --parquet and --csv was expected")
-    from rich.console import Console
+    from rich.markup import escape
     from rich.progress import Progress
 
     from unity_link.bridges.recording import Recording, export
 
     read = Recording(recording)
-    console = Console(file=sys.stderr)
+    console = console_on(sys.stderr)
     with Progress(console=console, transient=True, disable=not console.is_terminal) as bar:
-        task = bar.add_task(recording.name, total=read.size)
+        task = bar.add_task(escape(recording.name), total=read.size)
         paths = export(
             read,
             "parquet" if parquet else "csv",

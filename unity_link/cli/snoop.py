@@ -15,6 +15,7 @@ import typer
 from unity_link.cli.arguments import Json, Overwrite  # noqa: TC001  (typer reads them)
 from unity_link.cli.output import may_overwrite, print_error, print_json, print_line, print_note
 from unity_link.errors import ArgumentError
+from unity_link.quoting import terminal
 
 if TYPE_CHECKING:
     from unity_link.protocol.transcript import TimedFrame, Transcript
@@ -274,4 +275,4 @@ def _in_a_line(summary: dict[str, Any]) -> str:
 
 def _write(line: str) -> None:
     """Print a line without sending it off at once: there may be a million."""
-    sys.stdout.write(line + "\n")
+    sys.stdout.write(terminal(line) + "\n")

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from unity_link.cli.arguments import Json, Overwrite  # noqa: TC001  (typer reads the annotations)
-from unity_link.cli.output import may_overwrite, out, print_json, print_line, print_note
+from unity_link.cli.output import console_on, may_overwrite, out, print_json, print_line, print_note
 from unity_link.files import write_file
 
 if TYPE_CHECKING:
@@ -235,7 +235,6 @@ def read_given(texts: list[str]) -> dict[str, int]:
 
 def print_diagnostics(diagnostics: Iterable[Diagnostic]) -> None:
     """Print diagnostics on stderr, and how many they are; nothing if there are none."""
-    from rich.console import Console
     from rich.text import Text
 
     from unity_link.spec.diagnostics import MOST_SHOWN, summary
@@ -243,7 +242,7 @@ def print_diagnostics(diagnostics: Iterable[Diagnostic]) -> None:
     found = list(diagnostics)
     if not found:
         return
-    console = Console(stderr=True, highlight=False, soft_wrap=True)
+    console = console_on(sys.stderr, soft_wrap=True)
     for diagnostic in found[:MOST_SHOWN]:
         text = Text(diagnostic.render())
         colour = "red" if diagnostic.severity == "error" else "yellow"

@@ -16,9 +16,11 @@ each file begins by naming the spec and its hash (`Templates.origin`)::
 from __future__ import annotations
 
 import importlib
+import inspect
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol, cast, get_args
 
+from unity_link import quoting
 from unity_link.errors import ArgumentError
 from unity_link.files import MARK, write_texts
 from unity_link.gateware import LICENCE
@@ -36,6 +38,10 @@ TargetName = Literal["c", "cpp", "docs", "matlab", "python", "ros1", "ros2", "ve
 TARGETS: tuple[str, ...] = get_args(TargetName)
 
 
+_QUOTING: dict[str, Callable[..., Any]] = {
+    name: function for name, function in vars(quoting).items() if inspect.isfunction(function) and name[0] != "_"
+}
+"""What every template has for strings from outside, by its name."""
 _COPIED = ("c", "cpp", "verilog", "vhdl")
 """Targets of which users copy the files into sources of their own."""
 
@@ -82,8 +88,9 @@ class Templates:
             trim_blocks=True,
             lstrip_blocks=True,
             keep_trailing_newline=True,
+            finalize=lambda value: quoting.terminal(value) if isinstance(value, str) else value,
         )
-        self._environment.filters.update(filters)
+        self._environment.filters.update(_QUOTING | dict(filters))
         self._spec = spec
         self.origin = _origin(target, spec)
         """Lines that name the sources, for the comment at the top of each file."""

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from unity_link.generate import GeneratedFile
 from unity_link.generate.c.layout import Layout
-from unity_link.generate.c.names import comment, comment_lines, number, string
+from unity_link.generate.c.names import number
 from unity_link.generate.c.signals import decoding, describe, examples, initializer, schedule
 from unity_link.protocol.constants import TABLE
 from unity_link.transport.polling import REMEMBERED_WAITS, SPIN
@@ -27,14 +27,11 @@ if TYPE_CHECKING:
 
 DOC = "a client in C99, without allocation, with transports for POSIX"
 FILTERS: dict[str, Callable[..., Any]] = {
-    "comment": comment,
-    "comment_lines": comment_lines,
     "decoding": decoding,
     "describe": describe,
     "number": number,
     "pad": str.ljust,
     "schedule": schedule,
-    "string": string,
 }
 RUNTIME = ("unity_link.h", "unity_link.c", "unity_link_posix.c")
 RUNTIME_VALUES = {"constants": TABLE, "SPIN": SPIN, "REMEMBERED_WAITS": REMEMBERED_WAITS}

@@ -1,4 +1,4 @@
-"""Names of a spec as identifiers of C and C++, and texts as comments and strings.
+"""Names of a spec as identifiers of C and C++, and numbers as literals.
 
 Both languages share the identifiers, for a C++ program includes the C header. All of them come from `Names`, one for
 each scope: a name that a language, a library or the generated code has for itself (`reserved`) gets a ``_`` behind it:
@@ -43,26 +43,6 @@ class Names:
 
     def _has(self, identifier: str) -> bool:
         return identifier in self._taken or self._is_reserved(identifier)
-
-
-def string(text: str) -> str:
-    """Return a string literal; ``??`` is parted, for it begins a trigraph."""
-    escaped = "".join(
-        f"\\{character}" if character in '"\\' else character if character >= " " else f"\\{ord(character):03o}"
-        for character in text
-    )
-    return f'"{escaped.replace("??", "?" + chr(92) + "?")}"'
-
-
-def comment(text: str, indent: str = "") -> str:
-    """Return a text of one or more lines as a comment."""
-    return f"{indent}/* " + f"\n{indent} * ".join(comment_lines(text)) + " */"
-
-
-def comment_lines(text: str) -> list[str]:
-    """Return the lines of a text as they can stand in a comment."""
-    safe = text.replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?")
-    return [line.rstrip().rstrip("\\") for line in safe.split("\n")]
 
 
 def number(value: float) -> str:

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from unity_link.generate.c.names import number, string
+from unity_link.generate.c.names import number
+from unity_link.quoting import c_string
 from unity_link.spec.kinds import KindName
 from unity_link.spec.model import ComponentArray, ComponentSpec
 
@@ -55,8 +56,8 @@ def signal_initializer(layout: Layout, signal: Signal) -> str:
         (signal.kind.step, signal.kind.offset) if is_real and signal.kind.name is not KindName.FLOAT else (1, 0)
     )
     fields = [
-        string(signal.path),
-        string(signal.unit),
+        c_string(signal.path),
+        c_string(signal.unit),
         f"0x{signal.address:02X}",
         str(signal.word_bits),
         str(signal.lowest_bit),

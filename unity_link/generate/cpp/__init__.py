@@ -12,8 +12,8 @@ from unity_link.generate import GeneratedFile, Templates
 from unity_link.generate.c import FILTERS as C_FILTERS
 from unity_link.generate.c import files as c_files
 from unity_link.generate.c.layout import Layout
-from unity_link.generate.c.names import comment
 from unity_link.generate.c.signals import describe
+from unity_link.quoting import c_comment
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -61,7 +61,7 @@ def values(group: GroupType) -> list[str]:
 
 def _aligned(lines: list[tuple[str, str]]) -> list[str]:
     column = max(len(line) for line, _ in lines) + 2 if lines else 0
-    return [f"{line.ljust(column)}{comment(beside)}" if beside else line for line, beside in lines]
+    return [f"{line.ljust(column)}{c_comment(beside)}" if beside else line for line, beside in lines]
 
 
 def converted(member: GroupMember, to: str) -> str:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from unity_link.generate import GeneratedFile
-from unity_link.generate.docs.pages import Page, markdown
+from unity_link.generate.docs.pages import Page
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from unity_link.spec import Interface
 
 DOC = "documents: the register map as a page in HTML, and in Markdown"
-FILTERS = {"markdown": markdown}
 
 
 def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]:

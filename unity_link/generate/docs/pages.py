@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import itertools
 import math
-import re
 from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.spec import Access, KindName
@@ -303,11 +302,6 @@ def number(value: float) -> str:
     digits, _, exponent = (str(int(value)) if whole else f"{value:.{_PARTS}g}").partition("e")
     power = f" {TIMES} 10{str(int(exponent)).translate(_SUPERSCRIPTS)}" if exponent else ""
     return digits.replace("-", MINUS) + power
-
-
-def markdown(text: str) -> str:
-    """Write a text so that Markdown shows it as it is, in a cell of a table too."""
-    return re.sub(r"([\\`*_{}\[\]<>#|])", r"\\\1", " ".join(text.split()))
 
 
 def _argument(value: object) -> str:

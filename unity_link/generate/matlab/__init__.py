@@ -16,7 +16,6 @@ from __future__ import annotations
 
 import hashlib
 import math
-import re
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -24,6 +23,7 @@ from unity_link.errors import UnsupportedError
 from unity_link.generate import GeneratedFile, c
 from unity_link.generate.matlab.names import FUNCTIONS, MEMBERS, identifiers
 from unity_link.generate.networks import NetworkMemory, given_parameters, networks
+from unity_link.quoting import matlab_string, one_line
 from unity_link.spec import ComponentArray
 
 if TYPE_CHECKING:
@@ -114,7 +114,7 @@ def _members(part: ComponentSpec) -> list[str]:
 
 def _properties(root: ComponentSpec, taken: list[str]) -> list[Property]:
     names = identifiers(_members(root), taken)
-    return [Property(names[member.name], comment(member.doc)) for member in (*root.signals, *root.parts)]
+    return [Property(names[member.name], _comment(member.doc)) for member in (*root.signals, *root.parts)]
 
 
 def _lines(part: ComponentSpec, path: str, taken: list[str] | None = None) -> Iterator[ConstructorLine]:
@@ -200,19 +200,20 @@ def _arguments(line: ConstructorLine) -> list[str]:
     """Return the arguments of `Signal`: its place and kind, and properties with their values."""
     signal = line.signal
     assert signal is not None
-    place = [text(line.path), str(signal.address), text(str(signal.kind)), str(signal.width), text(signal.access.value)]
+    kind, access = matlab_string(str(signal.kind)), matlab_string(signal.access.value)
+    place = [matlab_string(line.path), str(signal.address), kind, str(signal.width), access]
     return [*place, *(f"'{name}', {value}" for name, value in _options(signal))]
 
 
 def _options(signal: Signal) -> list[tuple[str, str]]:
     kind = signal.kind
     given = [
-        ("id", text(signal.id), signal.id != signal.path),
+        ("id", matlab_string(signal.id), signal.id != signal.path),
         ("lowest_bit", number(signal.lowest_bit), signal.lowest_bit),
         ("scaled", "true", kind.is_scaled),
         ("step", number(kind.step), kind.is_scaled),
         ("offset", number(kind.offset), kind.offset),
-        ("unit", text(signal.unit), signal.unit),
+        ("unit", matlab_string(signal.unit), signal.unit),
         ("minimum", number(signal.minimum or 0), signal.minimum is not None),
         ("maximum", number(signal.maximum or 0), signal.maximum is not None),
         ("is_field", "true", signal.is_field),
@@ -220,7 +221,7 @@ def _options(signal: Signal) -> list[tuple[str, str]]:
     ]
     if kind.enumeration is not None:
         values = kind.enumeration.values
-        given.append(("labels", f"{{{', '.join(text(value.name) for value in values)}}}", True))
+        given.append(("labels", f"{{{', '.join(matlab_string(value.name) for value in values)}}}", True))
         given.append(("numbers", f"[{' '.join(_numbers([value.value for value in values]))}]", True))
     return [(name, expression) for name, expression, is_given in given if is_given]
 
@@ -246,23 +247,9 @@ def number(value: float) -> str:
     return repr(value)
 
 
-def text(value: str) -> str:
-    """Write a char array."""
-    pieces = [piece for piece in re.split(r"([\x00-\x1f\x7f]+)", value) if piece]
-    written = [
-        f"char([{' '.join(str(ord(letter)) for letter in piece)}])"
-        if piece[0] < " " or piece[0] == "\x7f"
-        else "'" + piece.replace("'", "''") + "'"
-        for piece in pieces
-    ]
-    if len(written) == 1:
-        return written[0]
-    return f"[{', '.join(written)}]" if written else "''"
-
-
-def comment(value: str) -> str:
+def _comment(text: str) -> str:
     """Put a doc string on one line."""
-    return " ".join(value.split())
+    return one_line(" ".join(text.split()))
 
 
-FILTERS = {"text": text, "comment": comment}
+FILTERS = {"comment": _comment}

@@ -25,20 +25,6 @@ if TYPE_CHECKING:
 DOC = "a typed module: the robot's classes, for completion in an editor and mypy --strict"
 
 
-def docstring(text: str, indent: int = 4) -> str:
-    """Write a text as a docstring, its lines behind the first indented."""
-    escaped = text.replace("\\", "\\\\").replace('"""', '\\"\\"\\"')
-    if escaped.endswith('"'):
-        escaped = escaped[:-1] + '\\"'
-    lines = escaped.splitlines() or [""]
-    body = "\n".join([lines[0], *(" " * indent + line if line else "" for line in lines[1:])])
-    end = "\n" + " " * indent if len(lines) > 1 else ""
-    return f'"""{body}{end}"""'
-
-
-FILTERS = {"docstring": docstring}
-
-
 def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]:
     """Make the file of an interface."""
     module = describe(interface)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import enum
 import json
+import re
 from typing import TYPE_CHECKING, Any
 
 import msgspec
@@ -12,9 +13,13 @@ if TYPE_CHECKING:
     from unity_link.spec import Interface
 
 
+_UNSEEN = re.compile("['\x7f-\xa0\xad\u061c\u200b-\u200f\u2028-\u202f\u205f-\u206f\ud800-\udfff\ufeff]")
+"""Quotes of Python's, and what an editor does not show as it stands."""
+
+
 def model_text(interface: Interface) -> str:
     """Return what `unity_link.data.read_interface` reads; no quotes of Python's are in it."""
-    return "\n".join(_lines(_plain(interface))).replace("'", "\\u0027")
+    return _UNSEEN.sub(lambda found: f"\\u{ord(found[0]):04x}", "\n".join(_lines(_plain(interface))))
 
 
 def _plain(value: Any) -> Any:

@@ -15,7 +15,6 @@ import functools
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from unity_link.generate import GeneratedFile
-from unity_link.generate.python import docstring
 from unity_link.generate.python.classes import module_name
 from unity_link.generate.ros.topics import SI, message_type, topic_names
 from unity_link.protocol.frames import TOKEN_LINE
@@ -28,7 +27,6 @@ if TYPE_CHECKING:
     from unity_link.generate import Templates
     from unity_link.spec import GroupSpec, Interface, ModuleSpec, Signal
 
-FILTERS = {"docstring": docstring}
 OLDEST_PYTHON = (3, 8)
 """Python of ROS 1 Noetic."""
 RUNTIME = ("client.py", "values.py", "bridge.py")
@@ -83,7 +81,7 @@ def runtime(interface: Interface, templates: Templates, dot: str) -> Iterator[Ge
         templates: of the target.
         dot: what stands before the names of modules that they import: a dot in a package.
     """
-    own = templates.of("ros", FILTERS)
+    own = templates.of("ros", {})
     own.origin = templates.origin
     for name in RUNTIME:
         yield GeneratedFile(name, own.render(name, dot=dot, token_line=TOKEN_LINE.decode()))

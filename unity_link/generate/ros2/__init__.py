@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from unity_link.generate import GeneratedFile
-from unity_link.generate.ros import FILTERS, Options, names, runtime
+from unity_link.generate.ros import Options, names, runtime
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from unity_link.generate import Templates
     from unity_link.spec import Interface
 
-__all__ = ["DOC", "FILTERS", "Options", "files"]
+__all__ = ["DOC", "Options", "files"]
 
 DOC = "a package of ROS 2: a node on rclpy, for colcon and ros2 launch"
 

@@ -20,6 +20,7 @@ from unity_link.generate.vhdl import files as vhdl_files
 from unity_link.generate.vhdl import gateway_generics
 from unity_link.generate.vhdl.bank import Bank
 from unity_link.generate.vhdl.names import identifier
+from unity_link.quoting import hdl_comment
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -61,13 +62,14 @@ def files(interface: Interface, templates: Templates, options: Options) -> Itera
     vhdl = list(vhdl_files(interface, templates.of("vhdl", VHDL_FILTERS)))
     wanted = {f"{name}_{part}.vhd" for part in ("map", "registers", "gateway")}
     flat = templates.render("flat.vhd", prefix=name, bank=bank, interface=interface, ports=list(flat_ports(bank)))
+    origin = list(map(hdl_comment, templates.origin))
     with tempfile.TemporaryDirectory() as scratch:
         sources = [*(file for file in vhdl if file.name in wanted), GeneratedFile(f"{name}_flat.vhd", flat)]
         paths = write(sources, Path(scratch))
         for medium, described in _MEDIA.items():
             link = described.format(baud=options.baud)
             about = [
-                *templates.origin,
+                *origin,
                 "",
                 f"The gateway of {interface.name} on {link}, at {options.clock_hz / 1e6:g} MHz.",
             ]

@@ -32,7 +32,6 @@ FILTERS: dict[str, Callable[..., Any]] = {
     "bits": types.bit_literal,
     "real": types.real_literal,
     "comment": types.comment,
-    "oneline": types.one_line,
 }
 
 _LEAST_GROUPS = 16

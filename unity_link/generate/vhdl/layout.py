@@ -12,6 +12,8 @@ import textwrap
 from itertools import groupby
 from typing import NamedTuple
 
+from unity_link.quoting import hdl_comment
+
 LINE = 120
 _DECLARATION = re.compile(
     r"(?P<head> *(?:(?:constant|signal|variable) )?\w+) *:(?!=) *(?P<type>[^:]*?)(?: *:= *(?P<value>.*))?$"
@@ -54,7 +56,8 @@ def _filled(lines: list[str]) -> list[str]:
         if is_prose and (at_top or max(map(len, paragraph)) > LINE):
             prefix = paragraph[0][: paragraph[0].index("--")] + "-- "
             words = " ".join(line.strip().removeprefix("-- ") for line in paragraph)
-            paragraph = textwrap.wrap(words, LINE, initial_indent=prefix, subsequent_indent=prefix)
+            # What is not obeyed in the midst of a line is not to be at the beginning of another.
+            paragraph = [prefix + hdl_comment(line) for line in textwrap.wrap(words, LINE - len(prefix))]
         filled += paragraph
     return filled
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import textwrap
 from typing import TYPE_CHECKING, NamedTuple
 
+from unity_link.quoting import hdl_comment_lines
 from unity_link.spec import KindName
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Mapping
 
     from unity_link.generate.vhdl.names import Scope
     from unity_link.spec import Enumeration, Kind
@@ -99,13 +99,7 @@ def from_bits(kind: Kind, expression: str, enumerations: Mapping[str, VhdlEnumer
     return expression if kind.name is KindName.FLOAT else f"{_VECTORS[kind.name]}({expression})"
 
 
-def comment(text: str, indent: int = 0, width: int = 120) -> Sequence[str]:
+def comment(text: str, indent: int = 0, width: int = 120) -> list[str]:
     """Write a text as lines of comment."""
     prefix = " " * indent + "-- "
-    lines = (textwrap.wrap(one, width - len(prefix)) or [""] for one in text.splitlines())
-    return [(prefix + line).rstrip() for some in lines for line in some]
-
-
-def one_line(text: str) -> str:
-    """Write a text so that it cannot end a comment."""
-    return " ".join(text.split())
+    return [(prefix + line).rstrip() for line in hdl_comment_lines(text, width - len(prefix))]

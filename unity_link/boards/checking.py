@@ -1,0 +1,142 @@
+"""What the file of a board may say, and which sentence says that it says something else.
+
+Its strings go into files and options of other programs, so that each is of letters that none of these obeys.
+"""
+
+from __future__ import annotations
+
+import re
+import typing
+from typing import TYPE_CHECKING, Any, Literal
+
+import msgspec
+
+from unity_link.errors import did_you_mean
+
+if TYPE_CHECKING:
+    from unity_link.boards.board import Board
+
+_LONGEST_SHOWN = 60
+_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]*")
+_PART = re.compile(r"[A-Za-z0-9][A-Za-z0-9/-]*")
+_SITE = re.compile(r"[A-Za-z0-9_]+")
+_IO_TYPE = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]*")
+_IO_TYPE_OF_QUARTUS = re.compile(r"[A-Za-z0-9][A-Za-z0-9. _-]*")
+_DEVICES = {
+    "ice40": ["lp384", "lp1k", "lp4k", "lp8k", "hx1k", "hx4k", "hx8k", "up3k", "up5k", "u1k", "u2k", "u4k"],
+    "ecp5": ["12k", "25k", "45k", "85k", "um-25k", "um-45k", "um-85k", "um5g-25k", "um5g-45k", "um5g-85k"],
+}
+"""Options of the nextpnr of a family that are devices."""
+_SPEEDS = (6, 7, 8)
+_LOADER_VALUES = frozenset(
+    {"-b", "--board", "-c", "--cable", "-d", "--device", "--busdev-num", "--freq", "--ftdi-channel", "--ftdi-serial"}
+    | {"--fpga-part", "--index-chain", "--ip", "--pid", "--port", "--vid"}
+)
+_LOADER_FLAGS = frozenset(
+    {"-f", "--write-flash", "-m", "--write-sram", "-r", "--reset", "--external-flash", "--invert-read-edge"}
+    | {"--unprotect-flash", "--verify", "-v", "--verbose"}
+)
+"""Options of openFPGALoader that choose a board and a way to it: others write files, or load other ones."""
+_LOADER_VALUE = re.compile(r"[A-Za-z0-9_/][A-Za-z0-9_./:-]*")
+
+
+def misuse(data: dict[str, Any], kind: type[msgspec.Struct], before: str = "") -> str:
+    """Return the sentence about the first entry of a table that a structure does not take; empty where it takes all.
+
+    Args:
+        data: the table.
+        kind: the structure.
+        before: what stands before its keys, as ``clock.``.
+    """
+    hints = typing.get_type_hints(kind)
+    for key, value in data.items():
+        if key not in hints:
+            hint = did_you_mean(key, list(hints))
+            return f"there is no key {_shown(before + key)}" + (f"; {hint}" if hint else "")
+        try:
+            msgspec.convert(value, hints[key])
+        except msgspec.ValidationError:
+            return _about(f"{before}{key}", value, hints[key])
+    for field in msgspec.structs.fields(kind):
+        if field.required and field.name not in data:
+            return f"{before}{field.name} is missing, {_expected(hints[field.name])} was expected"
+    return ""
+
+
+def _about(key: str, value: object, hint: Any) -> str:
+    """Return the sentence about a value of another type than is expected."""
+    if isinstance(value, dict):
+        if isinstance(hint, type) and issubclass(hint, msgspec.Struct):
+            return misuse(value, hint, f"{key}.")
+        if typing.get_origin(hint) is dict:
+            _, inner = typing.get_args(hint)
+            wrong = next((name for name, one in value.items() if not isinstance(one, inner)), None)
+            if wrong is not None:
+                return _about(f"{key}.{wrong}", value[wrong], inner)
+    return f"{key} is {_shown(value)}, {_expected(hint)} was expected"
+
+
+def _expected(hint: Any) -> str:
+    if typing.get_origin(hint) is Literal:
+        return f"one of {', '.join(typing.get_args(hint))}"
+    if hint in (int, int | None):
+        return "a whole number"
+    return {str: "a text", tuple: "a list of texts"}.get(typing.get_origin(hint) or hint, "a table")
+
+
+def _shown(value: object) -> str:
+    text = repr(value)
+    return text if len(text) <= _LONGEST_SHOWN else f"{text[:_LONGEST_SHOWN]}..."
+
+
+def name_fault(name: str) -> str:
+    """Return what is wrong with the name of a board's file, which files and projects are named after; or nothing."""
+    if _NAME.fullmatch(name):
+        return ""
+    return (
+        f"its name is {_shown(name)}, letters, digits, '_', '-' and '.' were expected, as projects are named after it"
+    )
+
+
+def spelling_fault(board: Board) -> str:
+    """Return the sentence about the first string of a board that no program is to get; empty where there is none."""
+    return next(filter(None, _spelling_faults(board)), "")
+
+
+def _spelling_faults(board: Board) -> typing.Iterator[str]:
+    devices = _DEVICES.get(board.family)
+    if devices is not None and board.device not in devices:
+        hint = did_you_mean(board.device, devices)
+        yield (
+            f"device is {_shown(board.device)}, one of {', '.join(devices)} was expected"
+            + (f"; {hint}" if hint else "")
+        )
+    yield _unless(_PART, "device", board.device, "letters, digits, '-' and '/'")
+    yield _unless(_PART, "package", board.package, "letters, digits, '-' and '/'")
+    if board.family == "ecp5" and board.speed not in _SPEEDS:
+        yield f"speed is {board.speed}, one of {', '.join(map(str, _SPEEDS))} was expected"
+    pattern = _IO_TYPE_OF_QUARTUS if board.family == "cyclonev" else _IO_TYPE
+    yield _unless(pattern, "io_type", board.io_type, "a name such as LVCMOS33")
+    for pin, site in board.pins.items():
+        yield _unless(_SITE, f"pins.{pin}", site, "letters, digits and '_'")
+    yield _loader_fault(board.programmer)
+
+
+def _unless(pattern: re.Pattern[str], key: str, value: str, expected: str) -> str:
+    return "" if pattern.fullmatch(value) else f"{key} is {_shown(value)}, {expected} were expected"
+
+
+def _loader_fault(options: tuple[str, ...]) -> str:
+    left = list(options)
+    while left:
+        option, equals, value = left.pop(0).partition("=")
+        if option in _LOADER_VALUES:
+            value = value if equals else left.pop(0) if left else ""
+            if not _LOADER_VALUE.fullmatch(value):
+                return f"programmer has {option} with {_shown(value)}, a name or a number was expected"
+        elif option not in _LOADER_FLAGS or equals:
+            return (
+                f"programmer has {_shown(option)}, options that choose a board and a cable were expected, such as "
+                "--board and --cable"
+            )
+    return ""
