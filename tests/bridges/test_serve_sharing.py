@@ -27,8 +27,9 @@ from unity_link import (
     OutOfRangeError,
     Reconnect,
 )
-from unity_link.bridges.serve.client import MOST_UNDER_WAY, MOST_UNSENT
+from unity_link.bridges.serve.client import COST_ALONE, MOST_POSTED, MOST_UNDER_WAY, MOST_UNSENT
 from unity_link.bridges.serve.shared import PATIENCE, SharedLink
+from unity_link.protocol import window
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.messages import Codec
 from unity_link.virtual import VirtualGateway
@@ -394,6 +395,35 @@ async def test_a_client_that_floods_the_server_leaves_the_others_their_turns(flo
         assert len(client._rest) > len(flood) * 10_000
         await until(lambda: not client._rest)
         assert await other.read(0) == 0
+
+
+@pytest.mark.parametrize("flood", [b"W0A00000001", b"WS0A00000001"])
+@on_simulated_time
+async def test_a_request_waits_behind_few_of_a_client_that_floods_the_gateway(flood: bytes) -> None:
+    gateway = VirtualGateway()
+    bus = RecordedBus(gateway)
+    async with sharing(gateway) as shared, PipedLink(shared) as other:
+        noisy = call(shared)
+        noisy.transport.write(Codec(gateway.info).framing.checked(flood) * 5_000)
+        for _ in range(5):
+            before = len(bus.writes)
+            await other.write(0xF0, 0)
+            assert 0 < len(bus.writes) - before <= 3 * MOST_UNDER_WAY // COST_ALONE
+        await until(lambda: len(bus.writes) == 5_005)
+
+
+@on_simulated_time
+async def test_posted_writes_leave_their_room_once_a_row_of_reads_behind_them_is_answered(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(window, "FENCE_DELAY", 1.0)
+    async with sharing(VirtualGateway()) as shared, PipedLink(shared) as link:
+        for _ in range(MOST_POSTED // COST_ALONE):
+            await link.post(0x0A, 1)
+        await until(lambda: link.client._under_way == MOST_POSTED)
+        assert (await link.read_many([0x0A] * 64)).tolist() == [1] * 64
+        await settle(shared)
+        assert link.client._under_way == 0
 
 
 @on_simulated_time

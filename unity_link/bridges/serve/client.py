@@ -5,8 +5,9 @@ arrive in another.
 
 Nothing grows. A client whose requests and their answers would take more than `MOST_UNDER_WAY` bytes, or that does not
 read, is not listened to until that has changed; samples that it does not read are lost to it. A frame that never
-reaches the gateway counts as `COST_HERE` bytes until its answer has been sent, so that a client that floods the server
-with such frames leaves the others their turns of the event loop.
+reaches the gateway counts as `COST_HERE` bytes until its answer has been sent, and one that is handed on by itself as
+`COST_ALONE` at least until the gateway has executed it. So a client that floods the server leaves the others their turns
+of the event loop, and waits with its own requests behind few of its own.
 """
 
 from __future__ import annotations
@@ -29,6 +30,10 @@ MOST_UNDER_WAY = 65_536
 """Bytes of requests and answers under way for one client, beyond which it is not listened to."""
 COST_HERE = 4096
 """Bytes that a frame counts as that is dealt with here: a client has 16 of them in one turn of the event loop."""
+COST_ALONE = 512
+"""Bytes that a request counts as that is not one of many side by side, at least: a client has 128 of them under way."""
+MOST_POSTED = MOST_UNDER_WAY * 3 // 4
+"""Bytes that posted writes count as behind which the next one is relayed as a write that is answered."""
 MOST_UNSENT = 65_536
 """Bytes that wait for the client to read them, beyond which it is slow."""
 
@@ -61,6 +66,8 @@ class Client(asyncio.Protocol):
         self._under_way = 0
         self._spent_here = 0
         """Bytes of `_under_way` for frames that were dealt with here since the last flush."""
+        self._posted = 0
+        """Bytes of `_under_way` for posted writes behind which nothing was handed on that is answered by itself."""
         self._out: list[bytes] = []
         self._flushing = False
         self._slow = False
@@ -155,6 +162,11 @@ class Client(asyncio.Protocol):
         """Return whether posted writes are not yet known to be executed."""
         return self._last_posted > self._last_answered
 
+    @property
+    def must_confirm(self) -> bool:
+        """Whether so many posted writes are under way that the next one is to be answered."""
+        return self._posted >= MOST_POSTED
+
     def follow_others(self) -> None:
         """Order all that this client asks for behind the writes that are here, which may be its own.
 
@@ -164,11 +176,16 @@ class Client(asyncio.Protocol):
 
     def hand_on(self, relayed: Relayed, awaited: bytearray) -> None:
         """Put a request into the line; where it has an ID, note it in `awaited` until it is answered."""
-        self._under_way += relayed.cost
+        room = max(relayed.cost, COST_ALONE)
+        self._under_way += room
         self._asked = relayed.order = self._asked + 1
         if relayed.posted:
             self._last_posted = relayed.order
+            self._posted += room
         else:
+            # Its answer says that those before it were executed.
+            relayed.room = room + self._posted
+            self._posted = 0
             if relayed.number is not None:
                 awaited[relayed.number] = 1
                 relayed.awaited = awaited
@@ -183,6 +200,7 @@ class Client(asyncio.Protocol):
     def hand_on_rows(self, rows: RelayedRows, awaited: bytearray) -> None:
         """Put many requests into the line."""
         self._under_way += rows.cost * rows.count
+        rows.room, self._posted = self._posted, 0
         self._asked = rows.order = self._asked + 1
         _mark(rows.number, rows.count, awaited, 1)
         rows.awaited = awaited
@@ -293,20 +311,19 @@ class Client(asyncio.Protocol):
         first = rows.number + rows.answered & len(rows.awaited) - 1
         count, sent, frames = rows.ready()
         if count:
-            self._under_way -= count * rows.cost
+            self._under_way -= count * rows.cost + rows.room
+            rows.room = 0
             self._shared.turns.arrived(self.queue, sent * rows.cost)
             _mark(first, count, rows.awaited, 0)
             self.write(frames)
 
-    def posted(self, request: Relayed) -> None:
+    def posted(self, request: Relayed) -> None:  # noqa: ARG002  (its room is that of what is answered behind it)
         """Record that a posted write is on its way: unless it fails, nothing more is heard of it."""
-        self._under_way -= request.cost
-        request.cost = 0
         self._wake()
 
     def _over(self, request: Relayed) -> None:
         """Forget a request that is answered or dropped."""
-        self._under_way -= request.cost
+        self._under_way -= request.room
         if request.sent and not request.posted:
             self._shared.turns.arrived(self.queue, request.cost)
         if request.after is not None:

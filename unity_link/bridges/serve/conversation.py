@@ -156,8 +156,9 @@ class Conversation:
     ) -> None:
         codec, command = self._codec, request.command
         head = codec.response(request)
-        if command == "WS" and self._takes_turns:
-            # The gateway answers, so that the next request cannot meet an error of this one; the client hears errors.
+        if command == "WS" and (self._takes_turns or self._client.must_confirm):
+            # The gateway answers, so that the next request cannot meet an error of this one, or that it is known how
+            # many posted writes are under way; the client hears errors.
             command, head, digits = "W", b"", 0
         relayed = Relayed(self._shared.to_gateway, command, fields, digits, self._client, head, request.id, plain=plain)
         relayed.after = after
@@ -223,7 +224,7 @@ class Conversation:
             head, command = 1, "R"
         elif size == self._write_size and line[0] == _W:
             head, command, digits = 1, "W", 0
-        elif size == self._write_size + 1 and line[:2] == b"ws" and not self._takes_turns:
+        elif size == self._write_size + 1 and line[:2] == b"ws" and not self._takes_turns and not self._client.must_confirm:
             head, command, digits = 2, "WS", None
         else:
             return False

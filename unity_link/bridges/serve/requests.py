@@ -71,6 +71,7 @@ class Relayed(Request):
         "order",
         "plain",
         "reply",
+        "room",
         "silent",
         "stored",
     )
@@ -95,6 +96,8 @@ class Relayed(Request):
         """True if the client did not ask for this, and is not answered."""
         self.cost = self.size + self.reply_size
         """Bytes that it takes of the gateway's line."""
+        self.room = 0
+        """Bytes of what its client may have under way that are free again when it is over."""
         self.order = 0
         """Its place among all that the client has asked for."""
         self.reply: bytes | None = None
@@ -180,6 +183,8 @@ class RelayedRows(WordBatch):
         self.number = number
         self.cost = self.size + codec.head_sizes[command] + (self.reply_digits or 0)
         """Bytes that each takes of the gateway's line."""
+        self.room = 0
+        """Bytes of posted writes before them that are free again when the first is answered."""
         self.order = 0
         """Its place among all that the client has asked for."""
         self.awaited: bytearray
