@@ -239,13 +239,16 @@ class CallingThread:
         if patience <= 0:
             self._timers.run()
             return
+        if self._ready:
+            patience = 0.0
         for descriptor, event in self._outside(self._poller.wait, patience, may_spin=may_spin):
             handler = self._handlers.get(descriptor)
             if handler is not None:
                 handler(event)
 
     def _run_ready(self) -> None:
-        while self._ready:
+        # Not what these have called soon: the medium has its turn before.
+        for _ in range(len(self._ready)):
             self._ready.popleft()()
 
     def _take_lock(self) -> None:

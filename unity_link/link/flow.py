@@ -49,7 +49,9 @@ class Flow:
         """Seat of the link, where nodes share the medium; its turn is waited for."""
         self.handlers: dict[type, Callable[[Any], None]] = dict.fromkeys((Request, Fence, WordBatch), settle)
         """Handler of each kind of event of the session."""
-        self.disconnected = disconnected
+        self._disconnected = disconnected
+        self._reads_on = False
+        """Whether more of what has arrived is looked at when what runs now waits."""
         self.now = runtime.time
         self.create_future, self._create_lone_future = runtime.create_future, runtime.create_lone_future
         self._ended = runtime.ended
@@ -205,6 +207,10 @@ class Flow:
         handlers = self.handlers
         for event in events:
             handlers[type(event)](event)
+        if session.is_behind and not self._reads_on and self.stream is not None:
+            self._reads_on = True
+            self.stream.pause_reading()
+            self._runtime.call_soon(self._read_on)
         if self.seat is not None:
             self._take_turns()
             self._set_timer()
@@ -218,6 +224,21 @@ class Flow:
                 self._flush()
         elif self._timer_at - now > _LATE or session.window.loses:
             self._set_timer()
+
+    def _read_on(self) -> None:
+        """Take more of what has arrived, in a turn of its own."""
+        self._reads_on = False
+        self.receive(b"")
+        if not self._reads_on and self.stream is not None:
+            self.stream.resume_reading()
+
+    def disconnected(self, reason: Exception | None) -> None:
+        """Hand on the end of the stream, behind all that has arrived on it."""
+        stream = self.stream
+        if self._reads_on:
+            self._runtime.call_soon(lambda: self.disconnected(reason) if self.stream is stream else None)
+        else:
+            self._disconnected(reason)
 
     def _pause(self) -> None:
         if self.stream is not None and self.stream.paused:

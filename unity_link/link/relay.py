@@ -110,6 +110,16 @@ class Relay(asyncio.Transport):
         if far is not None and not self._closing:
             self._post(lambda: far.write(data))
 
+    def pause_reading(self) -> None:
+        """Have nothing more passed on; what is on its way comes."""
+        if self._far is not None:
+            self._post(self._far.pause_reading)
+
+    def resume_reading(self) -> None:
+        """Have what arrives passed on again."""
+        if self._far is not None:
+            self._post(self._far.resume_reading)
+
     def is_closing(self) -> bool:
         """Return whether the end was asked for."""
         return self._closing

@@ -111,10 +111,13 @@ class Structured:
 
     async def _run_due(self) -> None:
         while True:
-            while self._ready:
+            # Not what these have called soon: other tasks have their turns before.
+            for _ in range(len(self._ready)):
                 self._ready.popleft()()
             if self.time() >= self._timers.due:
                 self._timers.run()
+            if self._ready:
+                await anyio.sleep(0)
                 continue
             self._stirred = anyio.Event()
             with anyio.move_on_at(self._timers.due):

@@ -18,7 +18,7 @@ from unity_link import protocol
 from unity_link.errors import UnansweredError, UnsupportedError
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.constants import KEEP_ALIVE
-from unity_link.protocol.frames import LF, FrameError, OtherNodeError
+from unity_link.protocol.frames import LF, MOST_LINES, FrameError, OtherNodeError
 from unity_link.protocol.messages import COMMANDS, WITHOUT_ID, ErrorCode
 from unity_link.protocol.requests import BatchRun, Fence, Request, gateway_error
 
@@ -287,9 +287,9 @@ class Exchange:
     def receive(self, data: bytes, now: float, events: Events) -> int:
         """Take the whole frames of a read, and return where the first begins that was not taken.
 
-        All are taken but those behind one that tells of a reset.
+        All are taken but those behind one that tells of a reset, or behind `MOST_LINES` that were looked at one by one.
         """
-        window, start = self.window, 0
+        window, start, lines = self.window, 0, 0
         batched = self._batching and len(data) >= FEWEST_BYTES
         sampling = bool(self._groups.begun)
         while True:
@@ -304,7 +304,8 @@ class Exchange:
             if start == len(data):
                 break
             before, start = start, self._receive_next(data, start, now, events)
-            if start in (before, len(data)) or self.refused is not None:
+            lines += 1
+            if start in (before, len(data)) or lines == MOST_LINES or self.refused is not None:
                 break
         if start != len(data) and not data.startswith(self._sample, start):
             # Perhaps the beginning of a long answer on a slow line.

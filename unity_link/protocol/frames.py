@@ -21,6 +21,8 @@ TOKEN_LINE = b"token "
 """Beginning of the first line of a connection where a token is wanted; no command begins so."""
 LONGEST_FRAME = 16_384
 """Bytes without a line end that are kept: more than the longest message, a sample of 255 words of 64 bits, has."""
+MOST_LINES = 128
+"""Lines that a host looks at one by one in one turn of what runs it; the rest of a read waits for the next."""
 LARGEST_DATAGRAM = 1400
 """Bytes that are put together into one datagram, its header among them: what passes an Ethernet in one piece."""
 

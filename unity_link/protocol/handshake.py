@@ -28,7 +28,7 @@ from unity_link.protocol.constants import (
     SURE,
 )
 from unity_link.protocol.crc import Crc
-from unity_link.protocol.frames import LF, FrameError, Framing
+from unity_link.protocol.frames import LF, MOST_LINES, FrameError, Framing
 from unity_link.protocol.messages import Codec, ErrorCode
 
 if TYPE_CHECKING:
@@ -95,7 +95,8 @@ class Handshake:
         self._again = again
         self._group = group
         self._out: list[bytes] = []
-        self._heard = 0
+        self._heard = self._unread = 0
+        """Bytes that were looked at, and that have arrived behind them."""
         self._text = ""
         """Text heard last that is no frame."""
         self._other = ""
@@ -162,8 +163,8 @@ class Handshake:
             return ECHO
         if self._doubtful:
             return f"what answers is no gateway: it said {self._doubtful[:80]!r}"
-        if self._heard:
-            return f"{self._heard} bytes arrived, none of them an answer: check the speed of the port"
+        if heard := self._heard + self._unread:
+            return f"{heard} bytes arrived, none of them an answer: check the speed of the port"
         return "nothing arrived: check that the gateway is powered, the port and the wiring"
 
     def describe_end(self, reason: Exception | None) -> str:
@@ -260,12 +261,17 @@ class Handshake:
     # The answers
 
     def receive(self, data: bytes, now: float) -> int:
-        """Look for the answer in a read; return where the first line begins that was not looked at."""
-        self._heard += len(data)
-        start = 0
-        while not self.complete and (end := data.find(LF, start)) >= 0:
+        """Look for the answer in a read; return where the first line begins that was not looked at.
+
+        That is behind the answer that completes the handshake, or behind `MOST_LINES`.
+        """
+        start = lines = 0
+        while not self.complete and lines < MOST_LINES and (end := data.find(LF, start)) >= 0:
             self._receive_line(data[start:end], now)
             start = end + 1
+            lines += 1
+        self._heard += start
+        self._unread = len(data) - start
         return start
 
     def _receive_line(self, line: bytes, now: float) -> None:

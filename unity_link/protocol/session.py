@@ -35,7 +35,7 @@ from unity_link.errors import (
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.constants import ANSWER_PATIENCE, LONGEST_SILENCE
 from unity_link.protocol.exchange import Counters, Exchange
-from unity_link.protocol.frames import LONGEST_FRAME
+from unity_link.protocol.frames import LF, LONGEST_FRAME
 from unity_link.protocol.group_table import GroupTable, HeldGroup
 from unity_link.protocol.handshake import Handshake
 from unity_link.protocol.requests import Events, Fence, Request, SessionRequest, Source
@@ -126,6 +126,11 @@ class Session:
     def is_full(self) -> bool:
         """Return whether what is asked for has to wait: for room, or for a session."""
         return bool(self._waiting)
+
+    @property
+    def is_behind(self) -> bool:
+        """Whether frames have arrived that were not looked at yet."""
+        return LF in self._rest
 
     @property
     def codec(self) -> Codec:
@@ -386,7 +391,10 @@ class Session:
         return None if exchange is None or self._rest else exchange.receive_alone(data, now)
 
     def receive(self, data: bytes, now: float) -> Events:
-        """Take bytes of the connection, cut anywhere."""
+        """Take bytes of the connection, cut anywhere; where much is to be done for them, a part of them.
+
+        While `is_behind`, it is to be called again, with what has arrived meanwhile or nothing.
+        """
         events: Events = []
         self._now = now
         if self._rest:
@@ -401,9 +409,10 @@ class Session:
                 if exchange.refused is not None:
                     self._gateway_was_reset(now, events)
             data = data[taken:]
-            if not taken or (exchange is not None and exchange is self._exchange):
-                # What is left is the beginning of a frame. Noise without a line end is none, and must not grow.
-                self._rest = data if len(data) <= LONGEST_FRAME else b""
+            if exchange is self._exchange:
+                # What is left waits for its turn, or is the beginning of a frame. Noise without a line end is none, and
+                # must not grow.
+                self._rest = data if len(data) <= LONGEST_FRAME or LF in data else b""
                 break
         if self._exchange is not None:
             self._exchange.go_on(now, events)

@@ -74,7 +74,7 @@ class ChannelTransport(asyncio.Transport):
         self._descriptor = channel.fileno()
         self._unwritten = bytearray()
         self._paused = self._closing = False
-        self._listening = True
+        self._listening = self._reading = True
         watcher.watch(self._descriptor, READABLE, self._on_ready)
         protocol.connection_made(self)
 
@@ -92,6 +92,14 @@ class ChannelTransport(asyncio.Transport):
         if not self._paused and len(self._unwritten) > HIGH_WATER:
             self._paused = True
             self._protocol.pause_writing()
+
+    def pause_reading(self) -> None:
+        """Leave what arrives in the channel until `resume_reading`; for a few turns, for its descriptor is polled on."""
+        self._reading = False
+
+    def resume_reading(self) -> None:
+        """Read again."""
+        self._reading = True
 
     def is_closing(self) -> bool:
         """Return whether the end was asked for, or has come."""
@@ -115,7 +123,7 @@ class ChannelTransport(asyncio.Transport):
     def _on_ready(self, event: int) -> None:
         if event & WRITABLE:
             self._write_more()
-        if not event & ~WRITABLE or self._closing:
+        if not event & ~WRITABLE or self._closing or not self._reading:
             return
         try:
             data = self._channel.read()

@@ -97,6 +97,16 @@ class Stream(asyncio.Protocol):
         told = None if self._transport is None else self._transport.get_extra_info("refusal")
         return "" if told is None else told()
 
+    def pause_reading(self) -> None:
+        """Have what arrives wait in the medium, as far as there is room, until `resume_reading`."""
+        if self._transport is not None and not self._transport.is_closing():
+            self._transport.pause_reading()
+
+    def resume_reading(self) -> None:
+        """Have what arrives delivered again."""
+        if self._transport is not None and not self._transport.is_closing():
+            self._transport.resume_reading()
+
     async def close(self) -> None:
         """End the connection and wait until it has ended."""
         self.abort()

@@ -29,6 +29,8 @@ RECEIVE_BUFFER = 1 << 22
 LARGE = 1024
 """Bytes of a datagram behind which there are probably others."""
 LARGEST = 65_536
+MOST_KEPT = 1 << 18
+"""Bytes of frames that are kept while nothing is read; what comes beyond them is lost, as on the way."""
 MOST_TOGETHER = 64
 """Datagrams that are read on in one turn of the loop."""
 
@@ -129,6 +131,9 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
         self._socket: socket.socket | None = None
         self._over: ConnectError | None = None
         self._heard = False
+        self._reading = True
+        self._kept = b""
+        """What has arrived while nothing was read."""
         self._endpoint: asyncio.DatagramTransport | None = None
 
     def connection_made(self, transport: asyncio.DatagramTransport) -> None:  # type: ignore[override]
@@ -147,8 +152,21 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
         frames = self._take(data)
         if len(data) >= LARGE and self._socket is not None:
             frames += b"".join(map(self._take, _read_on(self._socket)))
-        if frames:
+        if frames and self._reading:
             self._protocol.data_received(frames)
+        elif len(self._kept) < MOST_KEPT:
+            self._kept += frames
+
+    def pause_reading(self) -> None:
+        """Hand nothing on until `resume_reading`."""
+        self._reading = False
+
+    def resume_reading(self) -> None:
+        """Hand on what has arrived meanwhile, and what arrives."""
+        self._reading = True
+        kept, self._kept = self._kept, b""
+        if kept:
+            self._protocol.data_received(kept)
 
     def _take(self, datagram: bytes) -> bytes:
         try:

@@ -1,0 +1,164 @@
+"""A gateway that floods its host: what is done for it in one turn of an event loop is bounded, and nothing is lost."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import socket
+import threading
+import time
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+import anyio
+import pytest
+import trio
+import uvloop
+
+import unity_link
+from unity_link import blocking
+from unity_link.link.calling_thread import CallingThread
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.exchange import Exchange
+from unity_link.protocol.frames import MOST_LINES
+from unity_link.protocol.handshake import Handshake
+from unity_link.protocol.messages import Codec
+from unity_link.virtual import VirtualGateway
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+FLOODS = {
+    "empty lines": b"\n",
+    "empty plain lines": b"\r\n",
+    "errors": Codec(GatewayInfo()).framing.checked(b"X01"),
+    "damaged lines": b"a\n",
+}
+LINES = 20_000
+
+
+def _answer(listener: socket.socket, flood: bytes, *, before: bytes) -> None:
+    """Answer one host as a gateway does, with a flood before the first answer to what begins with `before`."""
+    gateway = VirtualGateway()
+    gateway.memory[0x0A] = 42
+    flooded = False
+    # A host that leaves while it is flooded resets the connection.
+    with contextlib.suppress(ConnectionError), listener, listener.accept()[0] as connection:
+        while data := connection.recv(65_536):
+            if before in data and not flooded:
+                flooded = True
+                connection.sendall(flood)
+            connection.sendall(gateway.receive(data, time.monotonic()))
+
+
+@contextmanager
+def flooding(flood: bytes, before: bytes = b"r") -> Iterator[str]:
+    listener = socket.create_server(("127.0.0.1", 0))
+    url = f"tcp://127.0.0.1:{listener.getsockname()[1]}"
+    thread = threading.Thread(target=_answer, args=(listener, flood), kwargs={"before": before})
+    thread.start()
+    try:
+        yield url
+    finally:
+        thread.join()
+
+
+class Turns:
+    """Counts lines that are looked at one by one, and how many at most in a turn."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.lines = self.before = self.most = 0
+        for kind, name in ((Exchange, "_receive_next"), (Handshake, "_receive_line")):
+            self._count(monkeypatch, kind, name)
+
+    def _count(self, monkeypatch: pytest.MonkeyPatch, kind: type, name: str) -> None:
+        method = getattr(kind, name)
+
+        def counted(*arguments: object) -> object:
+            self.lines += 1
+            return method(*arguments)
+
+        monkeypatch.setattr(kind, name, counted)
+
+    def end(self) -> None:
+        self.most = max(self.most, self.lines - self.before)
+        self.before = self.lines
+
+    async def watch(self) -> None:
+        while True:
+            await anyio.sleep(0)
+            self.end()
+
+
+async def read(url: str, turns: Turns) -> None:
+    async with anyio.create_task_group() as tasks:
+        tasks.start_soon(turns.watch)
+        async with unity_link.connect(url, timeout=60) as link:
+            assert await link.read(0x0A) == 42
+        tasks.cancel_scope.cancel()
+
+
+def read_blocking(url: str, turns: Turns, monkeypatch: pytest.MonkeyPatch) -> None:
+    poll = CallingThread._poll_once
+
+    def count_and_poll(calling: CallingThread, *, may_spin: bool) -> None:
+        turns.end()
+        poll(calling, may_spin=may_spin)
+
+    monkeypatch.setattr(CallingThread, "_poll_once", count_and_poll)
+    with blocking.connect(url, timeout=60) as link:
+        assert link.read(0x0A) == 42
+    turns.end()
+
+
+@pytest.mark.parametrize("face", ["asyncio", "uvloop", "trio", "blocking"])
+@pytest.mark.parametrize("kind", FLOODS)
+def test_a_gateway_that_floods_has_little_done_in_a_turn_and_its_answers_are_taken(
+    kind: str, face: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    turns = Turns(monkeypatch)
+    with flooding(FLOODS[kind] * LINES) as url:
+        if face == "trio":
+            trio.run(read, url, turns)
+        elif face == "blocking":
+            read_blocking(url, turns, monkeypatch)
+        else:
+            loops = {"asyncio": asyncio.new_event_loop, "uvloop": uvloop.new_event_loop}
+            with asyncio.Runner(loop_factory=loops[face]) as runner:
+                runner.run(read(url, turns))
+    assert turns.lines > LINES // 2
+    # What arrives and what has waited can have a share each, and trio runs its tasks in any order.
+    assert turns.most <= 4 * MOST_LINES
+
+
+def test_a_flood_before_a_session_has_little_done_in_a_turn(monkeypatch: pytest.MonkeyPatch) -> None:
+    turns = Turns(monkeypatch)
+    with flooding(b"a\n" * LINES, before=b"Q") as url:
+        asyncio.run(read(url, turns))
+    assert turns.lines > LINES
+    assert turns.most <= 2 * MOST_LINES
+
+
+def test_what_arrived_before_the_end_of_a_connection_is_taken_before_the_end_is_told() -> None:
+    """The answer stands behind a flood, and the connection ends behind it."""
+
+    def answer(listener: socket.socket) -> None:
+        gateway = VirtualGateway()
+        gateway.memory[0x0A] = 42
+        with listener, listener.accept()[0] as connection:
+            while data := connection.recv(65_536):
+                answered = gateway.receive(data, 0.0)
+                if b"r" in data:
+                    connection.sendall(b"\r\n" * 50 * MOST_LINES + answered)
+                    return
+                connection.sendall(answered)
+
+    async def read_last(url: str) -> None:
+        async with unity_link.connect(url) as link:
+            assert await link.read(0x0A) == 42
+
+    listener = socket.create_server(("127.0.0.1", 0))
+    thread = threading.Thread(target=answer, args=(listener,))
+    thread.start()
+    asyncio.run(read_last(f"tcp://127.0.0.1:{listener.getsockname()[1]}"))
+    thread.join()
