@@ -11,6 +11,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 import anyio
+import anyio.lowlevel
 import pytest
 import trio
 import uvloop
@@ -86,7 +87,7 @@ class Turns:
 
     async def watch(self) -> None:
         while True:
-            await anyio.sleep(0)
+            await anyio.lowlevel.checkpoint()
             self.end()
 
 

@@ -17,6 +17,9 @@ from unity_link.protocol.constants import (
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import Framing
 from unity_link.protocol.handshake import ECHO, ECHO_PATIENCE, RESET_TRIES, Handshake
+from unity_link.transport import udp
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.faults import Straying
 
 INFO = GatewayInfo()
 PLAIN = b"Q" + INFO.to_hex() + b"\r\n"
@@ -239,3 +242,74 @@ def test_the_end_of_a_connection_is_told_with_the_last_line_that_was_said() -> N
     handshake.receive(b"go away\r\n", 0.01)
     assert handshake.describe_end(None) == 'the connection ended before the gateway answered: "go away"'
     assert "want a token?" in asking().describe_end(None)
+
+
+def test_an_adapter_that_echoes_is_named_where_its_echo_and_the_answer_stand_in_one_line() -> None:
+    handshake = asking()
+    handshake.receive(ASKS_PLAIN + PLAIN, 0.01)
+    assert handshake.take_output() == ASKS_PLAIN
+    with pytest.raises(ConnectError, match=r"comes back before each answer.*RS-485"):
+        handshake.receive(ASKS_PLAIN + PLAIN, 0.02)
+
+
+def test_an_adapter_that_echoes_is_named_before_an_echo_can_begin_a_session() -> None:
+    handshake = asking()
+    handshake.receive(PLAIN, 0.01)
+    checked = handshake.take_output()
+    handshake.receive(checked + FRAMING.checked(b"Q" + INFO.to_hex()), 0.02)
+    sent = handshake.take_output()
+    assert sent == checked + FRAMING.checked(b"K234")
+    assert "comes back" in handshake.describe()
+    with pytest.raises(ConnectError, match="comes back before each answer"):
+        handshake.receive(sent, 0.03)
+
+
+def test_a_question_that_came_back_once_only_is_no_echo() -> None:
+    handshake = asking()
+    handshake.receive(PLAIN, 0.01)
+    handshake.receive(handshake.take_output(), 0.02)
+    handshake.receive(FRAMING.checked(b"Q" + INFO.to_hex()), 0.03)
+    handshake.take_output()
+    handshake.receive(FRAMING.checked(b"K234"), 0.04)
+    handshake.expire(handshake.deadline)
+    handshake.receive(FRAMING.checked(b"K234"), handshake.deadline)
+    assert is_complete(handshake)
+
+
+def test_a_line_that_loses_is_named_where_some_questions_were_answered() -> None:
+    handshake = asking()
+    handshake.receive(PLAIN, 0.01)
+    for _ in range(2):
+        handshake.expire(handshake.deadline)
+    assert (
+        handshake.describe() == "it answered 1 of 4 questions: what is sent or answered is lost or damaged on the way"
+    )
+
+
+@pytest.mark.parametrize("round_trip", [0.01, 0.3, 3.0])
+def test_a_medium_that_asks_sooner_connects_however_long_answers_take(round_trip: float) -> None:
+    handshake, now = Handshake(None, SEED, 0.0, again=False, longest_try=0.2), 0.0
+    gateway = VirtualGateway(INFO)
+    arriving: list[tuple[float, bytes]] = []
+    while not handshake.complete:
+        arriving += [(now + round_trip, gateway.receive(handshake.take_output(), now))]
+        now = min(handshake.deadline, arriving[0][0])
+        assert now < 60
+        if now == arriving[0][0]:
+            handshake.receive(arriving.pop(0)[1], now)
+        handshake.expire(now)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_through_datagrams_of_which_many_are_lost_or_late_a_session_begins_within_five_seconds(seed: int) -> None:
+    towards, back = (Straying[bytes](seed + place, loss=0.2, late=0.1, double=0.1, latest=500) for place in (0, 100))
+    handshake, gateway = Handshake(None, SEED, 0.0, again=False, longest_try=udp.LONGEST_TRY), VirtualGateway(INFO)
+    now = 0.0
+    while not handshake.complete:
+        assert now < 5
+        if not handshake.asks:
+            now = handshake.deadline
+            handshake.expire(now)
+        for asked in towards.carry(handshake.take_output()):
+            for answer in back.carry(gateway.receive(asked, now)):
+                handshake.receive(answer, now)

@@ -172,7 +172,11 @@ class Flow:
         if seat is not None:
             seat.on_turn = self._turn_has_come
         self.session.connect(
-            self.now(), stream.shortest_timeout, takes_turns=seat is not None, byte_time=stream.byte_time
+            self.now(),
+            stream.shortest_timeout,
+            takes_turns=seat is not None,
+            byte_time=stream.byte_time,
+            longest_try=stream.longest_try,
         )
 
     def detach(self) -> None:

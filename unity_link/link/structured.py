@@ -12,6 +12,7 @@ from contextlib import AsyncExitStack, asynccontextmanager, suppress
 from typing import TYPE_CHECKING, Any, Self
 
 import anyio
+import anyio.lowlevel
 from anyio.from_thread import BlockingPortal
 
 from unity_link.link.relay import Relay, run_in_loop
@@ -117,7 +118,7 @@ class Structured:
             if self.time() >= self._timers.due:
                 self._timers.run()
             if self._ready:
-                await anyio.sleep(0)
+                await anyio.lowlevel.checkpoint()
                 continue
             self._stirred = anyio.Event()
             with anyio.move_on_at(self._timers.due):

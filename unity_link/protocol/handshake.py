@@ -37,6 +37,12 @@ if TYPE_CHECKING:
 RESET_TRIES = 3
 """Number of times a gateway is asked for the state of its session before a session is asked for all the same."""
 ECHO = "what is sent comes back as it is: is TX wired to RX, or an echo switched on?"
+ECHO_BEFORE_ANSWERS = (
+    "what is sent comes back before each answer: the adapter, or the transceiver, listens while it sends, as on two "
+    "wires of RS-485; switch its echo off, or its receiver while it sends (/RE to DE)"
+)
+ECHOES = 2
+"""How often a question must have come back beside answers until that is believed."""
 ECHO_PATIENCE = 0.5
 """Seconds for which nothing but an echo is heard before it is believed: on a pair of wires an answer may follow."""
 _LONGEST_TEXT = 120
@@ -76,6 +82,7 @@ class Handshake:
         group: two digits of a group that was set up in an earlier session, None where there is none.
         wire_time: where nodes share the medium, seconds that question and answer are on the wire, at most, 0 where that
             is not known; None where there is no other node.
+        longest_try: seconds after which a question is asked again, at most, where the medium needs less than others.
     """
 
     def __init__(
@@ -87,9 +94,12 @@ class Handshake:
         again: bool,
         group: bytes | None = None,
         wire_time: float | None = None,
+        longest_try: float = math.inf,
     ) -> None:
         self._takes_turns = wire_time is not None
         self._wire_time = wire_time or 0.0
+        self._longest_try = longest_try
+        self._questions = self._answers = self._echoes = 0
         self._node = node
         self._seed = seed
         self._again = again
@@ -159,10 +169,13 @@ class Handshake:
         """Return what was heard, for the message of a time out."""
         if self._other:
             return f"{self._other} answers there, no gateway: is it the right port?"
-        if self._doubtful == b"Q":
-            return ECHO
+        if self._echoes or self._doubtful == b"Q":
+            return ECHO_BEFORE_ANSWERS if self._echoes else ECHO
         if self._doubtful:
             return f"what answers is no gateway: it said {self._doubtful[:80]!r}"
+        if self._codec is not None:
+            counts = f"{self._answers} of {self._questions} questions"
+            return f"it answered {counts}: what is sent or answered is lost or damaged on the way"
         if heard := self._heard + self._unread:
             return f"{heard} bytes arrived, none of them an answer: check the speed of the port"
         return "nothing arrived: check that the gateway is powered, the port and the wiring"
@@ -230,6 +243,7 @@ class Handshake:
         self._send(now)
 
     def _send(self, now: float) -> None:
+        self._questions += 1
         self._out.append(self._question.frame)
         self._asked += 1
         self._asked_at = now
@@ -242,12 +256,14 @@ class Handshake:
             return
         if self._pausing:
             self._pausing = False
-            self._ask_session(now, 2 * self.round_trip)
+            # The answer may need longer than the medium is said to.
+            self._longest_try *= 2
+            self._ask_session(now, min(2 * self.round_trip, self._longest_try))
             return
         if self._damaged:
             self._tries -= DAMAGE_COST
         else:
-            self._patience = min(2 * self._patience, LONGEST_TRY)
+            self._patience = min(2 * self._patience, LONGEST_TRY, self._longest_try)
             self._tries -= 1
         if self._tries > 0:
             self._send(now)
@@ -279,9 +295,13 @@ class Handshake:
         if line.endswith(b"\r") == self._plain:
             with contextlib.suppress(FrameError):
                 body = self._framing.open(line)
+        if self._is_question(body):
+            self._hear_echo(now)
+            return
         if self._pausing:
             return
         if body.startswith(self._question.beginnings):
+            self._answers += 1
             self._question.answered(body, now)
             return
         text = line[:_LONGEST_TEXT].decode("ascii", "replace").strip()
@@ -292,6 +312,17 @@ class Handshake:
             self._damaged = True
             self._patience = min(max(DAMAGE_PATIENCE * (now - self._asked_at), SHORTEST_TRY), LONGEST_TRY)
             self.deadline = now + DAMAGE_PAUSE
+
+    def _is_question(self, body: bytes) -> bool:
+        """Return whether a frame is a question for the configuration that came back, or one with its answer behind."""
+        return body.startswith(b"Q\r" + self._framing.prefix + b"Q") if self._plain else body == b"Q"
+
+    def _hear_echo(self, now: float) -> None:
+        """Ask again, and raise ConnectError where that comes back as well: what echoes would answer all else, too."""
+        self._echoes += 1
+        if self._echoes == ECHOES:
+            raise ConnectError(ECHO_BEFORE_ANSWERS)
+        self._send(now)
 
     def _compare(self, answer: bytes, now: float) -> None:
         """Take the checked answer: both must say the same."""
@@ -336,7 +367,7 @@ class Handshake:
         if self._asked > 1:
             # An answer does not say to which question it is: once more, when those to the others have come.
             self._pausing = True
-            self.deadline = now + self.round_trip
+            self.deadline = now + min(self.round_trip, self._longest_try)
         elif self._group is not None:
             self._ask_whether_forgotten(self._group, now)
         else:

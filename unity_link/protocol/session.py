@@ -20,6 +20,7 @@ never goes back.
 
 from __future__ import annotations
 
+import math
 from collections import deque
 from itertools import islice
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -111,6 +112,7 @@ class Session:
         self._takes_turns = False
         """True if a turn is waited for before each frame: `take_turn` gives it."""
         self._byte_time: float | None = None
+        self._longest_try = math.inf
         self._exchange: Exchange | None = None
         self.window: Window[Any] = Window(_NO_RING)
         """The window over the IDs of the session; while there is no session, one in which nothing is in flight."""
@@ -209,7 +211,13 @@ class Session:
     # Connections
 
     def connect(
-        self, now: float, shortest_timeout: float, *, takes_turns: bool = False, byte_time: float | None = None
+        self,
+        now: float,
+        shortest_timeout: float,
+        *,
+        takes_turns: bool = False,
+        byte_time: float | None = None,
+        longest_try: float = math.inf,
     ) -> None:
         """Begin on a new connection.
 
@@ -218,9 +226,11 @@ class Session:
             shortest_timeout: seconds that the medium may hold an answer back, and some more.
             takes_turns: whether other nodes share the medium, so that a turn is waited for before each frame.
             byte_time: seconds that a byte needs on the wire, None where that is not known.
+            longest_try: seconds after which a question of the handshake is asked again, at most, where the medium needs
+                less than others.
         """
         self._shortest_timeout = max(shortest_timeout, ANSWER_PATIENCE) if takes_turns else shortest_timeout
-        self._takes_turns, self._byte_time = takes_turns, byte_time
+        self._takes_turns, self._byte_time, self._longest_try = takes_turns, byte_time, longest_try
         self._blocked = False
         self._rest = b""
         self.output.clear()
@@ -229,7 +239,15 @@ class Session:
     def _begin(self, now: float, *, again: bool) -> None:
         wire_time = (self._byte_time or 0.0) * _FIRST_TURN if self._takes_turns else None
         group = None if self._groups is None else self._groups.known
-        self._handshake = Handshake(self._node, self._choose(), now, again=again, group=group, wire_time=wire_time)
+        self._handshake = Handshake(
+            self._node,
+            self._choose(),
+            now,
+            again=again,
+            group=group,
+            wire_time=wire_time,
+            longest_try=self._longest_try,
+        )
         if not self._takes_turns:
             self.output.append(self._handshake.take_output())
 

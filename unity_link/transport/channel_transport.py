@@ -65,7 +65,7 @@ class ChannelTransport(asyncio.Transport):
     """
 
     def __init__(self, watcher: Watcher, channel: Channel, protocol: asyncio.Protocol) -> None:
-        names = ("shortest_timeout", "byte_time", "seat")
+        names = ("shortest_timeout", "longest_try", "byte_time", "seat")
         super().__init__({name: getattr(channel, name) for name in names if hasattr(channel, name)})
         self._watcher = watcher
         self._channel = channel
@@ -94,7 +94,7 @@ class ChannelTransport(asyncio.Transport):
             self._protocol.pause_writing()
 
     def pause_reading(self) -> None:
-        """Leave what arrives in the channel until `resume_reading`; for a few turns, for its descriptor is polled on."""
+        """Leave what arrives in the channel until `resume_reading`; for few turns, as its descriptor is polled on."""
         self._reading = False
 
     def resume_reading(self) -> None:

@@ -7,6 +7,7 @@ into a frame.
 from __future__ import annotations
 
 import asyncio
+import math
 from collections.abc import Awaitable
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
@@ -80,6 +81,12 @@ class Stream(asyncio.Protocol):
         is_socket = self._transport.get_extra_info("socket") is not None
         known = self._transport.get_extra_info("shortest_timeout", QUICK_TIMEOUT if is_socket else SHORTEST_TIMEOUT)
         return float(known)
+
+    @property
+    def longest_try(self) -> float:
+        """Seconds after which a question without an answer is asked again, at most; infinite where none are told."""
+        known = None if self._transport is None else self._transport.get_extra_info("longest_try")
+        return math.inf if known is None else float(known)
 
     @property
     def byte_time(self) -> float | None:

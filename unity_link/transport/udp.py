@@ -29,6 +29,9 @@ RECEIVE_BUFFER = 1 << 22
 LARGE = 1024
 """Bytes of a datagram behind which there are probably others."""
 LARGEST = 65_536
+LONGEST_TRY = 0.2
+"""Seconds after which a question is asked again, at most: a datagram that is lost leaves no sign, and one more is no
+load to the network."""
 MOST_KEPT = 1 << 18
 """Bytes of frames that are kept while nothing is read; what comes beyond them is lost, as on the way."""
 MOST_TOGETHER = 64
@@ -76,6 +79,7 @@ class DatagramChannel:
     """
 
     shortest_timeout = QUICK_TIMEOUT
+    longest_try = LONGEST_TRY
 
     def __init__(self, opened: socket.socket, datagrams: HostDatagrams) -> None:
         _prepare(opened)
@@ -125,7 +129,7 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
     """
 
     def __init__(self, protocol: asyncio.Protocol, node: int | None) -> None:
-        super().__init__({"shortest_timeout": QUICK_TIMEOUT})
+        super().__init__({"shortest_timeout": QUICK_TIMEOUT, "longest_try": LONGEST_TRY})
         self._protocol = protocol
         self._datagrams = HostDatagrams(node)
         self._socket: socket.socket | None = None

@@ -6,8 +6,8 @@ arrive in another.
 Nothing grows. A client whose requests and their answers would take more than `MOST_UNDER_WAY` bytes, or that does not
 read, is not listened to until that has changed; samples that it does not read are lost to it. A frame that never
 reaches the gateway counts as `COST_HERE` bytes until its answer has been sent, and one that is handed on by itself as
-`COST_ALONE` at least until the gateway has executed it. So a client that floods the server leaves the others their turns
-of the event loop, and waits with its own requests behind few of its own.
+`COST_ALONE` at least until the gateway has executed it. So a client that floods the server leaves the others their
+turns of the event loop, and few of its requests are before theirs.
 """
 
 from __future__ import annotations

@@ -224,7 +224,12 @@ class Conversation:
             head, command = 1, "R"
         elif size == self._write_size and line[0] == _W:
             head, command, digits = 1, "W", 0
-        elif size == self._write_size + 1 and line[:2] == b"ws" and not self._takes_turns and not self._client.must_confirm:
+        elif (
+            size == self._write_size + 1
+            and line[:2] == b"ws"
+            and not self._takes_turns
+            and not self._client.must_confirm
+        ):
             head, command, digits = 2, "WS", None
         else:
             return False
