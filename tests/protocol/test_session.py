@@ -8,6 +8,8 @@ import pytest
 from unity_link.errors import ConnectError, LinkLostError, Outcome, UnansweredError, UnsupportedError
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.constants import LONGEST_SILENCE
+from unity_link.protocol.crc import Crc
+from unity_link.protocol.frames import Framing
 from unity_link.protocol.messages import GroupFlag
 from unity_link.protocol.requests import Request, WordBatch, common_outcome
 from unity_link.protocol.session import Interrupted, Opened, Session, Unusable
@@ -261,3 +263,63 @@ def test_a_gateway_of_which_all_arrives_damaged_is_not_silent(answer: bytes, *, 
         told = session.expire(now)
         session.take_output()
     assert [type(event) for event in told] == ([] if is_heard else [Unusable])
+
+
+FLOODS = {
+    "damaged lines": b"a\n" * 200,
+    "empty lines": b"\n" * 200,
+    "empty plain lines": b"\r\n" * 200,
+    "errors about damage": Framing(Crc()).checked(b"X01") * 200,
+    "one line without an end": b"U" * 20_000,
+}
+
+
+def read_until_unusable(session: Session, heard: bytes, pause: float = 0.01) -> tuple[float, list[object]]:
+    """Ask for a word, and hear something else again and again; return the time of the first event, and the events."""
+    read = Request(session.codec, "R", session.codec.fields("R", 0x10), session.codec.data_digits)
+    now = 0.0
+    events = session.submit(read, now)
+    while not events and now < 100:
+        events = session.receive(heard, now)
+        while session.is_behind:
+            events += session.receive(b"", now)
+        deadline = session.deadline
+        assert deadline is not None
+        now = min(now + pause, max(now, deadline))
+        if deadline <= now:
+            events += session.expire(now)
+        session.take_output()
+    return now, events
+
+
+@pytest.mark.parametrize("kind", FLOODS)
+def test_a_line_full_of_what_is_no_answer_is_told_of_within_two_seconds(kind: str) -> None:
+    session, _ = opened(resumes=False)
+    now, events = read_until_unusable(session, FLOODS[kind])
+    assert now < 2
+    (event,) = events
+    assert isinstance(event, Unusable)
+    assert "the line is full of what is no answer" in str(event.error)
+
+
+def test_a_request_of_which_every_answer_is_damaged_is_given_up_alone() -> None:
+    session, _ = opened(resumes=False)
+    read = Request(session.codec, "R", session.codec.fields("R", 0x10), session.codec.data_digits)
+    now, events = 0.0, session.submit(read, 0.0)
+    while not events:
+        if session.take_output():
+            events = session.receive(b"r000000000000000\n", now)
+        else:
+            assert session.deadline is not None
+            now = max(now, session.deadline)
+            events = session.expire(now)
+    assert isinstance(read.error, UnansweredError)
+    assert not any(isinstance(event, Unusable) for event in events)
+
+
+def test_noise_while_nothing_is_asked_for_ends_no_session() -> None:
+    session, _ = opened(resumes=False)
+    for second in range(10):
+        assert not session.receive(b"a\n" * 100, float(second))
+        assert not session.expire(float(second))
+    assert session.is_open

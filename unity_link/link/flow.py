@@ -304,8 +304,11 @@ class Flow:
         if deadline is not None and deadline > now:
             # Answers have come since the timer was set.
             self._set_timer()
-        else:
-            self.go_on(self.session.expire(now))
+            return
+        sent_again = self.session.counters.repetitions
+        self.go_on(self.session.expire(now))
+        if self.session.counters.repetitions > sent_again and self.stream is not None:
+            self.stream.set_medium_again()
 
 
 def settle(request: Request | WordBatch) -> None:

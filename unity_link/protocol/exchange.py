@@ -70,14 +70,23 @@ class SampledTogether(NamedTuple):
     arrived: float
 
 
-class Counters:
-    """Counters since the link was opened."""
+FLOOD_PATIENCE = 1.0
+"""Seconds without an answer, in a flood of lines that are none; the first time out behind them ends the session."""
+FEWEST_OF_A_FLOOD = 64
+"""Lines of a flood, at least, besides two for each request that is sent meanwhile: those may be its damaged answer."""
 
-    __slots__ = ("damaged", "errors", "repetitions", "requests", "responses", "stray", "timeouts")
+
+class Counters:
+    """Counters since the link was opened.
+
+    `unasked` are lines that answer nothing: damaged, empty and stray ones, and errors that say a request was damaged.
+    """
+
+    __slots__ = ("damaged", "errors", "repetitions", "requests", "responses", "stray", "timeouts", "unasked")
 
     def __init__(self) -> None:
         self.requests = self.responses = self.repetitions = self.timeouts = 0
-        self.damaged = self.stray = self.errors = 0
+        self.damaged = self.stray = self.errors = self.unasked = 0
 
 
 class Exchange:
@@ -114,6 +123,10 @@ class Exchange:
         self._may_send = not takes_turns
         self.refused: int | None = None
         """The ID of a request that the gateway did not take for it is in no session: it was reset."""
+        self.flood = 0
+        """Lines that have come in place of answers, where they are so many that no answer is to be hoped for."""
+        self._before_flood = 0.0, -1, 0, 0
+        """When an answer was last known of, and the counts then: answers, lines that are none, and what was sent."""
         self._waiting = waiting
         self._groups = groups
         self._counters = counters
@@ -322,6 +335,7 @@ class Exchange:
         if end == start:
             # A server's sign that what was repeated is still under way.
             self.window.heard = True
+            self._counters.unasked += 1
             return start + 1
         return start + self._receive_line(data[start:end], now, events)
 
@@ -412,6 +426,7 @@ class Exchange:
             body = self._open(line)
         except OtherNodeError:
             self._counters.stray += 1
+            self._counters.unasked += 1
         except FrameError:
             return self._cut(line, self._size_of(line), now)
         else:
@@ -438,6 +453,7 @@ class Exchange:
 
     def _damaged(self, frame: bytes, now: float) -> None:
         self._counters.damaged += 1
+        self._counters.unasked += 1
         # What is as short as an error is one of which the X was damaged: one bit makes a P of it.
         if len(frame) < self._error_size or not frame.startswith(self._sample):
             self.window.heard = True
@@ -466,6 +482,7 @@ class Exchange:
     def _receive_body(self, body: bytes, now: float, events: Events) -> None:
         if len(body) < 2:
             self._counters.stray += 1
+            self._counters.unasked += 1
         elif body[0] >= _LOWER_G:
             self._receive_answer(body, now, events)
         elif body[0] == _P:
@@ -509,6 +526,7 @@ class Exchange:
     def _receive_error(self, body: bytes, now: float, events: Events) -> None:
         """Take an error without an ID."""
         self.window.heard = True
+        self._counters.unasked += 1
         code = _number_of(body[1:])
         if code in _DAMAGED:
             self.window.damaged(now)
@@ -539,6 +557,7 @@ class Exchange:
     def expire(self, now: float, events: Events) -> None:
         """Let time pass: send again what was not answered in time, and confirm what was posted."""
         window = self.window
+        self._look_for_flood(now)
         before = self._counters.repetitions
         run = window.expire(now)
         if run is not None:
@@ -554,6 +573,18 @@ class Exchange:
         if keep_alive_due is not None and now >= keep_alive_due:
             self._waiting.append(Request(self.codec, "H", b"", 0, of_session=True))
             self.admit(now, events)
+
+    def _look_for_flood(self, now: float) -> None:
+        """Note whether lines come in place of answers, and more than what is sent can be the cause of."""
+        counters = self._counters
+        sent = counters.requests + counters.repetitions
+        if self.window.is_idle() or self._before_flood[1] != counters.responses:
+            self._before_flood = now, counters.responses, counters.unasked, sent
+            return
+        since, _, unasked, sent_before = self._before_flood
+        lines = counters.unasked - unasked
+        if now - since >= FLOOD_PATIENCE and lines >= FEWEST_OF_A_FLOOD + 2 * (sent - sent_before):
+            self.flood = lines
 
     def _place(self, run: Message) -> int:
         """Return the place in its run of the oldest message that waits for an answer."""

@@ -35,7 +35,7 @@ from unity_link.errors import (
 )
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.constants import ANSWER_PATIENCE, LONGEST_SILENCE
-from unity_link.protocol.exchange import Counters, Exchange
+from unity_link.protocol.exchange import FEWEST_OF_A_FLOOD, Counters, Exchange
 from unity_link.protocol.frames import LF, LONGEST_FRAME
 from unity_link.protocol.group_table import GroupTable, HeldGroup
 from unity_link.protocol.handshake import Handshake
@@ -57,6 +57,10 @@ _UNKNOWN_PATIENCE = 0.25
 """Seconds that an answer to the handshake can be on its way where nothing is known of the line."""
 SILENT = "the gateway does not answer any more"
 RESET = "the gateway was reset"
+FLOODED = (
+    "the line is full of what is no answer ({lines} lines since the last one): is an echo on, as behind `stty sane`, "
+    "has the speed of the port changed, or does another program use it?"
+)
 
 
 class Opened(NamedTuple):
@@ -430,7 +434,10 @@ class Session:
             if exchange is self._exchange:
                 # What is left waits for its turn, or is the beginning of a frame. Noise without a line end is none, and
                 # must not grow.
-                self._rest = data if len(data) <= LONGEST_FRAME or LF in data else b""
+                endless = len(data) > LONGEST_FRAME and LF not in data
+                self._rest = b"" if endless else data
+                if endless:
+                    self.counters.unasked += FEWEST_OF_A_FLOOD
                 break
         if self._exchange is not None:
             self._exchange.go_on(now, events)
@@ -476,6 +483,8 @@ class Session:
             exchange.expire(now, events)
             if self.window.lost:
                 events.append(Unusable(LinkLostError(SILENT)))
+            elif exchange.flood:
+                events.append(Unusable(LinkLostError(FLOODED.format(lines=exchange.flood))))
         elif self._handshake is not None:
             self._handshake.expire(now)
             self._advance_handshake(now, events)

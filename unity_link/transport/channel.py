@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import os
 import re
+import select
 from typing import TYPE_CHECKING, Protocol
 
 from unity_link.errors import ConnectError
@@ -19,6 +20,15 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
 LARGEST_READ = 65_536
+
+
+def has_ended(descriptor: int) -> bool:
+    """Return whether nothing was read because the other side has closed; at a terminal, input may have been dropped."""
+    if not os.isatty(descriptor):
+        return True
+    poll = select.poll()
+    poll.register(descriptor, select.POLLHUP)
+    return bool(poll.poll(0))
 
 
 class Channel(Protocol):

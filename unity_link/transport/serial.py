@@ -18,6 +18,7 @@ import asyncio
 import errno
 import functools
 import importlib
+import logging
 import os
 import sys
 from typing import TYPE_CHECKING, Any
@@ -26,7 +27,7 @@ import serial
 
 from unity_link.errors import ArgumentError, ConnectError
 from unity_link.protocol.constants import QUICK_TIMEOUT, SHORTEST_TIMEOUT
-from unity_link.transport.channel import LARGEST_READ
+from unity_link.transport.channel import LARGEST_READ, has_ended
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -34,6 +35,10 @@ if TYPE_CHECKING:
     from unity_link.transport import DriverUrl
     from unity_link.transport.channel import Channel
 
+if sys.platform != "win32":
+    import termios
+
+log = logging.getLogger("unity_link.transport")
 OPTIONS = frozenset({"baud", "rtscts", "library"})
 DEFAULT_BAUD = 115_200
 NODES_SHARE = True
@@ -94,9 +99,11 @@ def _open(url: DriverUrl) -> SerialPort:
         raise ArgumentError(f"baud={baud} in {url.text} is not from 1 to {_MOST_BAUD}")
     rtscts = url.flag("rtscts")
     try:
-        return SerialPort(url.path, baudrate=baud, rtscts=rtscts, timeout=0, write_timeout=0, exclusive=True)
+        port = SerialPort(url.path, baudrate=baud, rtscts=rtscts, timeout=0, write_timeout=0, exclusive=True)
     except (serial.SerialException, OSError, ValueError) as error:
         raise ConnectError(_explain(url.path, error)) from error
+    port.keep_settings()
+    return port
 
 
 def _give_up(transport: asyncio.Transport) -> None:
@@ -112,11 +119,13 @@ def _transport_class(library: str) -> Any:
         raise ConnectError(f"{library} is not installed here: pip install 'unity-link[{library}]'") from None
 
     class PortTransport(module.SerialTransport):  # type: ignore[misc, name-defined]  # it is not known before
-        """The library's transport, which also tells how soon a pseudo-terminal answers."""
+        """The library's transport, which also tells how soon a pseudo-terminal answers, and sets the port again."""
 
         def __init__(self, loop: asyncio.AbstractEventLoop, protocol: asyncio.Protocol, port: SerialPort) -> None:
             super().__init__(loop, protocol, port)
-            self._told = {"shortest_timeout": QUICK_TIMEOUT} if port.is_pseudo_terminal else {}
+            self._told: dict[str, Any] = {"set_again": port.set_again}
+            if port.is_pseudo_terminal:
+                self._told["shortest_timeout"] = QUICK_TIMEOUT
 
         def get_extra_info(self, name: str, default: Any = None) -> Any:
             """Return what is known of the port."""
@@ -136,6 +145,16 @@ def _explain(path: str, error: Exception) -> str:
     return f"{path} is no usable serial port ({error})"
 
 
+def _settings_of(port: serial.Serial) -> list[Any]:
+    """Return what a terminal is set to; nothing where the system has no terminals, or the port is gone."""
+    if sys.platform == "win32" or port.fd is None:
+        return []
+    try:
+        return termios.tcgetattr(port.fd)
+    except termios.error:
+        return []
+
+
 class SerialPort(serial.Serial):
     """A port that takes and gives at once what it can."""
 
@@ -144,6 +163,23 @@ class SerialPort(serial.Serial):
     on_failure: Callable[[], object] | None = None
     """Is called where a write has failed."""
     _short = False
+
+    def keep_settings(self) -> None:
+        """Remember the settings of the port, for `set_again`."""
+        self._settings = _settings_of(self)
+
+    def set_again(self) -> None:
+        """Set the port as it was opened where another program has set it otherwise since, as ``stty sane`` does."""
+        if _settings_of(self) in ([], self._settings):
+            return
+        log.warning("%s: another program has changed the settings of the port; they are set again", self.port)
+        try:
+            termios.tcsetattr(self.fd, termios.TCSANOW, self._settings)
+            # A speed that termios has no number for, too.
+            self._reconfigure_port(force_update=True)
+            termios.tcflush(self.fd, termios.TCIFLUSH)
+        except (OSError, termios.error, serial.SerialException) as error:
+            log.warning("%s: the settings of the port could not be set again (%s)", self.port, error)
 
     @property
     def is_pseudo_terminal(self) -> bool:
@@ -163,7 +199,7 @@ class SerialPort(serial.Serial):
             return b""
         except OSError as error:
             raise serial.SerialException(error.errno, error.strerror) from error
-        if not data:
+        if not data and has_ended(self.fd):
             raise serial.SerialException("the port is gone")
         return data
 
@@ -198,6 +234,7 @@ class PortChannel:
     def __init__(self, port: SerialPort) -> None:
         self.shortest_timeout = QUICK_TIMEOUT if port.is_pseudo_terminal else SHORTEST_TIMEOUT
         self.byte_time = _BITS / port.baudrate
+        self.set_again = port.set_again
         self.close = port.close
         self._descriptor: int = port.fileno()
 
@@ -208,7 +245,7 @@ class PortChannel:
     def read(self) -> bytes:
         """Return what has come."""
         data = os.read(self._descriptor, LARGEST_READ)
-        if not data:
+        if not data and has_ended(self._descriptor):
             raise EOFError
         return data
 

@@ -9,12 +9,11 @@ from __future__ import annotations
 
 import contextlib
 import os
-import select
 import threading
 from typing import TYPE_CHECKING, Any
 
 from unity_link.errors import ArgumentError, ConnectError
-from unity_link.transport.channel import LARGEST_READ
+from unity_link.transport.channel import LARGEST_READ, has_ended
 from unity_link.transport.turns import Line
 
 if TYPE_CHECKING:
@@ -118,6 +117,7 @@ class SharedChannel:
         self.seat = seat
         self.shortest_timeout = port.channel.shortest_timeout
         self.byte_time: float | None = getattr(port.channel, "byte_time", None)
+        self.set_again: Callable[[], None] | None = getattr(port.channel, "set_again", None)
         self.on_lost: Callable[[], object] = lambda: None
         """Is called, in any thread, when another link has found that the port is lost."""
         self._port = port
@@ -132,18 +132,9 @@ class SharedChannel:
     def read(self) -> bytes:
         """Return what has come in this link's turn."""
         data = os.read(self._descriptor, LARGEST_READ)
-        if not data and self._has_ended:
+        if not data and has_ended(self._descriptor):
             raise EOFError
         return data if self.seat.has_turn else b""
-
-    @property
-    def _has_ended(self) -> bool:
-        """Return whether the other side has closed; of a serial port, another link may have read what came."""
-        if not os.isatty(self._descriptor):
-            return True
-        poll = select.poll()
-        poll.register(self._descriptor, select.POLLHUP)
-        return bool(poll.poll(0))
 
     def write(self, data: bytes | bytearray | memoryview) -> int:
         """Write what fits; where the turn is over, nothing is, as if the line had lost it."""

@@ -128,6 +128,12 @@ class Stream(asyncio.Protocol):
         if self._transport is not None and not self._transport.is_closing():
             self._transport.abort()
 
+    def set_medium_again(self) -> None:
+        """Have the driver set its medium as it was opened where another program has set it otherwise since."""
+        set_again = None if self._transport is None else self._transport.get_extra_info("set_again")
+        if set_again is not None and not self.closed:
+            set_again()
+
     async def choose_send_immediate(self, mode: str) -> None:
         """Set the send-immediate mode of the driver, where its medium has one."""
         choose = self._transport.get_extra_info("send_immediate") if self._transport is not None else None
