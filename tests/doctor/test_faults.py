@@ -231,18 +231,19 @@ def test_garbage_of_a_port_that_is_too_slow_is_not_taken_for_that_of_a_fast_one(
     assert "slower" in garbage.describe(heard)
 
 
-def test_tx_that_is_connected_to_rx() -> None:
+@pytest.mark.parametrize(("gateway", "told"), [(None, "TX"), (VirtualGateway(), "echo off")])
+def test_a_port_on_which_what_is_sent_comes_back(gateway: VirtualGateway | None, told: str) -> None:
     master, port = os.openpty()
     tty.setraw(port)
 
     def echo() -> None:
         while (data := os.read(master, 4096)) != b"end":
-            os.write(master, data)
+            os.write(master, data if gateway is None else data + gateway.receive(data, 0.0))
 
     thread = threading.Thread(target=echo)
     thread.start()
     try:
-        assert "TX" in examined(f"serial:{os.ttyname(port)}", "--timeout", "0.4")["loopback"]["advice"]
+        assert told in examined(f"serial:{os.ttyname(port)}", "--timeout", "0.4")["loopback"]["advice"]
     finally:
         os.write(port, b"end")
         thread.join()

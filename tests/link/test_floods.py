@@ -25,6 +25,7 @@ from unity_link.protocol.frames import MOST_LINES
 from unity_link.protocol.handshake import Handshake
 from unity_link.protocol.messages import Codec
 from unity_link.virtual import VirtualGateway
+from unity_link.virtual.serving import serve_udp
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -99,7 +100,7 @@ async def read(url: str, turns: Turns) -> None:
         tasks.cancel_scope.cancel()
 
 
-def read_blocking(url: str, turns: Turns, monkeypatch: pytest.MonkeyPatch) -> None:
+def read_blocking(url: str | VirtualGateway, turns: Turns, monkeypatch: pytest.MonkeyPatch) -> None:
     poll = CallingThread._poll_once
 
     def count_and_poll(calling: CallingThread, *, may_spin: bool) -> None:
@@ -129,6 +130,40 @@ def test_a_gateway_that_floods_has_little_done_in_a_turn_and_its_answers_are_tak
                 runner.run(read(url, turns))
     assert turns.lines > LINES // 2
     # What arrives and what has waited can have a share each, and trio runs its tasks in any order.
+    assert turns.most <= 4 * MOST_LINES
+
+
+class FloodingGateway(VirtualGateway):
+    """Sends a flood before its first answer to a read."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.memory[0x0A] = 42
+        self.flood = b"\r\n" * LINES
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        answered = super().receive(data, now)
+        if b"r" not in data:
+            return answered
+        flood, self.flood = self.flood, b""
+        return flood + answered
+
+
+def test_datagrams_full_of_lines_have_little_done_in_a_turn(monkeypatch: pytest.MonkeyPatch) -> None:
+    async def serve_and_read() -> None:
+        async with serve_udp(FloodingGateway()) as url:
+            await read(url, turns)
+
+    turns = Turns(monkeypatch)
+    asyncio.run(serve_and_read())
+    assert turns.lines > LINES // 2
+    assert turns.most <= 4 * MOST_LINES
+
+
+def test_a_medium_in_a_thread_of_its_own_has_little_done_in_a_turn(monkeypatch: pytest.MonkeyPatch) -> None:
+    turns = Turns(monkeypatch)
+    read_blocking(FloodingGateway(), turns, monkeypatch)
+    assert turns.lines > LINES // 2
     assert turns.most <= 4 * MOST_LINES
 
 

@@ -16,7 +16,7 @@ import uvloop
 import unity_link
 from unity_link import blocking
 from unity_link.transport import parse_url
-from unity_link.transport.serial import open_channel
+from unity_link.transport.serial import PortChannel, open_channel
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -78,6 +78,7 @@ def test_all_settings_of_a_port_are_set_again_and_of_one_that_is_as_it_was_nothi
     url: str, caplog: pytest.LogCaptureFixture
 ) -> None:
     channel = open_channel(parse_url(url), None)
+    assert isinstance(channel, PortChannel)
     try:
         before = termios.tcgetattr(channel.fileno())
         channel.set_again()

@@ -127,13 +127,14 @@ def has_speed(url: DriverUrl) -> bool:
 def _recognise(heard: Heard) -> Finding | None:
     """Return what is known for sure by what came."""
     data = heard.data
-    if heard.sent.strip() in data and not _ANSWER.search(data):
-        return Finding(
-            "answer",
-            "what is sent comes back as it is: TX is connected to RX (loopback)",
-            FaultName.LOOPBACK,
-            "connect TX to the gateway's rx and RX to its tx, and no jumper; switch off the echo of an RS-485 adapter",
-        )
+    if heard.sent.strip() in data:
+        if _ANSWER.search(data):
+            text = "what is sent comes back before the answer: the adapter, or the transceiver, echoes"
+            advice = "switch its echo off, or its receiver while it sends (/RE to DE)"
+        else:
+            text = "what is sent comes back as it is: TX is connected to RX (loopback)"
+            advice = "connect TX to the gateway's rx and RX to its tx, and no jumper; switch off an adapter's echo"
+        return Finding("answer", text, FaultName.LOOPBACK, advice)
     if data.startswith(_TAKEN):
         return Finding(
             "answer",

@@ -174,10 +174,10 @@ class SerialPort(serial.Serial):
             return
         log.warning("%s: another program has changed the settings of the port; they are set again", self.port)
         try:
-            termios.tcsetattr(self.fd, termios.TCSANOW, self._settings)
-            # A speed that termios has no number for, too.
-            self._reconfigure_port(force_update=True)
-            termios.tcflush(self.fd, termios.TCIFLUSH)
+            termios.tcsetattr(self, termios.TCSANOW, self._settings)
+            # Sets a speed that termios has no number for.
+            self.baudrate = self.baudrate
+            termios.tcflush(self, termios.TCIFLUSH)
         except (OSError, termios.error, serial.SerialException) as error:
             log.warning("%s: the settings of the port could not be set again (%s)", self.port, error)
 
