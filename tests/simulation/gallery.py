@@ -396,8 +396,8 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     count_lost = subscription.Intake._count_lost
 
-    def counted(self: Any, sequence: int, at: float | None) -> int:
-        lost: int = count_lost(self, sequence, at)
+    def counted(self: Any, sequence: int, at: float | None, now: float) -> int:
+        lost: int = count_lost(self, sequence, at, now)
         return max(0, lost - 1)
 
     monkeypatch.setattr(subscription.Intake, "_count_lost", counted)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import inspect
+import math
 import time
 import warnings
 from collections import deque
@@ -58,6 +59,16 @@ NOT_OPEN = "the subscription is not open: write `async with ...subscribe(...) as
 INSTEAD = {"next": "`await anext(samples)` waits for one sample, and `take` for all that are there"}
 """Advice for names that are often tried on a subscription."""
 LARGEST_DIVISOR = 0xFFFF
+_TURN = 1 << 32
+"""Ticks after which a timestamp comes again."""
+_ROUND = 256
+"""Samples after which a sequence comes again."""
+_MOST_DRIFT = 200e-6
+"""Seconds a second by which two quartzes may differ."""
+_LONGEST_BUSY = 200e-6
+"""Seconds that a sample waits for the bus, at most."""
+_MOST_ROUNDING = 1e-6
+"""Part of a rate by which it may be rounded."""
 RESET_TOLERANCE = 1
 """Seconds by which the clock of a gateway that was not reset may be off this machine's after an interruption."""
 
@@ -85,19 +96,29 @@ class Sample(msgspec.Struct, frozen=True, gc=False):
 class GatewayClock:
     """Makes an endless time of the 32 bits of a timestamp.
 
-    Of all the instants that a timestamp may mean, it takes the one nearest to what this machine's clock says has passed
-    since the last: right as long as samples are less than half a turn of the counter late (43 s at 50 MHz).
+    Of all the instants that a timestamp may mean, `seconds` guesses the one nearest to what this machine's clock says
+    has passed since the last. That is wrong where this program stood still, and samples waited for it, for half a turn
+    of the counter (43 s at 50 MHz) or longer. So the sequences of periodic groups decide: `turns_from`, `correct`.
 
     The gateway may have been reset between two sessions, and its counter with it. Where the first timestamp of a
     session is not close to what this machine's clock expects, the time goes on from there, so it never goes back.
     """
 
     def __init__(self, frequency_hz: int) -> None:
+        self.turn = _TURN / frequency_hz
+        """Seconds after which a timestamp comes again."""
+        self.corrections = 0
+        """Turns of the counter by which guesses were corrected, all together."""
         self._frequency = frequency_hz
         self._ticks: int | None = None
         self._at = 0.0
+        self._earliest = self._earliest_before = math.inf
+        """When the time was 0 by this machine's clock, as the sample says that was on its way for the shortest time.
+
+        The other is what those before the last guess say.
+        """
         self._offset = 0
-        """Ticks added to timestamps since a reset of the gateway."""
+        """What is added to timestamps since a reset of the gateway, in ticks."""
         self._resumed = False
 
     def resume(self) -> None:
@@ -108,30 +129,100 @@ class GatewayClock:
         """Return the time of a timestamp that arrived at `now`, in seconds."""
         if self._ticks is None:
             ticks = timestamp
+        elif self._resumed:
+            ticks = self._first_of_session(timestamp, int((now - self._earliest) * self._frequency))
         else:
-            estimate = self._ticks + int((now - self._at) * self._frequency)
-            ticks = self._nearest(timestamp, estimate)
-            tolerance = RESET_TOLERANCE * self._frequency
-            if self._resumed and not (self._ticks < ticks and abs(ticks - estimate) < tolerance):
-                self._offset += max(estimate, self._ticks + 1) - ticks
-                ticks = max(estimate, self._ticks + 1)
+            ticks = self._nearest(timestamp, self._ticks + int((now - self._at) * self._frequency))
         self._resumed = False
+        seconds = ticks / self._frequency
+        self._earliest_before = self._earliest + _MOST_DRIFT * (now - self._at)
+        self._earliest = min(now - seconds, self._earliest_before)
         self._ticks, self._at = ticks, now
-        return ticks / self._frequency
+        return seconds
+
+    def _first_of_session(self, timestamp: int, estimate: int) -> int:
+        ticks, last = self._nearest(timestamp, estimate), self._ticks or 0
+        if last < ticks and abs(ticks - estimate) < RESET_TOLERANCE * self._frequency:
+            return ticks
+        self._offset += max(estimate, last + 1) - ticks
+        return max(estimate, last + 1)
 
     def _nearest(self, timestamp: int, estimate: int) -> int:
-        return estimate + ((timestamp + self._offset - estimate + 0x8000_0000) & 0xFFFF_FFFF) - 0x8000_0000
+        return estimate + ((timestamp + self._offset - estimate + _TURN // 2) % _TURN) - _TURN // 2
 
-    def seconds_of(self, timestamps: NDArray[np.unsignedinteger], now: float) -> NDArray[np.float64]:
-        """Return the times of timestamps that arrived together, in order."""
+    def seconds_of(self, timestamps: NDArray[np.unsignedinteger], now: float, expected: int = 0) -> NDArray[np.float64]:
+        """Return the times of timestamps that arrived together, in order.
+
+        Args:
+            timestamps: shape (n,).
+            now: when they arrived.
+            expected: ticks from one to the next.
+        """
         self.seconds(int(timestamps[0]), now)
         assert self._ticks is not None
-        steps = timestamps.astype("int64")
-        steps[1:] = (steps[1:] - steps[:-1] + 0x8000_0000 & 0xFFFF_FFFF) - 0x8000_0000
-        steps[0] = self._ticks
-        ticks = steps.cumsum()
+        ticks = steps_between(timestamps, expected)
+        ticks[0] = self._ticks
+        ticks = ticks.cumsum()
         self._ticks = int(ticks[-1])
+        self._earliest = min(self._earliest, now - self._ticks / self._frequency)
         return ticks / self._frequency
+
+    def turns_from(self, last: float, at: float, advance: int, rate_hz: float, now: float) -> int:
+        """Return how many turns of the counter a periodic sample was later than was guessed, as its sequence tells.
+
+        That is the earliest instant that the sequence and the timestamp allow together, or none where they don't.
+
+        Args:
+            last: the time of the sample before, in seconds.
+            at: what was guessed.
+            advance: by how much the sequence has advanced, 1 to 256; it may have gone round, too.
+            rate_hz: of the samples.
+            now: when the sample arrived.
+        """
+        turn, guessed = self.turn, at - last
+        first, most = guessed % turn, now - self._earliest - last + self.turn / 2
+        step = max(turn, _ROUND / rate_hz)
+        for number in range(1 + max(0, int(most / step))):
+            if step == turn:
+                after = first + number * turn
+                periods = after * rate_hz
+                off = (periods - advance + _ROUND / 2) % _ROUND - _ROUND / 2
+            else:
+                periods = advance + number * _ROUND
+                after = first + round((periods / rate_hz - first) / turn) * turn
+                off = after * rate_hz - periods
+            if abs(off) <= tolerance_of(rate_hz, turn) + _MOST_ROUNDING * periods or turn * rate_hz < 1:
+                return round((after - guessed) / turn)
+        return 0
+
+    def correct(self, turns: int) -> None:
+        """Record that the last guess was wrong by turns of the counter."""
+        assert self._ticks is not None
+        self.corrections += turns
+        self._ticks += turns * _TURN
+        self._earliest = min(self._earliest_before, self._at - self._ticks / self._frequency)
+
+    def moved(self, instant: float, turns: int) -> float:
+        """Return an instant that is some turns later, to the tick."""
+        return (round(instant * self._frequency) + turns * _TURN) / self._frequency
+
+
+def steps_between(timestamps: NDArray[np.unsignedinteger], expected: int) -> NDArray[np.int64]:
+    """Return the ticks to each timestamp from the one before, nearest to what is expected; shape (n,), first 0."""
+    steps = timestamps.astype("int64")
+    steps[1:] = (steps[1:] - steps[:-1] - expected + _TURN // 2) % _TURN - _TURN // 2 + expected
+    steps[0] = 0
+    return steps
+
+
+def tolerance_of(rate_hz: float, turn: float) -> float:
+    """Return by how many periods a sample may be off: the bus may have been busy when it was due.
+
+    Args:
+        rate_hz: of the samples.
+        turn: seconds after which a timestamp comes again, by which none may be off.
+    """
+    return min(max(0.5, _LONGEST_BUSY * rate_hz), 0.4 * turn * rate_hz)
 
 
 class Schedule(msgspec.Struct, frozen=True):
@@ -184,9 +275,13 @@ class Publishing:
             for place, body in sorted(found, key=itemgetter(0)):
                 owners[place].receive(body.tobytes(), now)
             return
-        instants, arrived, epoch = samples.instants(self.clock, now), time.time(), self.epoch
+        clock = self.clock
+        instants, arrived, epoch, corrections = samples.instants(clock, now), time.time(), self.epoch, clock.corrections
         for owner, sequence, instant, words in zip(owners, samples.sequences, instants, samples.words, strict=True):
-            owner.take_sample(sequence, instant, words, arrived, epoch)
+            if instant is not None and clock.corrections != corrections:
+                # They were guessed from one before.
+                instant = clock.moved(instant, clock.corrections - corrections)  # noqa: PLW2901  (the same, mended)
+            owner.take_sample(sequence, instant, words, arrived, epoch, now)
 
     @property
     def epoch(self) -> int:
@@ -316,6 +411,10 @@ class Intake:
         self._sampled_at: float | None = None
         self._due_hz: float | None = None
         """The rate, where time alone says how many samples are due."""
+        self._tolerance = 0.0
+        """Periods by which they may be off."""
+        self._period = 0
+        """The same in ticks of the gateway's clock; 0 where there is none."""
 
     @property
     def rate_hz(self) -> float | None:
@@ -384,7 +483,10 @@ class Intake:
         """Begin to count anew: the gateway's sequence stands at 0."""
         self._sequence = self._sequence | 0xFF
         self._sampled_at = None
-        self._due_hz = self.rate_hz if self.schedule.flags & _COUNTED == GroupFlag.PERIODIC else None
+        due = self._due_hz = self.rate_hz if self.schedule.flags & _COUNTED == GroupFlag.PERIODIC else None
+        if due is not None:
+            clock_hz = self._publishing.info.clock_hz
+            self._tolerance, self._period = tolerance_of(due, _TURN / clock_hz), round(clock_hz / due)
 
     def fail(self, error: UnityLinkError) -> None:
         """End the stream with an error, behind the samples that wait."""
@@ -404,10 +506,12 @@ class Intake:
         except ValueError:
             return
         instant = None if timestamp is None else self._publishing.clock.seconds(timestamp, now)
-        self.take_sample(sequence, instant, values, time.time(), self._publishing.epoch)
+        self.take_sample(sequence, instant, values, time.time(), self._publishing.epoch, now)
 
-    def take_sample(self, sequence: int, instant: float | None, words: Words, arrived: float, epoch: int) -> None:
-        """Take a sample of the group, whose sequence has two digits."""
+    def take_sample(
+        self, sequence: int, instant: float | None, words: Words, arrived: float, epoch: int, now: float
+    ) -> None:
+        """Take a sample of the group, whose sequence has two digits; its instant is guessed."""
         if instant is None and not (sequence - self._sequence - 1) & 0xFF:
             self._sequence += 1
             sample = Sample(self._sequence, None, arrived, words, 0, epoch)
@@ -419,8 +523,8 @@ class Intake:
             else:
                 self.keep(sample)
         elif not self._came_before(sequence, instant):
-            lost = self._count_lost(sequence, instant)
-            self.keep(Sample(self._sequence, instant, arrived, words, lost, epoch))
+            lost = self._count_lost(sequence, instant, now)
+            self.keep(Sample(self._sequence, self._sampled_at, arrived, words, lost, epoch))
 
     def receive_rows(self, bodies: NDArray[np.uint8], now: float) -> None:
         """Take samples of the group that arrived together: the same as `receive` of each.
@@ -449,14 +553,18 @@ class Intake:
         self, sequence: int, timestamps: NDArray[np.unsignedinteger] | None, rows: list[Words], now: float
     ) -> None:
         """Take samples with none missing between them; the first has a sequence."""
-        instants: list[float] | list[None] = [None] * len(rows)
+        instants: list[Any] = [None] * len(rows)
         if timestamps is not None:
-            instants = self._publishing.clock.seconds_of(timestamps, now).tolist()
+            instants = self._publishing.clock.seconds_of(timestamps, now, self._period).tolist()
         if self._came_before(sequence, instants[0]):
             sequence, instants, rows = sequence + 1, instants[1:], rows[1:]
             if not instants:
                 return
-        lost, first, arrived = self._count_lost(sequence, instants[0]), self._sequence, time.time()
+        lost, first, arrived = self._count_lost(sequence, instants[0], now), self._sequence, time.time()
+        if self._sampled_at is not None and self._sampled_at != instants[0]:
+            clock = self._publishing.clock
+            turns = round((self._sampled_at - instants[0]) / clock.turn)
+            instants = [clock.moved(instant, turns) for instant in instants]
         epoch = self._publishing.epoch
         self._sequence += len(rows) - 1
         self._sampled_at = instants[-1]
@@ -474,8 +582,8 @@ class Intake:
         broken = sequences[1:] - sequences[:-1] != 1
         if timestamps is not None and self._due_hz is not None:
             # Two digits may also have gone round.
-            due = (timestamps[1:] - timestamps[:-1]) * (self._due_hz / self._publishing.info.clock_hz)
-            broken |= due >= 0x80
+            steps = steps_between(timestamps, self._period)[1:]
+            broken |= abs(steps - self._period) > self._tolerance * self._period
         return [place + 1 for place in broken.nonzero()[0].tolist()]
 
     def _keep_all(self, samples: list[Sample]) -> None:
@@ -493,12 +601,22 @@ class Intake:
         """Return whether the line has doubled the last sample; without timestamps, that could be one a round later."""
         return at is not None and at == self._sampled_at and not (sequence - self._sequence) & 0xFF
 
-    def _count_lost(self, sequence: int, at: float | None) -> int:
-        """Return how many samples are missing before this one; a timestamp tells how often two digits went round."""
-        advance = (sequence - self._sequence) & 0xFF or 0x100
-        if at is not None and self._sampled_at is not None and self._due_hz is not None:
-            due = (at - self._sampled_at) * self._due_hz
-            advance += max(0, round((due - advance) / 0x100)) * 0x100
+    def _count_lost(self, sequence: int, at: float | None, now: float) -> int:
+        """Return how many samples are missing before this one, and take its instant, corrected if need be.
+
+        A timestamp tells how often two digits of a sequence went round, and they how often it went round itself.
+        """
+        advance, last, rate_hz = (sequence - self._sequence) & 0xFF or 0x100, self._sampled_at, self._due_hz
+        if at is not None and last is not None and rate_hz is not None:
+            due = (at - last) * rate_hz
+            if abs(due - advance) > self._tolerance:
+                clock = self._publishing.clock
+                turns = clock.turns_from(last, at, advance, rate_hz, now)
+                if turns:
+                    clock.correct(turns)
+                    at = clock.moved(at, turns)
+                    due = (at - last) * rate_hz
+                advance += max(0, round((due - advance) / 0x100)) * 0x100
         self._sampled_at = at
         self._sequence += advance
         return advance - 1

@@ -8,6 +8,12 @@
 enum { SEQUENCE, LOST, TICKS, WORDS, PERIODIC = 1, TRIGGER = 2, IMMEDIATE = 4, TIMESTAMP = 8, ON_CHANGE = 16 };
 enum { MOST_DIVISOR = 65535 };
 
+#define TURN 4294967296.0       /* ticks after which a timestamp comes again */
+#define ROUND 256.0             /* samples after which a sequence comes again */
+#define MOST_DRIFT 200e-6       /* seconds a second by which two quartzes may differ */
+#define LONGEST_BUSY 200e-6     /* seconds that a sample waits for the bus, at most */
+#define MOST_ROUNDING 1e-6      /* part of a rate by which it may be rounded */
+
 /* Make an endless time of 32 bits: of all instants that it may mean the one nearest to what the clock here says. */
 static uint64_t unwrap(const ul_link *link, const ul_subscription *subscription, uint32_t timestamp, double now)
 {
@@ -18,20 +24,77 @@ static uint64_t unwrap(const ul_link *link, const ul_subscription *subscription,
     return ahead <= behind || behind > estimate ? estimate + ahead : estimate - behind;
 }
 
-/* Count the samples that are missing before this one; a timestamp tells how often the two digits went round. */
-static uint64_t count_lost(const ul_link *link, ul_subscription *subscription, unsigned sequence, uint64_t ticks)
+/* Samples follow the rate alone, so that sequences tell the time. */
+static bool is_timed(const ul_subscription *subscription)
 {
-    uint64_t advance = (sequence - subscription->sequence) & 0xFF;
-    if (advance == 0) advance = 0x100;
-    if (subscription->has_sample && subscription->flags & TIMESTAMP
-        && (subscription->flags & (PERIODIC | TRIGGER | ON_CHANGE)) == PERIODIC) {
+    return subscription->has_sample && subscription->flags & TIMESTAMP
+        && (subscription->flags & (PERIODIC | TRIGGER | ON_CHANGE)) == PERIODIC;
+}
+
+static double rounded(double number)
+{
+    return (double)(int64_t)(number < 0 ? number - 0.5 : number + 0.5);
+}
+
+/* A sample may be off by some periods, and by no turn: the bus may have been busy when it was due. */
+static bool is_near(const ul_link *link, const ul_subscription *subscription, double off, double periods)
+{
+    double busy = LONGEST_BUSY * subscription->actual_rate_hz, most = busy > 0.5 ? busy : 0.5;
+    double turn = 0.4 * TURN / link->info.clock_hz * subscription->actual_rate_hz;
+    most = (most < turn ? most : turn) + MOST_ROUNDING * periods;
+    return -most <= off && off <= most;
+}
+
+/* Find the instant of a sample by its sequence, where the guess of `unwrap` does not go with that: samples may have
+ * waited here for a program that stood still for half a turn of the counter or longer. It is the earliest one that
+ * sequence and timestamp allow together, and the guess where there is none. */
+static uint64_t place(const ul_link *link, const ul_subscription *subscription, double advance, uint64_t guess,
+                      double now)
+{
+    double hz = link->info.clock_hz, rate = subscription->actual_rate_hz, period = hz / rate;
+    double due = (double)(int64_t)(guess - subscription->ticks) / period;
+    if (is_near(link, subscription, due - advance, 0)) return guess;
+    uint32_t first = (uint32_t)(guess - subscription->ticks);
+    double most = (now - subscription->earliest) * hz - (double)subscription->ticks + TURN / 2;
+    bool by_turns = ROUND * period <= TURN;
+    double step = by_turns ? TURN : ROUND * period;
+    for (double number = 0; number == 0 || number * step <= most; number++) {
+        double turns = number, periods = (first + number * TURN) / period, off;
+        if (by_turns) {
+            off = periods - advance;
+            off -= rounded(off / ROUND) * ROUND;
+        } else {
+            periods = advance + number * ROUND;
+            turns = rounded((periods * period - first) / TURN);
+            off = period > TURN ? 0 : (first + turns * TURN) / period - periods;
+        }
+        if (is_near(link, subscription, off, periods)) return subscription->ticks + first + ((uint64_t)turns << 32);
+    }
+    return guess;
+}
+
+/* Count the samples that are missing before this one; a timestamp tells how often the two digits went round. */
+static uint64_t count_lost(const ul_link *link, ul_subscription *subscription, uint64_t advance, uint64_t ticks)
+{
+    if (is_timed(subscription)) {
         /* A gateway's clock that goes back is wrong, and has lost nothing. */
         double due = (double)(int64_t)(ticks - subscription->ticks) / link->info.clock_hz * subscription->actual_rate_hz;
-        double rounds = (due - (double)advance) / 0x100 + 0.5;
+        double rounds = (due - (double)advance) / ROUND + 0.5;
         if (rounds >= 1) advance += (uint64_t)rounds * 0x100;
     }
     subscription->sequence += advance;
     return advance - 1;
+}
+
+/* Remember the instant of a sample, and when the gateway's clock was 0, as the one says that came the quickest. */
+static void date(const ul_link *link, ul_subscription *subscription, uint64_t ticks, double now)
+{
+    double earliest = subscription->earliest + MOST_DRIFT * (now - subscription->ticked_at);
+    double seen = now - (double)ticks / link->info.clock_hz;
+    subscription->earliest = subscription->has_sample && earliest < seen ? earliest : seen;
+    subscription->ticks = ticks;
+    subscription->ticked_at = now;
+    subscription->has_sample = true;
 }
 
 static uint64_t *stored(const ul_subscription *subscription, size_t index)
@@ -69,10 +132,11 @@ static void take_sample(ul_link *link, text body)
 
     double now = now_of(link);
     uint64_t ticks = unwrap(link, subscription, (uint32_t)timestamp, now);
-    uint64_t lost = count_lost(link, subscription, (unsigned)sequence, ticks);
-    subscription->ticks = ticks;
-    subscription->ticked_at = now;
-    subscription->has_sample = true;
+    uint64_t advance = (sequence - subscription->sequence) & 0xFF;
+    if (advance == 0) advance = 0x100;
+    if (is_timed(subscription)) ticks = place(link, subscription, (double)advance, ticks, now);
+    uint64_t lost = count_lost(link, subscription, advance, ticks);
+    date(link, subscription, ticks, now);
     subscription->received++;
     subscription->lost += lost;
     if (subscription->waiting == subscription->capacity) {
