@@ -21,7 +21,7 @@ _NAMED = re.compile(r"^  assign (\w+) = (n\d+_(?:q|data)); // ?\((signal|module 
 _ROW = re.compile(r"^  assign (\w+) = (n\d+_o); // \(signal\)$", re.MULTILINE)
 _ATTRIBUTE = re.compile(r'^ *attribute (\w+) of ([\w, ]+?) *: signal is\s+("[^"]*"|true);', re.MULTILINE)
 _FOR_SYNPLIFY = "syn_"
-"""What attributes begin with that some tools read in comments alone."""
+"""Prefix of attributes that some tools read in comments alone."""
 
 
 def with_names(verilog: str, sources: Iterable[Path]) -> str:
