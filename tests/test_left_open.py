@@ -17,8 +17,8 @@ from unity_link.bridges.serve import serve
 from unity_link.data.blocking import put
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Straying
-from unity_link.virtual.relay import relay_udp
 from unity_link.virtual.serving import serve_pty, serve_tcp, serve_udp, serve_unix
+from unity_link.virtual.udp_relay import relay_udp
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 import unity_link
 from support.bridge_programs import WRITES_NAMES, WRITES_SPEC
 from unity_link import ArgumentError
-from unity_link.bridges.ordered import write_in_order
+from unity_link.bridges.merged_writes import write_in_order
 from unity_link.bridges.zenoh.writing import Reader
 from unity_link.data import load
 

@@ -24,8 +24,8 @@ from unity_link.transport.stream import Stream
 from unity_link.transport.udp import LARGE, MOST_TOGETHER, RECEIVE_BUFFER, DatagramAdapter
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Straying
-from unity_link.virtual.relay import MOST_CLIENTS, relay_udp
 from unity_link.virtual.serving import serve_udp
+from unity_link.virtual.udp_relay import MOST_CLIENTS, relay_udp
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator

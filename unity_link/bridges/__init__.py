@@ -9,7 +9,7 @@ context ends, and says by one exception why it can't go on.
   how values come back
 - `zenoh`: links, samples and values for other machines
 - `waiting`: a link to a gateway that may be away at the start, and samples of one
-- `carrying` and `gateway_time`: how samples get to a thread that sends them, and when they were taken
+- `thread_queue` and `gateway_time`: how samples get to a thread that sends them, and when they were taken
 - `presence`: whether the gateway is away, also where a server is between
 - `recording`: what a robot published, on the disk and back; `sampled` says what that is, for other bridges, too,
   and `messages` how a sample is written

@@ -11,8 +11,8 @@ import asyncio
 import contextlib
 from typing import TYPE_CHECKING, Any
 
-from unity_link.bridges.ordered import Objects, Value, write_in_order
-from unity_link.bridges.telling import Faults
+from unity_link.bridges.log_once import Faults
+from unity_link.bridges.merged_writes import Objects, Value, write_in_order
 from unity_link.errors import ArgumentError, UnityLinkError
 from unity_link.transport.inbox import Inbox
 

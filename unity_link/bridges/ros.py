@@ -7,12 +7,12 @@ import asyncio
 import time
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
-from unity_link.bridges.carrying import Carrier
 from unity_link.bridges.commands import SignalCommands
 from unity_link.bridges.diagnostics import EVERY, Diagnostics
 from unity_link.bridges.gateway_time import GatewayTime
+from unity_link.bridges.log_once import Faults
 from unity_link.bridges.presence import Presence
-from unity_link.bridges.telling import Faults
+from unity_link.bridges.thread_queue import Carrier
 from unity_link.bridges.topics import command_topics, joint_command_topics, published_groups, read_namespace
 from unity_link.errors import ArgumentError, first_error
 

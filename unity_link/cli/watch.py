@@ -103,7 +103,7 @@ async def _watch(
     json: bool,
     timeout: float,  # noqa: ASYNC109  (an option of the command)
 ) -> None:
-    from unity_link.bridges.telling import Faults
+    from unity_link.bridges.log_once import Faults
     from unity_link.bridges.waiting import begin_when_there
     from unity_link.link.connecting import connect
 

@@ -3,7 +3,7 @@
 A call runs until it has to wait, and then polls the medium itself. Where several threads wait, one of them polls for
 all, and hands over to another when its own call is done. While there is a subscription, or a lost connection is being
 opened again, a thread of the link's own polls, and runs the coroutine that opens it: so none changes threads, and none
-is in the way of a Ctrl-C. A medium that only an event loop can open is opened in the thread of one (`relay`).
+is in the way of a Ctrl-C. A medium that only an event loop can open is opened in the thread of one (`loop_thread`).
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from contextlib import asynccontextmanager, suppress
 from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
 
 from unity_link.errors import ArgumentError
-from unity_link.link.relay import Relay, run_in_loop
+from unity_link.link.loop_thread import Relay, run_in_loop
 from unity_link.link.runtime import report
 from unity_link.link.synchronisation import CALLING
 from unity_link.link.timers import Timers

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from types import TracebackType
 
     from unity_link.link.runtime import Runtime
-    from unity_link.link.structured import Structured
+    from unity_link.link.trio_runtime import Structured
     from unity_link.transport import Medium
 
 
@@ -78,7 +78,7 @@ class Connecting:
                 await self._structured.aclose()
 
     async def _open_structured(self) -> Link:
-        from unity_link.link.structured import Structured
+        from unity_link.link.trio_runtime import Structured
 
         self._structured = await Structured().__aenter__()
         try:

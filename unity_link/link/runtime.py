@@ -1,7 +1,7 @@
 """The runtime of a link: the clock, the timers and the futures that `Connection` and `Link` wait by.
 
 Their coroutines are the same in every kind of program. `AsyncioRuntime` is the event loop that they were called in;
-`calling_thread` runs them in the threads of blocking code, and `structured` in a task group of anyio, so under trio.
+`calling_thread` runs them in the threads of blocking code, and `trio_runtime` in a task group of anyio, so under trio.
 """
 
 from __future__ import annotations

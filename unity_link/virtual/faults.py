@@ -2,7 +2,7 @@
 
 `Failing` is a device, attached where the bus is to fail. `Noise` spoils one stream of bytes; `NoisyLine` puts two of
 them between a gateway and its host, and is a gateway itself. `Straying` does to datagrams what networks do;
-`unity_link.virtual.relay` puts two of them between sockets.
+`unity_link.virtual.udp_relay` puts two of them between sockets.
 """
 
 from __future__ import annotations

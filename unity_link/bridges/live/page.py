@@ -16,7 +16,6 @@ from starlette.routing import Mount, WebSocketRoute
 from starlette.staticfiles import StaticFiles
 from starlette.websockets import WebSocketClose, WebSocketDisconnect
 
-from unity_link.bridges.carrying import Carrier
 from unity_link.bridges.gateway_time import GatewayTime
 from unity_link.bridges.live.description import WIDEST_EXACT, describe
 from unity_link.bridges.live.doorkeeper import Doorkeeper
@@ -25,6 +24,7 @@ from unity_link.bridges.live.round_trips import Histogram, RoundTrips
 from unity_link.bridges.live.server import make_server
 from unity_link.bridges.live.viewer import Viewer
 from unity_link.bridges.live.writing import Writing
+from unity_link.bridges.thread_queue import Carrier
 from unity_link.link.link import Statistics  # noqa: TC001  (msgspec reads the annotations)
 from unity_link.transport.listening import LOOPBACK, port_error
 

@@ -13,11 +13,11 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import AsyncExitStack
 from typing import TYPE_CHECKING, Self
 
-from unity_link.bridges.carrying import Carrier
 from unity_link.bridges.gateway_time import GatewayTime, SteadyClock
 from unity_link.bridges.presence import Presence
 from unity_link.bridges.recording.files import RecordingFile, path_of
 from unity_link.bridges.sampled import sampled_groups
+from unity_link.bridges.thread_queue import Carrier
 from unity_link.errors import ArgumentError, first_error, refusing
 
 if TYPE_CHECKING:

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 import msgspec
 
-from unity_link.bridges.carrying import Carrier
+from unity_link.bridges.thread_queue import Carrier
 
 if TYPE_CHECKING:
     from collections.abc import Callable

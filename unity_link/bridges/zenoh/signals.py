@@ -20,8 +20,8 @@ from typing import TYPE_CHECKING, Any
 
 import msgspec
 
-from unity_link.bridges.ordered import Objects, write_in_order
-from unity_link.bridges.telling import Faults
+from unity_link.bridges.log_once import Faults
+from unity_link.bridges.merged_writes import Objects, write_in_order
 from unity_link.bridges.zenoh.describing import describe
 from unity_link.bridges.zenoh.writing import Reader
 from unity_link.data import Group, Readable, Writable

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import msgspec
 
-from unity_link.bridges.ordered import Objects, Value
+from unity_link.bridges.merged_writes import Objects, Value
 from unity_link.data import Writable
 from unity_link.errors import ArgumentError
 

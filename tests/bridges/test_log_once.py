@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from unity_link.bridges.telling import MOST_KINDS, Faults
+from unity_link.bridges.log_once import MOST_KINDS, Faults
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,7 @@
 """A link under trio: its coroutines run in the program's tasks, and what goes on beside them in a task group of anyio.
 
 The task group is that of the ``async with`` block of the link, and ends with it. A medium with a file descriptor is
-waited for by anyio; another one is opened in the thread of an event loop (`relay`).
+waited for by anyio; another one is opened in the thread of an event loop (`loop_thread`).
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ import anyio
 import anyio.lowlevel
 from anyio.from_thread import BlockingPortal
 
-from unity_link.link.relay import Relay, run_in_loop
+from unity_link.link.loop_thread import Relay, run_in_loop
 from unity_link.link.runtime import report
 from unity_link.link.synchronisation import STRUCTURED
 from unity_link.link.timers import Timers

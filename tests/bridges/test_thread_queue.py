@@ -16,8 +16,8 @@ from support.sharing import PipedLink, sharing, until
 from support.simulated_time import run_simulated
 from support.valve import Valve
 from unity_link import GatewayInfo
-from unity_link.bridges.carrying import Carrier
 from unity_link.bridges.sampled import sampled_groups
+from unity_link.bridges.thread_queue import Carrier
 from unity_link.data import load
 from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual import VirtualGateway

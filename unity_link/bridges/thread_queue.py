@@ -8,8 +8,8 @@ import functools
 from contextlib import AsyncExitStack
 from typing import TYPE_CHECKING, Any
 
+from unity_link.bridges.log_once import Faults
 from unity_link.bridges.presence import rate_whatever_happens
-from unity_link.bridges.telling import Faults
 from unity_link.bridges.waiting import begin_when_there
 from unity_link.errors import GatewayError, LinkLostError, first_error
 
