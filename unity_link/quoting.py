@@ -14,7 +14,7 @@ import textwrap
 
 _REPLACEMENT = "\N{REPLACEMENT CHARACTER}"
 _DECLARES_CODING = re.compile("(coding)(?=[:=])")
-"""What Python takes for the encoding of a file, in a comment of its first two lines."""
+"""Word that Python takes for the encoding of a file, in a comment of its first two lines."""
 _ENDS_DOCSTRING = re.compile(r'"""|"\Z')
 _DIRECTIVE = re.compile(
     r" *(?:altera|cadence|coverage|exemplar|pragma|psl|quartus|rtl_synthesis|synopsys|synplify|synthesis|verilator"
@@ -23,7 +23,7 @@ _DIRECTIVE = re.compile(
 )
 """First words of comments that tools for hardware obey: ``synthesis translate_off`` takes away what follows."""
 _MARKDOWN = re.compile(r"[\\`*_{}\[\]<>#|&~$]|^[!-/:-@^]")
-"""What Markdown or an extension of it takes for more than a letter: some anywhere, all others in front."""
+"""Characters that Markdown or an extension of it takes for more than a letter: some anywhere, all others in front."""
 _LISTED = re.compile(r"^(\d+)(?=[.)])")
 _LARGEST_OF_TCL = "\uffff"
 

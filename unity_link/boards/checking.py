@@ -1,4 +1,4 @@
-"""What the file of a board may say, and which sentence says that it says something else.
+"""Checks of the file of a board, with a sentence for each thing that is wrong.
 
 Its strings go into files and options of other programs, so that each is of letters that none of these obeys.
 """

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from unity_link.files import Overwrite
 
 _LATE_CONTROL = re.compile("[\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]")
-"""What JSON may have as it is, and some terminals obey."""
+"""Characters that JSON may have as they are, and some terminals obey."""
 
 
 def out() -> Console:

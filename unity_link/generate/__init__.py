@@ -41,7 +41,7 @@ TARGETS: tuple[str, ...] = get_args(TargetName)
 _QUOTING: dict[str, Callable[..., Any]] = {
     name: function for name, function in vars(quoting).items() if inspect.isfunction(function) and name[0] != "_"
 }
-"""What every template has for strings from outside, by its name."""
+"""Functions that every template has for strings from outside, by name."""
 _COPIED = ("c", "cpp", "verilog", "vhdl")
 """Targets of which users copy the files into sources of their own."""
 

@@ -51,7 +51,7 @@ class Flow:
         """Handler of each kind of event of the session."""
         self._disconnected = disconnected
         self._reads_on = False
-        """Whether more of what has arrived is looked at when what runs now waits."""
+        """True if more of what has arrived is looked at when what runs now waits."""
         self.now = runtime.time
         self.create_future, self._create_lone_future = runtime.create_future, runtime.create_lone_future
         self._ended = runtime.ended

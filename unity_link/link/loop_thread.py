@@ -111,12 +111,12 @@ class Relay(asyncio.Transport):
             self._post(lambda: far.write(data))
 
     def pause_reading(self) -> None:
-        """Have nothing more passed on; what is on its way comes."""
+        """Pass nothing more on; what is on its way comes."""
         if self._far is not None:
             self._post(self._far.pause_reading)
 
     def resume_reading(self) -> None:
-        """Have what arrives passed on again."""
+        """Pass on again what arrives."""
         if self._far is not None:
             self._post(self._far.resume_reading)
 

@@ -126,7 +126,7 @@ class Exchange:
         self.flood = 0
         """Lines that have come in place of answers, where they are so many that no answer is to be hoped for."""
         self._before_flood = 0.0, -1, 0, 0
-        """When an answer was last known of, and the counts then: answers, lines that are none, and what was sent."""
+        """Instant of the last answer, and the counts then: answers, lines that are none, and what was sent."""
         self._waiting = waiting
         self._groups = groups
         self._counters = counters

@@ -42,7 +42,7 @@ ECHO_BEFORE_ANSWERS = (
     "wires of RS-485; switch its echo off, or its receiver while it sends (/RE to DE)"
 )
 ECHOES = 2
-"""How often a question must have come back beside answers until that is believed."""
+"""Times that a question must have come back beside answers until that is believed."""
 ECHO_PATIENCE = 0.5
 """Seconds for which nothing but an echo is heard before it is believed: on a pair of wires an answer may follow."""
 _LONGEST_TEXT = 120

@@ -135,7 +135,7 @@ class Session:
 
     @property
     def is_behind(self) -> bool:
-        """Whether frames have arrived that were not looked at yet."""
+        """True if frames have arrived that were not looked at yet."""
         return LF in self._rest
 
     @property

@@ -105,12 +105,12 @@ class Stream(asyncio.Protocol):
         return "" if told is None else told()
 
     def pause_reading(self) -> None:
-        """Have what arrives wait in the medium, as far as there is room, until `resume_reading`."""
+        """Leave what arrives in the medium, as far as there is room, until `resume_reading`."""
         if self._transport is not None and not self._transport.is_closing():
             self._transport.pause_reading()
 
     def resume_reading(self) -> None:
-        """Have what arrives delivered again."""
+        """Deliver again what arrives."""
         if self._transport is not None and not self._transport.is_closing():
             self._transport.resume_reading()
 
@@ -129,7 +129,7 @@ class Stream(asyncio.Protocol):
             self._transport.abort()
 
     def set_medium_again(self) -> None:
-        """Have the driver set its medium as it was opened where another program has set it otherwise since."""
+        """Make the driver set its medium as it was opened, where another program has set it otherwise since."""
         set_again = None if self._transport is None else self._transport.get_extra_info("set_again")
         if set_again is not None and not self.closed:
             set_again()

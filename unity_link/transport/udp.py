@@ -137,7 +137,7 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
         self._heard = False
         self._reading = True
         self._kept = b""
-        """What has arrived while nothing was read."""
+        """Datagrams that arrived while nothing was read."""
         self._endpoint: asyncio.DatagramTransport | None = None
 
     def connection_made(self, transport: asyncio.DatagramTransport) -> None:  # type: ignore[override]

@@ -164,7 +164,7 @@ class Client(asyncio.Protocol):
 
     @property
     def must_confirm(self) -> bool:
-        """Whether so many posted writes are under way that the next one is to be answered."""
+        """Return whether so many posted writes are under way that the next one is to be answered."""
         return self._posted >= MOST_POSTED
 
     def follow_others(self) -> None:

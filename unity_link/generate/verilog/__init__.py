@@ -40,9 +40,9 @@ class Options(NamedTuple):
     """Generics that a netlist has no more, and the user chooses."""
 
     clock_hz: int = 50_000_000
-    """Of `clk`."""
+    """Frequency of `clk`."""
     baud: int = 1_000_000
-    """Of the UART."""
+    """Baud of the UART."""
 
 
 def files(interface: Interface, templates: Templates, options: Options) -> Iterator[GeneratedFile]:
