@@ -6,19 +6,18 @@ import functools
 import re
 import subprocess
 import tkinter as tk
-from typing import TYPE_CHECKING
+from pathlib import Path
 
 import msgspec
 import pytest
 
+from unity_link.boards import projects
 from unity_link.boards.board import PINS, Board, board_names, load_board
 from unity_link.boards.projects import VENDORS, make_project
 from unity_link.cli import main
 from unity_link.errors import ArgumentError
+from unity_link.quoting import one_line
 from unity_link.spec import compile_text
-
-if TYPE_CHECKING:
-    from pathlib import Path
 
 LAMP_TEXT = "public lamp() { @on = 0[7:0]: unsigned READWRITE(); @current = 1: signed 16 READ(PUBLISH(1, 100)); }\n"
 LAMP = compile_text(LAMP_TEXT)
@@ -115,6 +114,47 @@ def test_a_bitstream_of_vivado_that_misses_its_clock_is_an_error(tmp_path: Path)
     opened = make_project(LAMP, *load_board("arty_a7"), tmp_path)
     with pytest.raises(tk.TclError, match="lamp_on_uart is too slow on Digilent Arty A7-35T"):
         evaluated(opened, _VIVADO, "bitstream")
+
+
+HOSTILE_TITLE = 'Arty"; exec touch PWNED; [exec touch PWNED] $x } { #\nexec touch PWNED \u2028 \\\\'
+
+
+@pytest.mark.parametrize("name", PROJECTS)
+def test_a_title_says_nothing_to_the_tool(name: str, tmp_path: Path) -> None:
+    commands = _QUARTUS if load_board(name)[1].family == "cyclonev" else _VIVADO
+    said = {}
+    for kind, title in (("plain", "Arty"), ("hostile", HOSTILE_TITLE)):
+        opened = make_project(LAMP, name, changed(load_board(name)[1], title=title), tmp_path / kind)
+        scripts = [opened.with_suffix(suffix) for suffix in (".tcl", ".xdc", ".qsf", ".sdc")]
+        found = [(path.name, evaluated(path, commands)) for path in scripts if path.exists()]
+        said[kind] = repr(found).replace(f"{tmp_path / kind}", "")
+    assert said["hostile"] == said["plain"]
+
+
+def test_a_title_is_told_as_it_is_where_a_clock_is_missed(tmp_path: Path) -> None:
+    board = changed(load_board("arty_a7")[1], title=HOSTILE_TITLE)
+    with pytest.raises(tk.TclError) as raised:
+        evaluated(make_project(LAMP, "mine", board, tmp_path), _VIVADO, "bitstream")
+    assert f"is too slow on {one_line(HOSTILE_TITLE)}: see" in str(raised.value)
+
+
+@pytest.mark.parametrize("name", PROJECTS)
+@pytest.mark.parametrize("key", ["device", "package", "io_type", "clk"])
+def test_a_board_whose_strings_end_a_command_is_refused(name: str, key: str, tmp_path: Path) -> None:
+    text = (Path(projects.__file__).with_name("data") / f"{name}.toml").read_text()
+    text = text if f"{key} = " in text else f'{key} = "LVCMOS33"\n{text}'
+    path = tmp_path / "mine.toml"
+    path.write_text(re.sub(rf'^({key} = "[^"]*)"', rf'\1; exec touch {tmp_path}/PWNED"', text, flags=re.MULTILINE))
+    with pytest.raises(ArgumentError, match=rf"{key} is '.*; exec touch .*', .* expected"):
+        load_board(str(path))
+
+
+@pytest.mark.parametrize("name", ["a b", "x; exec touch y", "a\nb", "$x"])
+def test_the_name_of_a_board_file_is_one_that_projects_can_have(name: str, tmp_path: Path) -> None:
+    path = tmp_path / f"{name}.toml"
+    path.write_text((Path(projects.__file__).with_name("data") / "arty_a7.toml").read_text())
+    with pytest.raises(ArgumentError, match=r"its name is .*, letters, digits, '_', '-' and '\.' were expected"):
+        load_board(str(path))
 
 
 def test_an_ft245_on_a_xilinx_gets_its_pads_and_the_constraints_of_its_pins(tmp_path: Path) -> None:
