@@ -5,9 +5,11 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import logging
+import math
 import subprocess
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+from unittest import mock
 
 import pytest
 from hypothesis import given, settings
@@ -189,6 +191,8 @@ async def test_published_groups_run_and_each_sample_is_of_one_instant() -> None:
             assert not batch.lost.any()
 
 
+# A machine that does much else would leave time out.
+@mock.patch("unity_link.virtual.simulated.LONGEST_TURN", math.inf)
 @settings(max_examples=examples(20))
 @given(looks=st.lists(st.floats(0, 0.3), max_size=30))
 def test_looking_changes_nothing(looks: list[float]) -> None:
