@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from docs.images.make import PICTURES
-from unity_link.boards.board import load_board
+from unity_link.boards.loading import load_board
 
 IMAGES = Path(__file__).parents[1] / "docs" / "images"
 WIRING = sorted(name for name in PICTURES if name.startswith("wiring-"))

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 from gateware.tools.synth import CONFIGURATIONS, Configuration, map_only
 from gateware.tools.synth_quick import designs, faults, main
-from unity_link.boards.board import board_names, load_board
 from unity_link.boards.families import FAMILIES
+from unity_link.boards.loading import board_names, load_board
 from unity_link.gateware.ghdl import converting_ghdl
 
 if TYPE_CHECKING:

@@ -19,8 +19,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from gateware.tools.synth import CONFIGURATIONS, checked, converted
-from unity_link.boards.board import load_board
 from unity_link.boards.families import FAMILIES
+from unity_link.boards.loading import load_board
 from unity_link.errors import UnityLinkError
 from unity_link.gateware.cache import GATEWARE, cache_folder, hash_of, kept
 from unity_link.gateware.yowasp import run, version

@@ -17,14 +17,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gateware.tools.synth import CONFIGURATIONS, Configuration, map_only
-from unity_link.boards.board import Board, board_names, load_board
 from unity_link.boards.build import synthesise, top_text
 from unity_link.boards.families import FAMILIES
+from unity_link.boards.loading import board_names, load_board
 from unity_link.errors import UnityLinkError
 from unity_link.spec import compile_text
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+
+    from unity_link.boards.board import Board
 
 # A register of each kind.
 _SPEC = """

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from unity_link.boards.board import load_board
+from unity_link.boards.loading import load_board
 
 TEXT = (Path(__file__).resolve().parents[2] / "docs" / "tutorials" / "board.md").read_text()
 BOARD_URL = "serial:/dev/ttyUSB1?baud=3000000"

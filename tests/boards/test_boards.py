@@ -14,10 +14,11 @@ import msgspec
 import pytest
 
 from unity_link.boards import build as building
-from unity_link.boards.board import PINS, Board, board_names, load_board
+from unity_link.boards.board import PINS, Board
 from unity_link.boards.build import BuildError, Built, build, program, refusal, top_text
 from unity_link.boards.clocks import pll
 from unity_link.boards.families import FAMILIES, YOSYS
+from unity_link.boards.loading import board_names, load_board
 from unity_link.boards.projects import VENDORS, make_project
 from unity_link.errors import ArgumentError, UnsupportedError
 from unity_link.files import digest_of

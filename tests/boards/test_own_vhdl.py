@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from docs.walkthrough import blocks
-from unity_link.boards.board import load_board
+from unity_link.boards.loading import load_board
 from unity_link.gateware import ghdl
 from unity_link.gateware.convert import to_verilog
 from unity_link.generate import generate, write

@@ -12,7 +12,8 @@ import msgspec
 import pytest
 
 from unity_link.boards import projects
-from unity_link.boards.board import PINS, Board, board_names, load_board
+from unity_link.boards.board import PINS, Board
+from unity_link.boards.loading import board_names, load_board
 from unity_link.boards.projects import VENDORS, make_project
 from unity_link.cli import main
 from unity_link.errors import ArgumentError

@@ -18,9 +18,9 @@ from support.searching import examples
 from support.taken_samples import BASE_HZ, CLOCKS, READS, TURN, Taken, are_decidable, arrivals_of, of_group
 from unity_link import GatewayInfo, Sample
 from unity_link.link.samples_together import SamplesTogether
-from unity_link.link.subscription import HEAD, GatewayClock, Intake, Publishing, Schedule
+from unity_link.link.subscription import GatewayClock, Intake, Publishing, Schedule
 from unity_link.protocol.exchange import SampledTogether
-from unity_link.protocol.messages import TIMESTAMP_DIGITS, GroupFlag
+from unity_link.protocol.messages import SAMPLE_HEAD, TIMESTAMP_DIGITS, GroupFlag
 
 
 class Host:
@@ -44,7 +44,7 @@ class Host:
             for divisor, samples in zip(divisors, self.samples, strict=True)
         ]
         for intake in self.intakes:
-            intake.words_at = HEAD + TIMESTAMP_DIGITS
+            intake.words_at = SAMPLE_HEAD + TIMESTAMP_DIGITS
             intake.length = intake.words_at + 8
             intake.restart()
 

@@ -46,10 +46,10 @@ def build(
     "unity-link[build]", and GHDL 4 or later. For a board that only Vivado or Quartus places it writes a project, and
     prints the file to open.
     """
-    from unity_link.boards.board import load_board
     from unity_link.boards.build import build as make
     from unity_link.boards.build import loader
     from unity_link.boards.build import program as put
+    from unity_link.boards.loading import load_board
     from unity_link.boards.projects import VENDORS, make_project
 
     name, chosen = load_board(board)

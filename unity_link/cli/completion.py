@@ -144,7 +144,7 @@ def complete_simulated(incomplete: str) -> list[str]:
 
 def complete_board(incomplete: str) -> list[str]:
     """Return the names of the boards that are known."""
-    from unity_link.boards.board import board_names
+    from unity_link.boards.loading import board_names
 
     return _ways(incomplete, board_names())
 

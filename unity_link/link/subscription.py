@@ -113,12 +113,12 @@ class GatewayClock:
         self._ticks: int | None = None
         self._at = 0.0
         self._earliest = self._earliest_before = math.inf
-        """When the time was 0 by this machine's clock, as the sample says that was on its way for the shortest time.
+        """Instant of time 0 by this machine's clock, as the sample says that was on its way for the shortest time.
 
         The other is what those before the last guess say.
         """
         self._offset = 0
-        """What is added to timestamps since a reset of the gateway, in ticks."""
+        """Ticks that are added to timestamps since a reset of the gateway."""
         self._resumed = False
 
     def resume(self) -> None:

@@ -27,7 +27,7 @@ FEWEST_OF_A_SIZE = 8
 _Parts: TypeAlias = list[tuple["NDArray[np.intp]", "NDArray[np.uint8]"]]
 
 
-class PublishedGroup(Protocol):
+class SampleGroup(Protocol):
     """The part of a `group_table.HeldGroup` by which its samples are known."""
 
     length: int
@@ -46,7 +46,7 @@ class Mixture(NamedTuple):
     """Characters of all frames."""
 
 
-def find_mixture(data: bytes, start: int, framing: Framing, groups: Mapping[bytes, PublishedGroup]) -> Mixture | None:
+def find_mixture(data: bytes, start: int, framing: Framing, groups: Mapping[bytes, SampleGroup]) -> Mixture | None:
     """Return the samples from `start` on, up to the first line that is none of these groups; None where there is none.
 
     Args:

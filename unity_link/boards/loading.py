@@ -1,0 +1,66 @@
+"""Boards by their names, and from files of a user's own."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+
+import msgspec
+
+from unity_link.boards.board import PINS, Board
+from unity_link.boards.checking import misuse, name_fault, spelling_fault
+from unity_link.errors import ArgumentError, did_you_mean
+
+_DATA = Path(__file__).with_name("data")
+
+
+def board_names() -> list[str]:
+    """Return the names of the boards that are known."""
+    return sorted(path.stem for path in _DATA.glob("*.toml"))
+
+
+def load_board(name: str) -> tuple[str, Board]:
+    """Return the name of a board and what it is.
+
+    Args:
+        name: of a known board, or the path of a file that describes one: ``boards/mine.toml``.
+
+    Raises:
+        ArgumentError: where there is none, or its file does not describe a board.
+    """
+    given = Path(name)
+    path = given if given.suffix == ".toml" or given.name != name else _DATA / f"{name}.toml"
+    try:
+        data = tomllib.loads(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        known, hint = ", ".join(board_names()), did_you_mean(name, board_names())
+        raise ArgumentError(
+            f"there is no board {name}: one of {known} was expected, or a file NAME.toml"
+            + (f"; {hint}" if hint else "")
+        ) from None
+    except OSError as error:
+        raise ArgumentError(f"{path} cannot be read: {error.strerror}") from None
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
+        raise ArgumentError(f"{path} describes no board: {error}") from None
+    if fault := name_fault(path.stem) or misuse(data, Board):
+        raise ArgumentError(f"{path} describes no board: {fault}")
+    board = msgspec.convert(data, Board)
+    if fault := spelling_fault(board) or _fault(board):
+        raise ArgumentError(f"{path} describes no board: {fault}")
+    return path.stem, board
+
+
+def _fault(board: Board) -> str:
+    """Return what is wrong with a board, or nothing."""
+    needed = PINS[board.medium]
+    faults = [f"the pin {pin} has no site" for pin in needed if pin not in board.pins]
+    faults += [f"{pin} is no pin of {board.medium}" for pin in board.pins if pin not in needed]
+    sites = list(board.pins.values())
+    faults += [f"the site {site} belongs to two pins" for site in sites if sites.count(site) > 1]
+    if min(board.clock.hz, board.core_hz) <= 0:
+        faults.append("a clock has more than 0 Hz")
+    if board.medium == "uart" and board.baud is None:
+        faults.append("a uart needs baud")
+    elif board.baud is not None and not 0 < 4 * board.baud <= board.core_hz:
+        faults.append(f"baud = {board.baud}, and the most of a clock of {board.core_hz} Hz is {board.core_hz // 4}")
+    return faults[0] if faults else ""
