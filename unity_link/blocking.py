@@ -28,7 +28,7 @@ from collections import deque
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any, Self, TypeVar
 
-from unity_link.errors import LinkClosedError, Outcome, Sealed, UnityLinkError, missing, refusing
+from unity_link.errors import LinkClosedError, LinkLostError, Outcome, Sealed, UnityLinkError, missing, refusing
 from unity_link.link.calling_thread import CallingThread
 from unity_link.link.connecting import connect as connect_asynchronously
 from unity_link.link.connection import CONNECT_TIMEOUT
@@ -64,7 +64,9 @@ def connect(
 
 
 def _end(runtime: CallingThread, link: asynchronous.Link) -> None:
-    """End a link and its threads."""
+    """End a link and its threads; in a process that was forked, they are its parent's."""
+    if runtime.is_disowned:
+        return
     if runtime.is_running_here():
         # Found within a callback of its own, whose thread cannot be waited for.
         runtime.create_task(_close_later(runtime, link))
@@ -78,6 +80,8 @@ def _end(runtime: CallingThread, link: asynchronous.Link) -> None:
 
 def _end_unclosed(runtime: CallingThread, link: asynchronous.Link) -> None:
     """End a link that the garbage collector finds, or the end of the program, and warn of it."""
+    if runtime.is_disowned:
+        return
     try:
         warnings.warn(f"{link!r} was not closed: use `with`, or `close`", ResourceWarning, stacklevel=1, source=link)
     finally:
@@ -155,7 +159,7 @@ class BlockingLink(Sealed):
     ) -> None:
         """Close; where the block ended well, not before the posted writes are executed, and with their errors."""
         try:
-            if self._end.alive:
+            if self._end.alive and not self._runtime.is_disowned:
                 self._call(self._link.__aexit__, kind, error, trace)
         finally:
             self.close()
@@ -309,7 +313,8 @@ class BlockingSubscription(Sealed):
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         # A link that is closed has ended the subscription, which is no error here.
-        self._run(self._subscription.__aexit__, kind, error, trace)
+        with suppress(LinkLostError):
+            self._run(self._subscription.__aexit__, kind, error, trace)
 
     def __iter__(self) -> Self:
         return self

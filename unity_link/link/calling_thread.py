@@ -10,14 +10,16 @@ from __future__ import annotations
 
 import asyncio
 import inspect
+import os
 import socket
 import threading
 import time
 from collections import deque
 from contextlib import asynccontextmanager, suppress
-from typing import TYPE_CHECKING, Any, ParamSpec, TypeVar
+from typing import TYPE_CHECKING, Any, Never, ParamSpec, TypeVar
 
 from unity_link.errors import ArgumentError
+from unity_link.link.connection import forked
 from unity_link.link.loop_thread import Relay, run_in_loop
 from unity_link.link.runtime import report
 from unity_link.link.synchronisation import CALLING
@@ -103,6 +105,10 @@ class _Job(_Run):
         self._runtime.leave()
 
 
+def _refuse() -> Never:
+    raise forked()
+
+
 def _wake(parked: threading.Lock) -> None:
     if parked.locked():
         parked.release()
@@ -133,6 +139,8 @@ class CallingThread:
         self.running = _Run()
         """Call that runs now."""
         self._relays: list[Relay] = []
+        self.is_disowned = False
+        """Whether this process was forked from the one that the link is of."""
         self._closed = False
         self._attended = 0
         self._attendant: threading.Thread | None = None
@@ -145,6 +153,11 @@ class CallingThread:
             end.setblocking(False)  # noqa: FBT003  (it has no name)
         self.watch(self._woken.fileno(), READABLE, self._empty)
         CALLING.add(self)
+
+    def disown(self) -> None:
+        """Refuse all calls: what polls, and who holds the lock, is in the process from which this one was forked."""
+        self.is_disowned = True
+        self.is_running_here = _refuse
 
     # Calls
 
@@ -443,3 +456,13 @@ class CallingThread:
             self._run_ready()
             if self._jobs:
                 self._jobs.popleft().step()
+
+
+def _disown_all() -> None:
+    for runtime in list(CALLING):
+        runtime.disown()
+    CALLING.clear()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_disown_all)

@@ -9,8 +9,10 @@ from __future__ import annotations
 
 import logging
 import math
+import os
 import random
 from typing import TYPE_CHECKING, Any
+from weakref import WeakSet
 
 import msgspec
 
@@ -138,6 +140,7 @@ class Connection:
         """Done when all groups are set up again in a new session."""
         self._reconnection: Job | None = None
         self._resumption: Job | None = None
+        _CONNECTIONS.add(self)
         self._sessions = 0
         self._opened_again_at = -math.inf
         """Instant of the last attempt to connect again that succeeded."""
@@ -384,6 +387,12 @@ class Connection:
         self._fail_restoring(error)
         self._ended(error)
 
+    def disown(self) -> None:
+        """Have nothing more to do with the connection, which is that of the process from which this one was forked."""
+        self._closed = self._closed_by_program = True
+        self._flow.stream = self._flow.seat = self._reconnection = None
+        self._session.close(forked())
+
     async def aclose(self) -> None:
         """End the link: what still waits raises `LinkClosedError`. May be called twice."""
         self._closed_by_program = True
@@ -393,3 +402,22 @@ class Connection:
             await self._runtime.finish(task)
         if stream is not None:
             await stream.close()
+
+
+_CONNECTIONS: WeakSet[Connection] = WeakSet()
+
+
+def forked() -> LinkLostError:
+    """Return the error of a link in a process that was forked from the one that opened it."""
+    return LinkLostError(
+        "this process was forked from the one that opened the link: open another link here", Outcome.NOT_EXECUTED
+    )
+
+
+def _disown_all() -> None:
+    for connection in list(_CONNECTIONS):
+        connection.disown()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_disown_all)

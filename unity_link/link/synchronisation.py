@@ -28,6 +28,9 @@ class BlockingRuntime(Runtime, Protocol):
     is_running_here: Callable[[], bool]
     """Returns whether the calling thread runs a coroutine by it."""
 
+    def disown(self) -> None:
+        """Refuse all calls, in a process that was forked."""
+
 
 STRUCTURED: ContextVar[Runtime] = ContextVar("STRUCTURED")
 """Runtime of the links of the innermost block, under trio."""
