@@ -256,6 +256,19 @@ def test_where_the_last_of_several_cannot_get_its_name_none_has_one(tmp_path: Pa
     assert [path.name for path in tmp_path.iterdir()] == ["b"]
 
 
+@pytest.mark.parametrize(
+    "command", ["generate python rover.ul -o robot.py", "generate c rover.ul -o rover.h", "gateware copy top.vhd"]
+)
+def test_the_name_of_a_file_is_not_taken_for_that_of_a_folder(command: str, here: Path) -> None:
+    before = contents()
+    assert (
+        said_by(command)[0]
+        == f"{command.rsplit(maxsplit=1)[-1]} is named like a file: the name of a folder was expected"
+    )
+    assert contents() == before
+    assert here.is_dir()
+
+
 # Links, devices and modes.
 
 

@@ -250,6 +250,7 @@ def write_texts(
     Raises:
         ArgumentError: where one is in the way or cannot be written; what was there before is as it was.
     """
+    check_folder(folder, texts)
     data = {name: text.encode() for name, text in texts.items()}
     sums = "".join(f"{digest_of(data[name])}  {name}\n" for name in data if data[name] and not is_marked(data[name]))
     if sums:
@@ -261,6 +262,16 @@ def write_texts(
         programs={folder / name for name in programs},
     )
     return [folder / name for name in data]
+
+
+def check_folder(folder: Path, names: Iterable[Path | str]) -> None:
+    """Check that the name of a folder that is to be made is not meant to be that of a file.
+
+    Raises:
+        ArgumentError: where it ends as one of the files that are to be in it.
+    """
+    if folder.suffix and not folder.exists() and folder.suffix in {Path(name).suffix for name in names}:
+        raise ArgumentError(f"{folder} is named like a file: the name of a folder was expected")
 
 
 def is_device(path: Path) -> bool:

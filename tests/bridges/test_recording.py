@@ -235,6 +235,11 @@ def test_a_table_has_a_row_for_each_sample_and_a_column_for_each_signal(
         (["record", "sim:scara", str(SPEC), "-o", "/nosuch/run.mcap"], "/nosuch/run.mcap cannot be written"),
         (["record", "sim:scara", str(SPEC), "-o", "/tmp"], "/tmp is a directory: the name of a file was expected"),
         (["record", "sim:scara", str(SPEC), "-o", "/tmp", "--overwrite"], "/tmp is a directory: the name of a file"),
+        (
+            ["record", "sim:scara", str(SPEC), "-o", "x.csv"],
+            "record x.mcap, and unity-link export x.mcap --csv makes tables of it",
+        ),
+        (["record", "sim:scara", str(SPEC), "-o", "x.JSON"], "x.JSON names another form than MCAP, which recordings"),
         (["record", "sim:scara", str(SPEC), "-o", "x", "--poll", "0"], "more than 0 Hz was expected"),
     ],
     ids=lambda value: " ".join(Path(word).name for word in value) if isinstance(value, list) else "",
@@ -250,6 +255,14 @@ def test_a_speed_at_which_nothing_can_be_played_is_refused(recorded: Path) -> No
         words = re.escape(f"a speed of {speed:g} was asked for, expected more than 0 and at most 1e+06")
         with pytest.raises(ArgumentError, match=words):
             replay(Recording(recorded), speed=speed)
+
+
+def test_a_table_is_not_taken_for_the_folder_of_tables(recorded: Path, tmp_path: Path) -> None:
+    with pytest.raises(ArgumentError, match=r"x\.csv is named like a file: the name of a folder was expected"):
+        export(Recording(recorded), "csv", tmp_path / "x.csv")
+    with pytest.raises(ArgumentError, match=r"x\.csv names another form than MCAP"):
+        record(tmp_path / "x.csv", lambda _: True)
+    assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.parametrize("form", ["csv", "parquet"])

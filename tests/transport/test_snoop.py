@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 import os
+import struct
 import subprocess
 import sys
 from typing import TYPE_CHECKING
@@ -16,7 +17,7 @@ from unity_link.bridges.serve import serve
 from unity_link.errors import ArgumentError
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.crc import Crc
-from unity_link.transport import SNOOP_VARIABLE
+from unity_link.transport import SNOOP_VARIABLE, pcapng
 from unity_link.transport.snoop import Connected, Disconnected, Passed, Snoop, read
 from unity_link.transport.tap import Tap
 from unity_link.virtual import VirtualGateway
@@ -131,7 +132,7 @@ def test_a_file_that_was_moved_away_is_not_written_any_more(tmp_path: Path) -> N
         ("missing/a.snoop", r"can't be made \(No such file or directory\)"),
         ("folder", r"can't be made \(Is a directory\)"),
         ("pipe", "can't be made|is no file"),
-        ("text", "is there and no snoop: choose another name"),
+        ("text", "is there, and no snoop to append to"),
     ],
 )
 def test_a_snoop_that_cannot_be_written_is_one_sentence_and_nothing_is_opened(
@@ -179,6 +180,89 @@ def test_what_a_crash_left_of_a_record_is_cut_off_before_more_is_appended(
     assert other.read_bytes().startswith(whole)
     assert len([event for event in events(other) if isinstance(event, Connected)]) == 2
     assert "the last record of the snoop" in caplog.text
+
+
+def block(kind: int, body: bytes, order: str = "<") -> bytes:
+    """Return a block as any program writes it."""
+    length = struct.pack(f"{order}I", 12 + len(body))
+    return struct.pack(f"{order}I", kind) + length + body + length
+
+
+def foreign(order: str = "<") -> bytes:
+    """Return a capture of another program."""
+    section = block(0x0A0D0D0A, struct.pack(f"{order}IHHq", 0x1A2B3C4D, 1, 0, -1), order)
+    return section + block(1, struct.pack(f"{order}HHI", 1, 0, 0), order) + block(6, bytes(80), order) * 100
+
+
+OTHERS = {
+    "big-endian": foreign(">"),
+    "of Wireshark": foreign(),
+    "of Wireshark, cut": foreign()[:-7],
+    "a block too big": foreign()[:28] + struct.pack("<II", 0xBAD, 1 << 27) + bytes(4000),
+    "a line end": b"\n",
+    "the first bytes of any capture": pcapng.SECTION_START,
+    "our first section, cut": pcapng.section()[:30],
+    "of a later version": pcapng.section().replace(b"snoop 1", b"snoop 2"),
+    "ours, then a text": pcapng.section() + b"and what I thought of it",
+    "ours, then a block of another kind, cut": pcapng.section() + block(0xBAD, bytes(400))[:300],
+    "ours, then a block too big": pcapng.section() + struct.pack("<II", 6, 1 << 27) + bytes(4000),
+    "ours, then two lengths that differ": pcapng.section() + block(6, bytes(80))[:-1] + b"x" + block(6, bytes(8))[:-1],
+}
+
+
+@pytest.mark.parametrize("content", OTHERS.values(), ids=OTHERS)
+def test_a_file_that_is_not_proved_to_be_a_snoop_stays_as_it_is(content: bytes, tmp_path: Path) -> None:
+    path = tmp_path / "a.snoop"
+    path.write_bytes(content)
+
+    with pytest.raises(
+        ArgumentError, match=r"a\.snoop is there, and no snoop to append to \(.*\): choose another name"
+    ):
+        write_and_read(f"sim:?snoop={path}")
+
+    assert path.read_bytes() == content
+
+
+@pytest.mark.parametrize("left", range(0, 96, 19))
+def test_a_record_that_a_crash_left_half_or_as_zeros_is_cut_off(left: int, tmp_path: Path) -> None:
+    record = block(6, bytes(range(1, 89)))
+    for rest in (record[:left], record[:left] + bytes(100 - left), record[:left] + bytes(5000)):
+        path = tmp_path / f"{len(rest)}.snoop"
+        path.write_bytes(pcapng.section() + rest)
+
+        write_and_read(f"sim:?snoop={path}")
+
+        assert path.read_bytes().startswith(pcapng.section() * 2)
+
+
+def test_a_snoop_is_not_made_through_a_link_that_leads_nowhere(tmp_path: Path) -> None:
+    path = tmp_path / "a.snoop"
+    path.symlink_to(tmp_path / "elsewhere")
+
+    with pytest.raises(ArgumentError, match="is a link that leads nowhere"):
+        write_and_read(f"sim:?snoop={path}")
+
+    assert not path.exists()
+    (tmp_path / "elsewhere").touch()
+    write_and_read(f"sim:?snoop={path}")
+    assert (path.is_symlink(), len(events(path)) > 0) == (True, True)
+
+
+def test_what_another_program_joined_is_read_as_the_snoops_in_it(tmp_path: Path) -> None:
+    path = tmp_path / "a.snoop"
+    write_and_read(f"sim:?snoop={path}")
+    expected = events(path)
+    # As mergecap writes it, with nothing but its own section.
+    option = struct.pack("<HH", 4, 8) + b"Mergecap" + bytes(4)
+    section = block(0x0A0D0D0A, struct.pack("<IHHq", 0x1A2B3C4D, 1, 0, -1) + option)
+    path.write_bytes(path.read_bytes().replace(pcapng.section(), section))
+
+    assert events(path) == expected
+
+    path.write_bytes(path.read_bytes() + block(1, struct.pack("<HHI", 1, 0, 0)))
+    said: list[str] = []
+    assert list(read(path, said.append)) == expected
+    assert "what is captured is no connection to a gateway" in said[0]
 
 
 def test_a_full_disk_ends_the_snoop_and_not_the_link(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:

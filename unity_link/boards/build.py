@@ -15,7 +15,7 @@ from unity_link.boards.board import PINS, Board
 from unity_link.boards.clocks import pll
 from unity_link.boards.families import FAMILIES, YOSYS, Family
 from unity_link.errors import ArgumentError, UnityLinkError
-from unity_link.files import MARK, Writing, digest_of, listed_in
+from unity_link.files import MARK, Writing, check_folder, digest_of, listed_in
 from unity_link.gateware.cache import ToolMissingError, board_sources
 from unity_link.gateware.convert import to_verilog
 from unity_link.gateware.ghdl import converting_ghdl
@@ -94,6 +94,7 @@ def build(
     converting_ghdl()
     name = f"{identifier(chosen.name)}_{board_name}"
     built = Built(output / f"{name}.{family.suffix}", output / f"{name}.md")
+    check_folder(output, built)
     try:
         with Writing(overwrite=overwrite) as writing, tempfile.TemporaryDirectory() as scratch:
             writing.claim(built, listed_in(built.report))

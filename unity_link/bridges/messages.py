@@ -18,6 +18,8 @@ from typing import TYPE_CHECKING, Any
 import msgspec
 import numpy as np
 
+from unity_link.spec.kinds import KindName
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
@@ -160,6 +162,8 @@ def _schema(tree: Any, signals: Sequence[Signal]) -> dict[str, Any]:
 def _value_schema(signal: Signal) -> dict[str, Any]:
     kind = signal.kind
     schema: dict[str, Any] = {"type": _TYPES[kind.dtype.kind]}
+    # What JSON has no number for.
+    null = "or null for NaN and infinities" if kind.name is KindName.FLOAT else ""
     names = [f"{value.value}: {value.name}" for value in kind.enumeration.values] if kind.enumeration else []
-    described = "; ".join(filter(None, [signal.doc, ", ".join(names), signal.unit and f"in {signal.unit}"]))
+    described = "; ".join(filter(None, [signal.doc, ", ".join(names), signal.unit and f"in {signal.unit}", null]))
     return {**schema, "description": described} if described else schema

@@ -14,6 +14,9 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from unity_link.errors import ArgumentError
+from unity_link.files import write_files
+
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
@@ -54,11 +57,9 @@ def remember_used() -> None:
         if before[:1] == [url]:
             return
         kept = [url, *(other for other in before if other != url)][:_MOST]
-        with contextlib.suppress(OSError):
-            path.parent.mkdir(parents=True, exist_ok=True)
-            replacement = path.with_suffix(f".{os.getpid()}")
-            replacement.write_text("\n".join(kept) + "\n", encoding="utf-8", errors="surrogateescape")
-            replacement.replace(path)
+        text = "\n".join(kept) + "\n"
+        with contextlib.suppress(ArgumentError):
+            write_files({path: text.encode(errors="surrogateescape")}, overwrite=True)
 
 
 def remembered() -> list[str]:

@@ -61,7 +61,10 @@ def record(  # noqa: PLR0913  (each is an option)
     The recording is an MCAP file, which Foxglove and PlotJuggler open. Whatever ends the program, what was recorded
     up to a second before is in it. A gateway that goes away is waited for.
     """
+    from unity_link.bridges.recording.files import check_name
+
     check_poll(poll)
+    check_name(output)
     run(
         _record(
             url,

@@ -384,6 +384,9 @@ def _history() -> Any:
     from prompt_toolkit.history import FileHistory, InMemoryHistory
 
     folder = Path(typer.get_app_dir("unity-link"))
+    if not folder.is_absolute():
+        # Without a home, `~` stays in it.
+        return InMemoryHistory()
     try:
         folder.mkdir(parents=True, exist_ok=True)
         with (folder / "history").open("a"):

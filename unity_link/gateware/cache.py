@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import os
+import stat
+import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from unity_link.errors import UnityLinkError
+from unity_link.files import write_file
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -25,19 +29,45 @@ LIBRARY = "unity_link"
 
 
 def cache_folder(*parts: str) -> Path:
-    """Return a folder of ours in the user's cache (XDG_CACHE_HOME or ~/.cache), made if it was not there."""
-    base = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
-    folder = Path(base, "unity-link", *parts)
+    """Return a folder of ours in the user's cache (XDG_CACHE_HOME or ~/.cache), made if it was not there.
+
+    A user without a home has it among the temporary files.
+    """
+    named = os.environ.get("XDG_CACHE_HOME")
+    if named:
+        base = Path(named, "unity-link")
+    else:
+        try:
+            base = Path.home() / ".cache" / "unity-link"
+            base.mkdir(parents=True, exist_ok=True)
+        except (RuntimeError, OSError):
+            # A container's user has no home, or one that cannot be written.
+            base = _private_folder()
+    folder = base.joinpath(*parts)
     folder.mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+def _private_folder() -> Path:
+    """Return a folder for temporary files that this user alone can write: what is kept there is executed.
+
+    Raises:
+        ToolMissingError: where another user has made it.
+    """
+    folder = Path(tempfile.gettempdir(), f"unity-link-{os.getuid() if hasattr(os, 'getuid') else 'cache'}")
+    with contextlib.suppress(FileExistsError):
+        folder.mkdir(mode=0o700)
+    state = folder.lstat()
+    mine = not hasattr(os, "getuid") or (state.st_uid == os.getuid() and not state.st_mode & 0o022)
+    if not (stat.S_ISDIR(state.st_mode) and mine):
+        raise ToolMissingError(f"{folder} is not this user's alone: name a folder for what is kept in XDG_CACHE_HOME")
     return folder
 
 
 def kept(path: Path, make: Callable[[], str]) -> str:
     """Return the text of a file of the cache, which is made unless it was made before."""
     if not path.exists():
-        partial = path.with_suffix(f".{os.getpid()}")
-        partial.write_text(make())
-        partial.replace(path)
+        write_file(path, make().encode(), overwrite=True)
     return path.read_text()
 
 

@@ -6,7 +6,6 @@ A warning is an error here, but for those of attributes, as is what is never ass
 from __future__ import annotations
 
 import itertools
-import os
 import re
 import subprocess
 import tempfile
@@ -14,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from unity_link.errors import UnityLinkError
+from unity_link.files import write_file
 from unity_link.gateware.cache import LIBRARY, cache_folder, hash_of, library_of, vhdl_sources
 from unity_link.gateware.ghdl import converting_ghdl
 
@@ -87,9 +87,7 @@ def to_verilog(
     # The remarks name files of this machine.
     text = re.sub(r"^ */\*.*?\*/\n", "", steps[-1].stdout, flags=re.MULTILINE)
     text = _PRIMITIVES.sub(lambda cell: _THEIR_NAMES.sub(lambda name: name[0].upper(), cell[0]), text)
-    partial = result.with_suffix(f".{os.getpid()}")
-    partial.write_text(text)
-    partial.replace(result)
+    write_file(result, text.encode(), overwrite=True)
     return result
 
 

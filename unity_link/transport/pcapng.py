@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 SECTION, INTERFACE, PACKET, STATISTICS = 0x0A0D0D0A, 1, 6, 5
+_OURS = (SECTION, INTERFACE, PACKET, STATISTICS)
 ORDER = 0x1A2B3C4D
 LINK_TYPE = 147
 """LINKTYPE_USER0: what it is, the two ends know."""
@@ -22,7 +23,8 @@ FORM = "Unity-Link snoop 1"
 SECTION_START = struct.pack("<I", SECTION)
 _INBOUND, _OUTBOUND = 1, 2
 _COMMENT, _APPLICATION, _NAME, _RESOLUTION, _FLAGS = 1, 4, 2, 9, 2
-_NANOSECONDS = 9
+_TICKS = bytes([9])
+"""What an interface says of its times: they are in nanoseconds."""
 SMALLEST = 12
 """Bytes of a block without a body."""
 LARGEST_BLOCK = 1 << 26
@@ -61,9 +63,7 @@ def section() -> bytes:
 
 def interface(name: str) -> bytes:
     """Return the block of a connection; those of a section are numbered from 0 in their order."""
-    options = (
-        _option(_NAME, name.encode(errors="backslashreplace")) + _option(_RESOLUTION, bytes([_NANOSECONDS])) + _END
-    )
+    options = _option(_NAME, name.encode(errors="backslashreplace")) + _option(_RESOLUTION, _TICKS) + _END
     return _block(INTERFACE, struct.pack("<HHI", LINK_TYPE, 0, 0) + options)
 
 
@@ -97,13 +97,12 @@ def _block(kind: int, body: bytes) -> bytes:
     return struct.pack("<I", kind) + total + body + total
 
 
-def blocks(data: bytes | mmap.mmap) -> Iterator[PcapngBlock]:
-    """Return the blocks of a file.
+def blocks(data: bytes | mmap.mmap, offset: int = 0) -> Iterator[PcapngBlock]:
+    """Return the blocks of a file, from an offset on.
 
     Raises:
         DamagedFileError: behind the last whole block, where something else follows.
     """
-    offset = 0
     while offset < len(data):
         size = _whole(data, offset)
         kind = int.from_bytes(data[offset : offset + 4], "little")
@@ -122,13 +121,40 @@ def length_of_whole(data: bytes | mmap.mmap) -> int:
     return offset
 
 
+def check_beginning(data: bytes | mmap.mmap) -> None:
+    """Check that a file begins with a section of ours.
+
+    Raises:
+        ValueError: where it does not, or the section is of another version.
+    """
+    if data[: len(SECTION_START)] != SECTION_START:
+        raise ValueError("it begins as no capture does")
+    if (order := data[8:12]) != struct.pack("<I", ORDER):
+        raise ValueError("its bytes stand in another order" if order == struct.pack(">I", ORDER) else "it is cut")
+    check_section(data[8 : _whole(data, 0) - 4])
+
+
+def is_begun(rest: bytes) -> bool:
+    """Return whether what stands behind the last whole block is nothing but the beginning of one of ours.
+
+    Where a machine loses its power, a file may have got its length and not its last bytes, which are zeros then.
+    """
+    begun = rest.rstrip(b"\0")
+    if len(rest) > LARGEST_BLOCK:
+        return False
+    if len(begun) < 8:
+        return any(struct.pack("<I", kind).startswith(begun[:4]) for kind in _OURS)
+    kind, size = struct.unpack_from("<II", begun)
+    return kind in _OURS and size % 4 == 0 and len(begun) < size <= LARGEST_BLOCK
+
+
 def ends_whole(data: bytes | mmap.mmap) -> bool:
     """Return whether the last block is whole, as far as its two lengths tell."""
     size = int.from_bytes(data[-4:], "little")
     if not SMALLEST <= size <= len(data):
         return False
     kind = int.from_bytes(data[-size:][:4], "little")
-    return data[-size:][4:8] == data[-4:] and kind in (SECTION, INTERFACE, PACKET, STATISTICS)
+    return data[-size:][4:8] == data[-4:] and kind in _OURS
 
 
 def _whole(data: bytes | mmap.mmap, offset: int) -> int:
@@ -149,23 +175,47 @@ def _whole(data: bytes | mmap.mmap, offset: int) -> int:
 # What blocks say.
 
 
-def check_section(body: bytes) -> None:
+def check_section(body: bytes, data: bytes | mmap.mmap = b"", end: int = 0) -> None:
     """Check what a section says of who wrote it.
 
+    Args:
+        body: of the section.
+        data: the file; none where what another program has copied counts as no snoop.
+        end: where the section ends in the file.
+
     Raises:
-        ValueError: where it is not ours, or of another version.
+        ValueError: where it is not ours, and no copy; or of another version.
     """
     if body[:4] != struct.pack("<I", ORDER):
         raise ValueError("no snoop: its bytes stand in another order")
     application = _options(body[16:]).get(_APPLICATION, b"").decode(errors="replace")
     if not application.startswith("Unity-Link snoop"):
-        raise ValueError(f"no snoop of unity-link, but of {application or 'another program'}")
-    if application != FORM:
+        if not _is_connection(data, end):
+            raise ValueError(f"no snoop of unity-link, but of {application or 'another program'}")
+    elif application != FORM:
         raise ValueError(f"of another version, {application!r}; this program reads {FORM!r}")
 
 
+def _is_connection(data: bytes | mmap.mmap, offset: int) -> bool:
+    """Return whether a connection begins at an offset, by whichever program it was copied."""
+    try:
+        following = next(blocks(data, offset), None)
+    except DamagedFileError:
+        return False
+    if following is None or following.kind != INTERFACE or following.body[:2] != struct.pack("<H", LINK_TYPE):
+        return False
+    options = _options(following.body[8:])
+    return _NAME in options and options.get(_RESOLUTION) == _TICKS
+
+
 def read_interface(body: bytes) -> str:
-    """Return the name of a connection."""
+    """Return the name of a connection.
+
+    Raises:
+        ValueError: where it is of something else.
+    """
+    if body[:2] != struct.pack("<H", LINK_TYPE):
+        raise ValueError("what is captured is no connection to a gateway")
     return _options(body[8:]).get(_NAME, b"").decode(errors="replace")
 
 

@@ -44,9 +44,9 @@ class Snoop:
         self._interfaces = 0
         self._lock = threading.Lock()
         try:
-            # Nonblocking, for a pipe without a reader would wait for one.
-            flags = os.O_RDWR | os.O_CREAT | os.O_APPEND | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_NONBLOCK", 0)
-            self._file: int | None = os.open(path, flags, 0o666)
+            self._file: int | None = _open(path)
+        except FileExistsError:
+            raise ArgumentError(f"the snoop {path} is a link that leads nowhere: choose another name") from None
         except OSError as error:
             raise ArgumentError(f"the snoop {path} can't be made ({error.strerror or error})") from error
         try:
@@ -126,17 +126,32 @@ class Snoop:
             self.close()
 
 
+def _open(path: Path) -> int:
+    """Open a file to append to, which is made where there is none; a link that leads nowhere makes none elsewhere."""
+    # Nonblocking, for a pipe without a reader would wait for one.
+    flags = os.O_RDWR | os.O_APPEND | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_NONBLOCK", 0)
+    try:
+        return os.open(path, flags)
+    except FileNotFoundError:
+        # Another program may make it in the same instant.
+        return os.open(path, flags | os.O_CREAT | (os.O_EXCL if path.is_symlink() else 0), 0o666)
+
+
 def _mend(file: int, path: Path) -> None:
-    """See that a file ends with a whole block, and cut off what a crash has left of one.
+    """See that a file is a snoop and ends with a whole block, and cut off what a crash has left of one.
 
     Raises:
-        ArgumentError: where it is no snoop.
+        ArgumentError: where it is no snoop, or something else stands behind its last whole block; it stays as it is.
     """
     with mmap.mmap(file, 0, access=mmap.ACCESS_READ) as data:
-        if data[:4] != pcapng.SECTION_START[: len(data)]:
-            raise ArgumentError(f"{path} is there and no snoop: choose another name")
-        size = len(data)
-        whole = size if pcapng.ends_whole(data) else pcapng.length_of_whole(data)
+        try:
+            pcapng.check_beginning(data)
+            size = len(data)
+            whole = size if pcapng.ends_whole(data) else pcapng.length_of_whole(data)
+            if not pcapng.is_begun(data[whole : whole + pcapng.LARGEST_BLOCK + 1]):
+                raise DamagedFileError(whole, "it goes on as no snoop does")
+        except ValueError as error:
+            raise ArgumentError(f"{path} is there, and no snoop to append to ({error}): choose another name") from None
     if whole < size:
         log.warning("the last record of the snoop %s was cut, and is left out", path)
         os.ftruncate(file, whole)
@@ -199,7 +214,7 @@ def _events(path: Path, data: mmap.mmap) -> Iterator[Connected | Passed | Discon
             if block.kind == pcapng.SECTION:
                 first = connections
                 try:
-                    pcapng.check_section(block.body)
+                    pcapng.check_section(block.body, data, offset + len(block.body) + pcapng.SMALLEST)
                 except ValueError as error:
                     if not offset:
                         raise ArgumentError(f"{path} is {error}") from None

@@ -21,10 +21,10 @@ A file has all that it takes to understand it: two attachments, ``interface.json
 words that they were made of, so that nothing is lost where JSON has no number for a value.
 """
 
-from unity_link.bridges.recording.files import RecordingError
+from unity_link.bridges.recording.files import FORMATS, RecordingError
 from unity_link.bridges.recording.reader import Recording
 from unity_link.bridges.recording.recorder import Recorder
 from unity_link.bridges.recording.replay import replay
-from unity_link.bridges.recording.tables import FORMATS, export
+from unity_link.bridges.recording.tables import export
 
 __all__ = ["FORMATS", "Recorder", "Recording", "RecordingError", "export", "replay"]

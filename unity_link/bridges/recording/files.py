@@ -31,11 +31,18 @@ if TYPE_CHECKING:
     from unity_link.protocol.configuration import GatewayInfo
     from unity_link.spec import Interface
 
+FORMATS = ("parquet", "csv")
+"""Of the tables that `export` makes of recordings."""
 INTERFACE, GATEWAY = "interface.json", "gateway.json"
 """Names of the attachments."""
 INTERRUPTION = "interruption"
 """Name of the metadata that say when the gateway was away, `from` and `to`, in UTC as ISO 8601."""
 _BUFFERED = 1 << 20
+_OF_OTHERS = frozenset(
+    {".arrow", ".bag", ".csv", ".db3", ".feather", ".h5", ".hdf5", ".json", ".jsonl", ".mat", ".npy", ".npz"}
+    | {".parquet", ".pcapng", ".tsv", ".txt", ".vcd", ".xlsx"}
+)
+"""Suffixes of forms that a recording does not have."""
 
 
 class RecordingError(UnityLinkError):
@@ -55,6 +62,19 @@ def check_extra() -> None:
         raise RecordingError("recordings need mcap, which is not installed: pip install 'unity-link[record]'") from None
 
 
+def check_name(path: Path) -> None:
+    """Check that a name does not promise another form than that of a recording.
+
+    Raises:
+        ArgumentError: where its suffix does.
+    """
+    form = path.suffix.lower()
+    if form in _OF_OTHERS:
+        name = path.with_suffix(".mcap")
+        table = f", and unity-link export {name} --{form[1:]} makes tables of it" if form[1:] in FORMATS else ""
+        raise ArgumentError(f"{path} names another form than MCAP, which recordings have: record {name}{table}")
+
+
 class RecordingFile:
     """A recording that is being written. Its methods block while the disk does; one thread at a time."""
 
@@ -70,10 +90,12 @@ class RecordingFile:
         """Begin a file.
 
         Raises:
-            ArgumentError: where there is one of that name, unless `overwrite`; where another recorder writes it, or it
+            ArgumentError: where there is one of that name, unless `overwrite`; where the name is that of another form;
+                where another recorder writes it, or it
                 cannot be written.
             RecordingError: where the disk is full, or mcap is not installed.
         """
+        check_name(path)
         check_extra()
         from unity_link import __version__
         from unity_link.bridges.recording.chunks import ChunkWriter

@@ -37,6 +37,7 @@ MOST_UNPACKED = 64 << 20
 MOST_WORDS = 8 << 20
 """Words of samples that `Recording.in_order` holds at most, besides those of one chunk."""
 _AT_ONCE = 4096
+_LONGEST_NAME = 200
 _RECORD = struct.Struct("<BQ")
 """Beginning of each record: its opcode, and how long the rest is."""
 
@@ -224,10 +225,16 @@ class Recording:
         except (ArgumentError, UnsupportedError) as error:
             raise RecordingError(f"{self.path} is damaged: {error}") from None
         for number, channel in channels.items():
+            name = channel.topic.rpartition("/")[2]
+            # Files are named after it.
+            if not name.isprintable() or len(name) > _LONGEST_NAME:
+                raise RecordingError(
+                    f"{self.path} is damaged: it has a channel {name[:20]!a}, expected that of a group"
+                )
             paths = channel.metadata.get("signals", "").split("\n")
             signals = tuple(self.interface.signals[path] for path in paths if path in self.interface.signals)
             addresses = tuple(dict.fromkeys(address for signal in signals for address in signal.addresses))
-            self._channels[number] = RecordedGroup(channel.topic.rpartition("/")[2], signals, addresses)
+            self._channels[number] = RecordedGroup(name, signals, addresses)
 
     def _samples_at(self, file: BinaryIO, place: int) -> list[RecordedSamples]:
         """Read the chunk, or the message, at a place of the file; nothing where it is damaged."""
@@ -274,7 +281,7 @@ class Recording:
                 np.array([message.lost for message in messages], np.int64),
                 words,
             )
-        except (msgspec.DecodeError, ValueError, OverflowError) as error:
+        except (msgspec.DecodeError, ValueError, OverflowError, RecursionError) as error:
             raise RecordingError(f"{self.path} has a message of {group.name} that is not ours: {error}") from None
 
 

@@ -7,10 +7,10 @@ from contextlib import ExitStack
 from typing import TYPE_CHECKING, Any, BinaryIO, Self
 
 import unity_link
-from unity_link.bridges.recording.files import RecordingError
+from unity_link.bridges.recording.files import FORMATS, RecordingError
 from unity_link.data.tables import column_names
 from unity_link.errors import ArgumentError
-from unity_link.files import Writing, head_of
+from unity_link.files import Writing, check_folder, head_of
 from unity_link.spec.columns import Columns
 
 if TYPE_CHECKING:
@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     from unity_link.bridges.recording.reader import RecordedGroup, RecordedSamples, Recording
     from unity_link.files import Overwrite
 
-FORMATS = ("parquet", "csv")
 _COLUMNS = ("time", "gateway_time", "sequence", "lost")
 """Columns that each table begins with."""
 _WRITER = b"unity-link"
@@ -55,6 +54,7 @@ def export(
     if form not in FORMATS:
         raise ArgumentError(f"there is no table format {form!r}: one of {', '.join(FORMATS)} was expected")
     paths = {group.name: directory / f"{recording.path.stem}.{group.name}.{form}" for group in recording.groups}
+    check_folder(directory, paths.values())
     try:
         directory.mkdir(parents=True, exist_ok=True)
         with Writing(overwrite=overwrite) as writing, ExitStack() as opened:

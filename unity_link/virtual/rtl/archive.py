@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from unity_link.errors import ArgumentError
+from unity_link.files import write_files
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -107,11 +108,10 @@ def write(folder: Path, index: Mapping[str, Entry], texts: Mapping[str, bytes]) 
             member.size = len(text)
             archive.addfile(member, io.BytesIO(text))
     rows = b",\n".join(b'"%s": %s' % (name.encode(), msgspec.json.encode(index[name])) for name in sorted(index))
-    folder.mkdir(parents=True, exist_ok=True)
-    for name, data in (
-        (_ARCHIVE, lzma.compress(packed.getvalue(), preset=9 | lzma.PRESET_EXTREME)),
-        (_INDEX, b"{\n%s\n}\n" % rows),
-    ):
-        partial = folder / f"{name}.partial"
-        partial.write_bytes(data)
-        partial.replace(folder / name)
+    write_files(
+        {
+            folder / _ARCHIVE: lzma.compress(packed.getvalue(), preset=9 | lzma.PRESET_EXTREME),
+            folder / _INDEX: b"{\n%s\n}\n" % rows,
+        },
+        overwrite=True,
+    )

@@ -23,6 +23,7 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from unity_link.errors import ConnectError
+from unity_link.gateware import cache
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -98,10 +99,7 @@ class _Plan(msgspec.Struct, frozen=True):
                 yield [*self.compiler, *_OPTIONS, f"-I{_RUNTIME}", named, str(_SHIM), "-o", str(built)]
                 built.replace(self.library)
         except OSError as error:
-            raise ConnectError(
-                f"the compiled gateware can't be kept in {self.library.parent} ({error.strerror or error}): "
-                "name another folder in XDG_CACHE_HOME"
-            ) from error
+            raise _not_kept(self.library.parent, error) from error
 
     def check(self, errors: bytes, code: int) -> None:
         """Raise `ConnectError` where the compiler has failed."""
@@ -146,7 +144,20 @@ def compiler() -> list[str]:
     raise ConnectError("the gateware is compiled at its first use, and no C++ compiler is there: apt install g++")
 
 
+def _not_kept(folder: Path, error: OSError) -> ConnectError:
+    return ConnectError(
+        f"the compiled gateware can't be kept in {folder} ({error.strerror or error}): "
+        "name another folder in XDG_CACHE_HOME"
+    )
+
+
 def cache_folder() -> Path:
-    """Return the folder in which libraries, and what they are compiled from, are kept."""
-    base = os.environ.get("XDG_CACHE_HOME")
-    return (Path(base) if base else Path.home() / ".cache") / "unity-link" / "rtl"
+    """Return the folder in which libraries, and what they are compiled from, are kept; it is made.
+
+    Raises:
+        ConnectError: where it cannot be made.
+    """
+    try:
+        return cache.cache_folder("rtl")
+    except OSError as error:
+        raise _not_kept(Path(error.filename), error) from error

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from unity_link.errors import UnityLinkError
+from unity_link.files import write_file
 from unity_link.gateware.cache import hash_of, vhdl_sources
 from unity_link.gateware.convert import ConversionError, to_verilog
 from unity_link.gateware.yowasp import run, version
@@ -139,9 +140,7 @@ def main() -> int:
     except UnityLinkError as error:
         sys.stderr.write(f"{error}\n")
         return 1
-    partial = Path(path).with_suffix(".partial")
-    partial.write_bytes(text)
-    partial.replace(path)
+    write_file(Path(path), text, overwrite=True)
     return 0
 
 
