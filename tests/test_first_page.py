@@ -27,6 +27,14 @@ def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return made / "index.html"
 
 
+def test_the_picture_moves_without_a_script() -> None:
+    picture = (DOCS / "images" / "demo.svg").read_text(encoding="utf-8")
+    frames = [frame for frame in picture.split('<g class="frame"')[1:] if "unity-link" in frame]
+    assert len(set(frames)) >= 10
+    assert "@keyframes show" in picture
+    assert "<script" not in picture
+
+
 def test_all_that_a_newcomer_looks_for_is_on_the_screen(page: Path) -> None:
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
