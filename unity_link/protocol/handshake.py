@@ -127,6 +127,8 @@ class Handshake:
         self.round_trip = 0.0
         """Seconds to the answer to the last question."""
         self._pausing = False
+        self._paused = False
+        """Whether it has asked for the session once more, on a medium that loses so much that this is done only once."""
         self._patience = FIRST_TRY
         self._ask_plain(now)
 
@@ -256,8 +258,6 @@ class Handshake:
             return
         if self._pausing:
             self._pausing = False
-            # The answer may need longer than the medium is said to.
-            self._longest_try *= 2
             self._ask_session(now, min(2 * self.round_trip, self._longest_try))
             return
         if self._damaged:
@@ -364,9 +364,10 @@ class Handshake:
 
     def _session_begun(self, _: bytes, now: float) -> None:
         self.round_trip = now - self._began
-        if self._asked > 1:
+        if self._asked > 1 and not self._paused:
             # An answer does not say to which question it is: once more, when those to the others have come.
             self._pausing = True
+            self._paused = self._longest_try < math.inf
             self.deadline = now + min(self.round_trip, self._longest_try)
         elif self._group is not None:
             self._ask_whether_forgotten(self._group, now)
