@@ -137,7 +137,7 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
         self._heard = False
         self._reading = True
         self._kept = b""
-        """Datagrams that arrived while nothing was read."""
+        """Frames that arrived while nothing was read."""
         self._endpoint: asyncio.DatagramTransport | None = None
 
     def connection_made(self, transport: asyncio.DatagramTransport) -> None:  # type: ignore[override]
