@@ -128,7 +128,7 @@ class Handshake:
         """Seconds to the answer to the last question."""
         self._pausing = False
         self._paused = False
-        """Whether it has asked for the session once more, on a medium that loses so much that this is done only once."""
+        """True once a session was asked for once more, on a medium that loses so much that this is done only once."""
         self._patience = FIRST_TRY
         self._ask_plain(now)
 
