@@ -48,7 +48,7 @@ ROBOT = unity_link.load(
     compile_text("""
     enum mode { off, on }
     group state(1, 10);
-    group fast(RATE=1e9);
+    group fast(RATE=2000);
     group edges(3, TRIGGER);
     public robot() {
       @count = 0x10: READ(PUBLISH(state));
@@ -525,8 +525,10 @@ async def test_a_declared_group_has_its_own_schedule_and_a_program_may_choose_an
             assert first.time is not None
             assert second.time - first.time == pytest.approx(1 / rate)
             assert second.values[robot.count] == first.values[robot.count] + 1
-        async with robot.groups["fast"].subscribe() as samples:
-            assert samples.rate_hz == 1000, "the nearest that the gateway has"
+        with pytest.raises(ArgumentError, match="the group fast has a rate of 2000 Hz, and this gateway has"):
+            robot.groups["fast"].subscribe()
+        async with robot.groups["fast"].subscribe(rate_hz=1000) as samples:
+            assert samples.rate_hz == 1000
         async with Group(robot.count, robot.time).subscribe() as samples:
             assert samples.rate_hz == 100, "both are of one group"
 

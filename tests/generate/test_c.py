@@ -1727,11 +1727,11 @@ int main(int count, char **arguments) {
 """
 
 
-def test_a_group_with_a_rate_that_the_gateway_does_not_have_is_published_at_the_nearest(
+def test_a_group_with_a_rate_that_another_gateway_does_not_reach_is_refused_there(
     runtime: list[Path], tmp_path: Path
 ) -> None:
     spec = compile_text(
-        "group slow(RATE=0.5); group fast(RATE=300000);\n"
+        "group slow(RATE=5); group fast(RATE=300000);\n"
         "public feeder() { @a = 1: READ(PUBLISH(slow)); @b = 2: READ(PUBLISH(fast)); }\n"
     )
     generated("c", spec, tmp_path)
@@ -1739,7 +1739,7 @@ def test_a_group_with_a_rate_that_the_gateway_does_not_have_is_published_at_the_
     objects = compiled(C, [tmp_path / "feeder.c", tmp_path / "program.c"], tmp_path, *SANITIZED, "-O0")
     program = linked(C, [*runtime, *objects], tmp_path / "program", *SANITIZED)
     with simulate("tcp") as url:
-        assert output(program, url) == f"0 0 {100_000 / 65535:.6f} 100000.000000\n"
+        assert output(program, url) == f"0 {BAD_ARGUMENT.strip()} 5.000000 0.000000\n"
 
 
 MAPPED = """\

@@ -158,6 +158,8 @@ async def test_duties_are_fractions_of_the_width() -> None:
         assert await motors.get(2) == pytest.approx(0.5, abs=1e-3)
         await motors.set_all(0, 1, 0.25)
         assert [gateway.memory[0x40 + channel] for channel in range(3)] == [0, 1023, 256]
+        with pytest.raises(ArgumentError, match="a duty is a number from 0 to 1, not True"):
+            await motors.set(0, True)
         for duty in (-0.1, 1.01):
             with pytest.raises(ArgumentError, match=f"a duty of {duty} was given, 0 to 1 expected"):
                 await motors.set(0, duty)

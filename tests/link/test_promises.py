@@ -339,7 +339,7 @@ class Late(Scripted):
 
 # Arguments
 
-NOT_WHOLE = [1.0, 2.5, "5", None, [1], b"1", np.float64(1)]
+NOT_WHOLE = [True, 1.0, 2.5, "5", None, [1], b"1", np.float64(1)]
 WRONG: dict[str, Callable[[Link, Any], Awaitable[object]]] = {
     "read": lambda link, wrong: link.read(wrong),
     "write at": lambda link, wrong: link.write(wrong, 1),

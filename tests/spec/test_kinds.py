@@ -114,7 +114,7 @@ def test_columns_decode_a_group_of_many_kinds() -> None:
     }
     assert columns.encode(values).tolist() == words.tolist()
     assert columns.decode(words[0])["a"] == 1.0
-    assert {(type(value), value.shape) for value in columns.decode(words[0]).values()} == {(np.ndarray, ())}
+    assert {one.shape for one in columns.decode(words[0]).values()} == {()}
     with pytest.raises(ArgumentError, match=r"6 words a sample were expected, and the words have shape \(2, 5\)"):
         columns.decode(words[:, :5])
     with pytest.raises(ArgumentError, match="c has a word at 0x6"):
@@ -181,3 +181,56 @@ def test_an_enumeration_has_one_class_however_many_others_there_are() -> None:
         assert Enumeration(f"other_{number}", MODE.values).python_type is not made
     assert MODE.python_type is made
     assert Kind(KindName.ENUM, 3, enumeration=MODE).decode(5) is made["auto"]
+
+
+def test_a_value_of_an_enumeration_is_equal_to_its_name_and_to_its_number() -> None:
+    kind = Kind(KindName.ENUM, 8, enumeration=MODE)
+    first, second = MODE.values[0], MODE.values[1]
+    value: Any = kind.decode(first.value)
+    assert value == first.name
+    assert first.name == value
+    assert value == first.value
+    assert value != second.name
+    assert (value != first.name) is False
+    assert hash(value) == hash(first.value)
+    with pytest.raises(ArgumentError, match="'sleeping' is no value of"):
+        assert value == "sleeping"
+
+
+def test_columns_of_an_enumeration_are_equal_to_names() -> None:
+    kind = Kind(KindName.ENUM, 8, enumeration=MODE)
+    first, second = MODE.values[0], MODE.values[1]
+    column: Any = kind.decode_array(np.array([first.value, second.value, 200], np.uint8))
+    assert (column == first.name).tolist() == [True, False, False]
+    assert (column[1:] != second.name).tolist() == [False, True]
+    assert (column == second.value).tolist() == [False, True, False]
+    assert [one == second.name for one in column[:2]] == [False, True]
+    assert (column[2], column.tolist()) == (200, [first.value, second.value, 200])
+    assert type(column == first.name) is np.ndarray
+    with pytest.raises(ArgumentError, match="'sleeping' is no value of"):
+        assert column == "sleeping"
+
+
+@pytest.mark.parametrize("kind", [
+    Kind(KindName.SIGNED, 12, scale=1 / 2047), Kind(KindName.UNSIGNED, 1), Kind(KindName.FLOAT, 32),
+    Kind(KindName.UFIXED, 16, 8), Kind(KindName.ENUM, 8, enumeration=MODE),
+], ids=str)  # fmt: skip
+def test_a_bool_is_no_number(kind: Kind) -> None:
+    truths: tuple[Any, ...] = (True, np.True_)
+    for truth in truths:
+        with pytest.raises(ArgumentError, match=r"True is no value of .*: a number was expected"):
+            kind.encode(truth)
+    for several in ([True, False], [0, True], (True, 0.5), np.array([True])):
+        with pytest.raises(ArgumentError, match=r"is no value of .*: a number was expected"):
+            kind.encode_array(several)
+
+
+def test_a_bool_takes_the_numbers_0_and_1_too() -> None:
+    kind = Kind(KindName.BOOL, 1)
+    truths: tuple[Any, ...] = (True, 1, 1.0, np.True_, np.float64(1))
+    for truth in truths:
+        assert kind.encode(truth) == 1
+    assert kind.encode_array([True, 0, 1.0]).tolist() == [1, 0, 1]
+    for wrong in (2, 0.5):
+        with pytest.raises(ArgumentError):
+            kind.encode(wrong)

@@ -314,7 +314,7 @@ def _tree(interface: Interface) -> Any:
     for group in interface.groups:
         when = [
             f"base frequency / {group.divisor}" if group.divisor is not None else "",
-            f"{group.rate_hz:g} Hz" if group.rate_hz is not None else "",
+            f"{group.published_hz:.6g} Hz" if group.rate_hz is not None and group.published_hz is not None else "",
             "on its trigger" if group.trigger else "",
             f"{len(group.signals)} signals in {len(group.addresses)} words",
         ]

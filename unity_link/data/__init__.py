@@ -26,6 +26,7 @@ from unity_link.data.proxies import Proxy, Readable, ReadWrite, Writable
 from unity_link.data.robot import Component, Robot, python_names
 from unity_link.data.sampling import GroupSubscription
 from unity_link.data.tables import Table
+from unity_link.spec.kinds import NamedNumber
 
 __all__ = [
     "Batch",
@@ -34,6 +35,7 @@ __all__ = [
     "GroupSample",
     "GroupSubscription",
     "LoadedRobot",
+    "NamedNumber",
     "Port",
     "Proxy",
     "ReadPort",

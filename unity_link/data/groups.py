@@ -50,7 +50,7 @@ class Plan(msgspec.Struct, frozen=True, kw_only=True):
     polled: bool = False
     """True if the host is to read by itself, though the gateway may have groups."""
     nearest: bool = False
-    """True if the nearest rate and mode of the gateway stand for those that it does not have."""
+    """True if a gateway that can't send at once may do without."""
 
     def is_known(self) -> bool:
         """Return whether this tells when samples are taken."""
@@ -253,7 +253,8 @@ class Group(Sealed):
                 timestamps=default.timestamps if timestamps is None else timestamps,
             )
         size = check_buffer(1 if latest else buffer, overflow)
-        return GroupSubscription([(layout, _source(layout, given, size, overflow)) for layout in self._lay_out()])
+        sources = [(one, _source(one, given, size, overflow, self._called())) for one in self._lay_out()]
+        return GroupSubscription(sources)
 
     @property
     def feed(self) -> Feed:
@@ -354,7 +355,7 @@ def nothing_publishes(proxies: Sequence[Proxy[Any]]) -> ArgumentError:
     )
 
 
-def _source(layout: GroupLayout, plan: Plan, buffer: int, overflow: Overflow) -> SampleSource:
+def _source(layout: GroupLayout, plan: Plan, buffer: int, overflow: Overflow, name: str) -> SampleSource:
     """Return what samples one gateway."""
     info = layout.link.gateway
     if not plan.trigger or plan.divisor is not None or plan.rate_hz is not None or plan.on_change:
@@ -365,14 +366,13 @@ def _source(layout: GroupLayout, plan: Plan, buffer: int, overflow: Overflow) ->
             raise UnsupportedError("the gateway was built without groups, and a host cannot see their triggers")
         turns = asked_rate(plan.rate_hz, plan.divisor, info.base_frequency_hz)
         return Poll(layout, turns, on_change=plan.on_change, overflow=overflow)
-    rate_hz, divisor = plan.rate_hz, plan.divisor
     if plan.nearest and plan.rate_hz is not None:
-        rate_hz, divisor = None, min(max(round(info.base_frequency_hz / plan.rate_hz), 1), LARGEST_DIVISOR)
+        _check_reach(plan.rate_hz, info.base_frequency_hz, name)
     immediate = plan.immediate and (not plan.nearest or Feature.SEND_IMMEDIATE in info.features)
     return layout.link.subscribe(
         layout.addresses,
-        rate_hz=rate_hz,
-        divisor=divisor,
+        rate_hz=plan.rate_hz,
+        divisor=plan.divisor,
         trigger=plan.trigger,
         on_change=plan.on_change,
         immediate=immediate,
@@ -381,3 +381,11 @@ def _source(layout: GroupLayout, plan: Plan, buffer: int, overflow: Overflow) ->
         buffer=buffer,
         overflow=overflow,
     )
+
+
+def _check_reach(rate_hz: float, base_hz: float, name: str) -> None:
+    """Raise `ArgumentError` where a gateway, of another design than the spec's, has no rate near that of a group."""
+    lowest = base_hz / LARGEST_DIVISOR
+    if not lowest <= rate_hz <= base_hz:
+        expected = f"this gateway has {lowest:.3g} to {base_hz:g} Hz"
+        raise ArgumentError(f"{name} has a rate of {rate_hz:g} Hz, and {expected}: subscribe with another rate_hz")

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from unity_link.errors import ArgumentError
 from unity_link.hardware.channels import Channels
+from unity_link.protocol.numbers import real_number
 
 
 class Pwm(Channels, word="PWM"):
@@ -33,6 +34,6 @@ class Pwm(Channels, word="PWM"):
         await self.write_block(0, [self._step(duty) for duty in duties])
 
     def _step(self, duty: float) -> int:
-        if not 0 <= duty <= 1:
+        if not 0 <= real_number(duty, "a duty is a number from 0 to 1") <= 1:
             raise ArgumentError(f"a duty of {duty} was given, 0 to 1 expected")
         return round(float(duty) * self.steps)

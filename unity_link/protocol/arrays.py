@@ -9,7 +9,6 @@ from __future__ import annotations
 from binascii import hexlify, unhexlify
 from collections.abc import Sequence
 from functools import lru_cache
-from operator import index
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeAlias, cast
 
 import numpy as np
@@ -18,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from unity_link.errors import ArgumentError
 from unity_link.protocol.crc import byte_table
 from unity_link.protocol.frames import LF
+from unity_link.protocol.numbers import whole_number
 
 if TYPE_CHECKING:
     from unity_link.protocol.configuration import GatewayInfo
@@ -77,12 +77,12 @@ def in_range(values: ArrayLike, highest: int, what: str) -> NDArray[Any]:
     """
     try:
         array = np.asarray(values)
-        if array.dtype.kind == "O" or (array.dtype.kind not in "iub" and isinstance(values, Sequence)):
+        if array.dtype.kind == "O" or (array.dtype.kind not in "iu" and isinstance(values, Sequence)):
             # numpy makes fractions of words from 2**63 on that stand beside smaller ones.
-            array = np.array([index(value) for value in cast("Sequence[int]", values)], object)
-    except (TypeError, ValueError):
+            array = np.array([whole_number(value, what) for value in cast("Sequence[int]", values)], object)
+    except (ArgumentError, ValueError):
         array = np.array(None)
-    if array.ndim != 1 or (array.size and array.dtype.kind not in "iubO"):
+    if array.ndim != 1 or (array.size and array.dtype.kind not in "iuO"):
         raise ArgumentError(f"a sequence of whole numbers was expected for each {what}, not {values!r:.80}")
     if array.size:
         low, high = int(array.min()), int(array.max())

@@ -27,22 +27,25 @@ def whole_number(value: int, what: str) -> int:
     """Return a whole number of whatever type as an `int`: one of numpy wraps where it is reckoned with.
 
     Raises:
-        ArgumentError: where it is none.
+        ArgumentError: where it is none; a bool is none, though Python counts with it.
     """
     try:
-        return index(value)
+        whole = index(value)
     except TypeError:
         raise ArgumentError(f"{what} is a whole number, not {value!r:.80}") from None
+    if value is True or value is False:
+        raise ArgumentError(f"{what} is a whole number, not {value}")
+    return whole
 
 
 def real_number(value: float, what: str) -> float:
     """Return a number of whatever type as a `float`; one beyond all of them is infinite.
 
     Raises:
-        ArgumentError: where it is none.
+        ArgumentError: where it is none; a bool is none, though Python counts with it.
     """
     given: object = value
-    if not isinstance(given, Real):
+    if isinstance(given, bool) or not isinstance(given, Real):
         raise ArgumentError(f"{what}, not {value!r:.80}")
     try:
         return float(value)

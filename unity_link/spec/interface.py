@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import msgspec
 
 from unity_link.spec.model import GroupSpec, Joint, ModuleSpec, Signal
+from unity_link.spec.rates import base_millihertz, out_of_reach, published_hz
 
 if TYPE_CHECKING:
     from unity_link.spec.arguments import Bound
@@ -91,7 +92,8 @@ class InterfaceDraft:
         self._check_overlaps()
         self._check_ids()
         self._number_groups()
-        return tuple(self._group(draft) for draft in self.groups.values() if draft.signals)
+        groups = {draft.name: self._group(draft) for draft in self.groups.values() if draft.signals}
+        return tuple(self._timed(group, list(groups.values())) for group in groups.values())
 
     def _error(
         self,
@@ -273,6 +275,15 @@ class InterfaceDraft:
             doc=draft.doc,
             span=draft.place.span,
         )
+
+    def _timed(self, group: GroupSpec, groups: list[GroupSpec]) -> GroupSpec:
+        """Return a group with the rate that it gets, beside all groups of the interface."""
+        message = out_of_reach(group, groups)
+        if message:
+            advice = "a DIVISOR counts from the gateway's own base frequency; with RATE alone, that follows the rates"
+            self._error(self.groups[group.name].place, "group-rate", message, advice)
+            return group
+        return msgspec.structs.replace(group, published_hz=published_hz(group, base_millihertz(groups)))
 
     def _check_readable(self, draft: GroupDraft) -> None:
         """Check that all signals of a published group can be read; those that it publishes were checked before."""

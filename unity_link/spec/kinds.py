@@ -73,15 +73,85 @@ class Enumeration(msgspec.Struct, frozen=True):
         return max(value.value for value in self.values)
 
     @property
-    def python_type(self) -> type[enum.IntEnum]:
+    def python_type(self) -> type[NamedNumber]:
         """The same as a Python class, made once."""
         return _python_type(self)
 
 
+class NamedNumber(enum.IntEnum):
+    """A number of an enumeration, which is equal to its name as well: ``mode == "balance"``.
+
+    In a set, and as the key of a dictionary, it is its number alone.
+
+    Raises:
+        ArgumentError: where it is compared with a string that is no name of its enumeration.
+    """
+
+    def __eq__(self, other: object) -> bool:
+        return int(self) == (number_named(type(self), other) if isinstance(other, str) else other)
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+    __hash__ = int.__hash__
+
+
+class NamedNumbers(np.ndarray[Any, np.dtype[Any]]):
+    """Numbers of an enumeration as an array, which is equal to names as well: ``column == "balance"``.
+
+    One of them alone is a `NamedNumber`, or an `int` where it has no name.
+
+    Raises:
+        ArgumentError: where it is compared with a string that is no name of the enumeration.
+    """
+
+    names: type[NamedNumber] | None = None
+
+    def __array_finalize__(self, made_from: object) -> None:
+        self.names = getattr(made_from, "names", None)
+
+    def __getitem__(self, key: Any) -> Any:
+        found = super().__getitem__(key)
+        if self.names is None or isinstance(found, np.ndarray):
+            return found
+        return _named(self.names, int(found))
+
+    def __eq__(self, other: object) -> Any:
+        return np.asarray(self) == self._number(other)
+
+    def __ne__(self, other: object) -> Any:
+        return np.asarray(self) != self._number(other)
+
+    __hash__ = None
+
+    def _number(self, other: object) -> Any:
+        return number_named(self.names, other) if self.names is not None and isinstance(other, str) else other
+
+
+def _named(names: type[NamedNumber], number: int) -> int:
+    """Return the member of an enumeration for a number that has a name; any other number as it is."""
+    return names(number) if number in names.__members__.values() else number
+
+
+def number_named(names: type[enum.IntEnum], name: str) -> int:
+    """Return the number of a name of an enumeration.
+
+    Python has words that are no names; such a one has an underscore behind it in a generated class.
+
+    Raises:
+        ArgumentError: for another name.
+    """
+    members = names.__members__
+    found = next((members[one] for one in (name, f"{name}_", f"{name}__") if one in members), None)
+    if found is None:
+        raise ArgumentError(f"{name!r} is no value of {names.__name__}: {', '.join(members)} are")
+    return int(found)
+
+
 @functools.cache
-def _python_type(enumeration: Enumeration) -> type[enum.IntEnum]:
+def _python_type(enumeration: Enumeration) -> type[NamedNumber]:
     members = {value.name: value.value for value in enumeration.values}
-    made: type[enum.IntEnum] = enum.IntEnum(enumeration.name, members)  # type: ignore[misc]
+    made: type[NamedNumber] = NamedNumber(enumeration.name, members)  # type: ignore[call-arg, assignment, arg-type]
 
     def reduce(member: enum.Enum, _: object) -> tuple[Any, ...]:
         return _member, (enumeration, member.value)
@@ -91,7 +161,7 @@ def _python_type(enumeration: Enumeration) -> type[enum.IntEnum]:
     return made
 
 
-def _member(enumeration: Enumeration, number: int) -> enum.IntEnum:
+def _member(enumeration: Enumeration, number: int) -> NamedNumber:
     """Return what a pickle has of a member."""
     return _python_type(enumeration)(number)
 
@@ -191,8 +261,7 @@ class Kind(msgspec.Struct, frozen=True):
         if self.name is KindName.BOOL:
             return raw != 0
         if self.enumeration is not None:
-            known = self.enumeration.python_type
-            return known(raw) if raw in known.__members__.values() else raw
+            return _named(self.enumeration.python_type, raw)
         number = raw - (1 << self.width) if self.is_signed and raw >> (self.width - 1) else raw
         return self._scaled(number)
 
@@ -204,6 +273,8 @@ class Kind(msgspec.Struct, frozen=True):
         """
         if isinstance(value, str):
             return self._encode_name(value)
+        if self.name is not KindName.BOOL and isinstance(value, (bool, np.bool_)):
+            raise self._no_truth(value)
         if self.name is KindName.FLOAT:
             return self._encode_float(value)
         number = self._nearest(value) if self.is_scaled else self._whole(value)
@@ -216,10 +287,11 @@ class Kind(msgspec.Struct, frozen=True):
     def _encode_name(self, name: str) -> int:
         if self.enumeration is None:
             raise ArgumentError(f"{name!r} is no value of {self}: a number was expected")
-        members = self.enumeration.python_type.__members__
-        if name not in members:
-            raise ArgumentError(f"{name!r} is no value of {self.enumeration.name}: {', '.join(members)} are")
-        return int(members[name])
+        return number_named(self.enumeration.python_type, name)
+
+    def _no_truth(self, value: object) -> ArgumentError:
+        """Return the error for a bool, with which Python counts, where a number was meant: it would be full speed."""
+        return ArgumentError(f"{value} is no value of {self}: a number was expected")
 
     def _encode_float(self, value: float) -> int:
         try:
@@ -260,6 +332,10 @@ class Kind(msgspec.Struct, frozen=True):
         if self.name is KindName.BOOL:
             truths: NDArray[np.bool_] = raw != 0
             return truths
+        if self.enumeration is not None:
+            named = raw.astype(self.dtype).view(NamedNumbers)
+            named.names = self.enumeration.python_type
+            return named
         numbers = self._signed(raw) if self.is_signed else raw
         if not self.is_scaled:
             return numbers.astype(self.dtype)
@@ -278,6 +354,9 @@ class Kind(msgspec.Struct, frozen=True):
 
     def array(self, values: ArrayLike) -> NDArray[Any]:
         """Return values as an array that has them as they are."""
+        if self.name is not KindName.BOOL and isinstance(values, (list, tuple)) and bool in map(type, values):
+            # numpy makes numbers of bools that stand beside numbers.
+            return np.asarray(values, object)
         made = np.asarray(values)
         if made.dtype.kind == "f" and not self.is_float and not hasattr(values, "dtype"):
             # numpy makes floats of a list of whole numbers where some are small and some from 2**63 on.
@@ -294,6 +373,8 @@ class Kind(msgspec.Struct, frozen=True):
         if values.dtype.kind not in "biuf":
             # Names, and what is no number; numpy itself would take the text of one.
             return np.array([self.encode(value) for value in values.ravel().tolist()], np.uint64).reshape(values.shape)
+        if values.dtype.kind == "b" and self.name is not KindName.BOOL:
+            raise self._no_truth(values.dtype)
         if self.name is KindName.FLOAT:
             return self._encode_floats(values)
         if self.is_scaled:

@@ -245,6 +245,8 @@ class GroupSpec(msgspec.Struct, frozen=True, kw_only=True):
     """Published at the gateway's base frequency divided by this."""
     rate_hz: float | None = None
     """Published at the nearest rate that the gateway has."""
+    published_hz: float | None = None
+    """Samples a second of a gateway that is generated from the spec: of its rates, the one nearest to `rate_hz`."""
     trigger: bool = False
     """Published on the group's external trigger."""
     on_change: bool = False

@@ -147,8 +147,8 @@ def schedule(group: GroupSpec) -> str:
     when = []
     if group.divisor is not None:
         when.append(f"at the gateway's base frequency / {group.divisor}")
-    if group.rate_hz is not None:
-        when.append(f"at {group.rate_hz:g} Hz, or the nearest rate that it has")
+    if group.rate_hz is not None and group.published_hz is not None:
+        when.append(f"at {group.published_hz:.6g} Hz, or the nearest rate that it has")
     if group.trigger:
         when.append("on its external trigger")
     changes = ", where a word has changed" if group.on_change else ""

@@ -152,7 +152,7 @@ class Page:
             return "not published"
         when = [
             f"base frequency / {group.divisor}" if group.divisor is not None else "",
-            f"{number(group.rate_hz)} Hz" if group.rate_hz is not None else "",
+            f"{group.published_hz:.6g} Hz" if group.rate_hz is not None and group.published_hz is not None else "",
             "on its trigger" if group.trigger else "",
         ]
         how = [

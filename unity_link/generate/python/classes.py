@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from unity_link.spec import EnumValue, Interface, Kind, Signal
 
-IMPORTED = ("ClassVar", "Component", "IntEnum", "Link", "Literal", "Mapping", "Robot")
+IMPORTED = ("ClassVar", "Component", "Link", "Literal", "Mapping", "NamedNumber", "Robot")
 """Names that the module has for itself, beside those of proxies and hardware modules."""
 
 

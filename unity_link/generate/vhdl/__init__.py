@@ -10,7 +10,6 @@ The bank is a Wishbone B4 slave; `registers.vhd.jinja` says at its top how it be
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, Any
 
 from unity_link.errors import UnsupportedError
@@ -20,12 +19,13 @@ from unity_link.generate.vhdl.bank import Bank, is_bit, is_bool, slice_at
 from unity_link.generate.vhdl.layout import align
 from unity_link.generate.vhdl.names import identifier
 from unity_link.generate.vhdl.stimuli import Stimuli
+from unity_link.spec.rates import base_millihertz
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
     from unity_link.generate import Templates
-    from unity_link.spec import GroupSpec, Interface
+    from unity_link.spec import Interface
 
 DOC = "VHDL: a package, the register bank on Wishbone, gateway and bank as one entity, and a bench of the bank"
 FILTERS: dict[str, Callable[..., Any]] = {
@@ -41,8 +41,6 @@ _LEAST_SAMPLE_DEPTH = 256
 the spec.
 """
 _MEDIA = ("uart", "ft245", "ft245_sync")
-_BASE_HZ = 100_000
-"""The gateway's own base frequency, which divisors in specs count from."""
 
 
 def files(interface: Interface, templates: Templates, *, clk_ready: bool = False) -> Iterator[GeneratedFile]:
@@ -117,18 +115,6 @@ def gateway_generics(interface: Interface) -> dict[str, int | str]:
         "groups": max([_LEAST_GROUPS, *numbers]),
         "group_words": words,
         "sample_depth": max(_LEAST_SAMPLE_DEPTH, 1 << (2 * (words + 2) - 1).bit_length()),
-        "base_frequency_millihertz": _base_hz(published) * 1000,
+        "base_frequency_millihertz": base_millihertz(published),
         "build_id": f"{interface.fingerprint:08X}",
     }
-
-
-def _base_hz(groups: list[GroupSpec]) -> int:
-    """Return the base frequency that has all rates: the gateway's own, or the next lower one that they divide.
-
-    Where a group has a divisor, it is the gateway's own: the author has counted from that.
-    """
-    rates = [group.rate_hz for group in groups if group.rate_hz is not None]
-    if any(group.divisor is not None for group in groups) or not all(rate.is_integer() for rate in map(float, rates)):
-        return _BASE_HZ
-    common = math.lcm(*(int(rate) for rate in rates))
-    return _BASE_HZ if common > _BASE_HZ else _BASE_HZ // common * common
