@@ -851,7 +851,7 @@ def check_buffer(buffer: int, overflow: Overflow) -> int:
         ArgumentError: where it is no number from 1 on, or nobody knows what happens when they are more.
     """
     given: object = buffer
-    if not isinstance(given, Integral):
+    if isinstance(given, bool) or not isinstance(given, Integral):
         raise ArgumentError(f"a buffer is a number of samples, not {buffer!r:.80}")
     if buffer < 1:
         raise ArgumentError(f"a buffer of {buffer} samples was asked for, at least 1 is needed")
