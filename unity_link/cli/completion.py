@@ -33,6 +33,7 @@ _LISTS = ("names", "assignments", "signals")
 _SUFFIX = ".ul"
 _SECRET = re.compile(r"[?&]token=")
 SCHEMES = ("serial:", "tcp://", "unix:", "udp://", "zenoh:", "ftdi://", "ftdi-async://", "sim:", "rtl:")
+_OBEYED = frozenset("\\\"'`$;|<>")
 _DEVICES = ("ttyUSB*", "ttyACM*")
 
 
@@ -120,8 +121,12 @@ def _joined(words: list[str], place: int) -> tuple[list[str], int]:
 
 
 def _ways(incomplete: str, known: Iterable[str]) -> list[str]:
-    """Return how an argument may go on, each way once."""
-    return [text for text in dict.fromkeys(known) if text.startswith(incomplete)]
+    """Return how an argument may go on, each way once, but for names that a shell would obey: zsh evaluates them."""
+    return [
+        text
+        for text in dict.fromkeys(known)
+        if text.startswith(incomplete) and text.isprintable() and _OBEYED.isdisjoint(text)
+    ]
 
 
 def complete_url(incomplete: str) -> list[str]:
