@@ -140,7 +140,7 @@ class CallingThread:
         """Call that runs now."""
         self._relays: list[Relay] = []
         self.is_disowned = False
-        """Whether this process was forked from the one that the link is of."""
+        """True if this process was forked from the one that the link is of."""
         self._closed = False
         self._attended = 0
         self._attendant: threading.Thread | None = None

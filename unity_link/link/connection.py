@@ -388,7 +388,7 @@ class Connection:
         self._ended(error)
 
     def disown(self) -> None:
-        """Have nothing more to do with the connection, which is that of the process from which this one was forked."""
+        """Let go of the connection, which is that of the process from which this one was forked."""
         self._closed = self._closed_by_program = True
         self._flow.stream = self._flow.seat = self._reconnection = None
         self._session.close(forked())

@@ -24,7 +24,7 @@ SECTION_START = struct.pack("<I", SECTION)
 _INBOUND, _OUTBOUND = 1, 2
 _COMMENT, _APPLICATION, _NAME, _RESOLUTION, _FLAGS = 1, 4, 2, 9, 2
 _TICKS = bytes([9])
-"""What an interface says of its times: they are in nanoseconds."""
+"""Resolution of the times of an interface: nanoseconds."""
 SMALLEST = 12
 """Bytes of a block without a body."""
 LARGEST_BLOCK = 1 << 26
