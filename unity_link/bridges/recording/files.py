@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from unity_link.spec import Interface
 
 FORMATS = ("parquet", "csv")
-"""Mark of the tables that `export` makes of recordings."""
+"""Formats of the tables that `export` makes of recordings."""
 INTERFACE, GATEWAY = "interface.json", "gateway.json"
 """Names of the attachments."""
 INTERRUPTION = "interruption"
