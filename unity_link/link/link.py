@@ -466,7 +466,7 @@ class Link(OfLink, Connection):
         ):
             flags |= flag if wanted else GroupFlag(0)
         given: object = addresses
-        several: ArrayLike = [int(given)] if isinstance(given, Integral) and not isinstance(given, bool) else addresses
+        several: ArrayLike = [int(given)] if not isinstance(given, bool) and isinstance(given, Integral) else addresses
         where = check_addresses(self._addresses(several), self.gateway.group_words)
         number = None if group is None else whole_number(group, "a group")
         schedule = Schedule(where, self._divisor(rate_hz, divisor), flags, number)
