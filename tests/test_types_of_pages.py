@@ -58,6 +58,7 @@ async def main(link: unity_link.Link) -> None:
     await machine.mode.set("balance")
     await machine.mode.post(Mode.idle)
     await machine.mode.set(3)
+    assert await machine.mode.get() == "balance"
     await machine.queue.set("idle")
     await switch(machine.duty)
     assert_type(await machine.mode.get(), Mode | int)
