@@ -253,7 +253,7 @@ class Group(Sealed):
                 timestamps=default.timestamps if timestamps is None else timestamps,
             )
         size = check_buffer(1 if latest else buffer, overflow)
-        sources = [(one, _source(one, given, size, overflow, self._called())) for one in self._lay_out()]
+        sources = [(one, _source(one, given, size, overflow, self._called(), latest=latest)) for one in self._lay_out()]
         return GroupSubscription(sources)
 
     @property
@@ -355,7 +355,9 @@ def nothing_publishes(proxies: Sequence[Proxy[Any]]) -> ArgumentError:
     )
 
 
-def _source(layout: GroupLayout, plan: Plan, buffer: int, overflow: Overflow, name: str) -> SampleSource:
+def _source(
+    layout: GroupLayout, plan: Plan, buffer: int, overflow: Overflow, name: str, *, latest: bool
+) -> SampleSource:
     """Return what samples one gateway."""
     info = layout.link.gateway
     if not plan.trigger or plan.divisor is not None or plan.rate_hz is not None or plan.on_change:
@@ -379,6 +381,7 @@ def _source(layout: GroupLayout, plan: Plan, buffer: int, overflow: Overflow, na
         timestamps=plan.timestamps,
         group=plan.group,
         buffer=buffer,
+        latest=latest,
         overflow=overflow,
     )
 

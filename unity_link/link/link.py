@@ -431,7 +431,8 @@ class Link(OfLink, Connection):
             timestamps: have the instant of sampling sent along; None: where the gateway can.
             group: number of the group, for each has a trigger of its own; None: one that is free.
             buffer: most samples that wait for the reader. The default holds all that one read of a socket can bring.
-            latest: keep the newest sample alone, for a controller: what it reads is never older than it needs to be.
+            latest: keep the newest sample alone, for a controller. Of samples at a rate, those of before a pause of the
+                program or the line are lost, and counted.
             overflow: what happens when they are more: ``"drop_oldest"`` and count, or ``"fail"``.
             callback: is called with each sample as it arrives, in place of iteration. What it raises is logged under
                 ``unity_link.link`` and stops nothing: the first exception of each type.
@@ -470,8 +471,9 @@ class Link(OfLink, Connection):
         where = check_addresses(self._addresses(several), self.gateway.group_words)
         number = None if group is None else whole_number(group, "a group")
         schedule = Schedule(where, self._divisor(rate_hz, divisor), flags, number)
-        size = 1 if latest else buffer
-        return Subscription(self._publishing, schedule, buffer=size, overflow=overflow, callback=callback)
+        return Subscription(
+            self._publishing, schedule, buffer=buffer, overflow=overflow, callback=callback, latest=latest
+        )
 
     async def send_immediate(self, mode: SendImmediate) -> None:
         """Choose when an FT232H sends a short packet at once (docs/protocol.md, "Send-immediate").

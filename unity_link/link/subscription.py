@@ -33,6 +33,7 @@ from unity_link.errors import (
     missing_attribute,
     refusing,
 )
+from unity_link.link.freshness import MOST_DRIFT, Freshness
 from unity_link.link.runtime import report
 from unity_link.protocol.exchange import Sampled, SampledRows, SampledTogether
 from unity_link.protocol.group_table import GroupBegun, GroupRefused, GroupStarted
@@ -63,8 +64,6 @@ _TURN = 1 << 32
 """Ticks after which a timestamp comes again."""
 _ROUND = 256
 """Samples after which a sequence comes again."""
-_MOST_DRIFT = 200e-6
-"""Seconds a second by which two quartzes may differ."""
 _LONGEST_BUSY = 200e-6
 """Seconds that a sample waits for the bus, at most."""
 _MOST_ROUNDING = 1e-6
@@ -135,7 +134,7 @@ class GatewayClock:
             ticks = self._nearest(timestamp, self._ticks + int((now - self._at) * self._frequency))
         self._resumed = False
         seconds = ticks / self._frequency
-        self._earliest_before = self._earliest + _MOST_DRIFT * (now - self._at)
+        self._earliest_before = self._earliest + MOST_DRIFT * (now - self._at)
         self._earliest = min(now - seconds, self._earliest_before)
         self._ticks, self._at = ticks, now
         return seconds
@@ -664,6 +663,77 @@ class Intake:
             self._waiter.set_result(None)
 
 
+class LatestIntake(Intake):
+    """Receiver of samples for a reader that wants the newest alone: none of before a pause is given.
+
+    Apart from `Intake`, so that other samples are not asked for their age.
+    """
+
+    _freshness: Freshness | None = None
+    """Ages of the samples, where they come at a rate alone; of others an old one may be the newest."""
+
+    async def wait(self) -> None:
+        """Wait until there is a sample that is not of before a pause.
+
+        Raises:
+            StopAsyncIteration: where there will be none.
+        """
+        while True:
+            self._drop_aged()
+            if self.buffer:
+                return
+            await super().wait()
+
+    def restart(self) -> None:
+        """Begin to count anew: the gateway's sequence stands at 0."""
+        super().restart()
+        if self._due_hz is not None:
+            self._freshness = Freshness(self._due_hz)
+
+    def take_sample(
+        self, sequence: int, instant: float | None, words: Words, arrived: float, epoch: int, now: float
+    ) -> None:
+        """Take a sample of the group, whose sequence has two digits; its instant is guessed."""
+        if not self._came_before(sequence, instant):
+            lost = self._count_lost(sequence, instant, now)
+            self.keep(Sample(self._sequence, self._sampled_at, arrived, words, lost, epoch))
+
+    def _keep_all(self, samples: list[Sample]) -> None:
+        for sample in samples:
+            self.keep(sample)
+
+    def keep(self, sample: Sample) -> None:
+        """Take a sample that tells what was lost before it; one of before a pause is lost itself."""
+        freshness = self._freshness
+        if freshness is None or not freshness.is_old(self._instant_of(sample), self._publishing.runtime.time()):
+            super().keep(sample)
+            return
+        while self.buffer:
+            self._drop_oldest()
+        self.received += 1
+        self._publishing.samples += 1
+        self._dropped += sample.lost + 1
+        self._lose(sample.lost + 1)
+
+    def _call(self, callback: Callable[[Sample], object], sample: Sample) -> None:
+        self.buffer.append(sample)
+        super()._call(callback, self.next())
+
+    def _drop_aged(self) -> None:
+        freshness = self._freshness
+        if freshness is not None and self.buffer:
+            now = self._publishing.runtime.time()
+            if freshness.has_aged(self._instant_of(self.buffer[-1]), now):
+                while self.buffer:
+                    self._drop_oldest()
+
+    def _instant_of(self, sample: Sample) -> float:
+        if sample.time is not None:
+            return sample.time
+        assert self._due_hz is not None
+        return sample.sequence / self._due_hz
+
+
 class Subscription(OfLink):
     """A stream of samples; made by `Link.subscribe`.
 
@@ -684,8 +754,9 @@ class Subscription(OfLink):
         buffer: int,
         overflow: Overflow,
         callback: Callable[[Sample], object] | None,
+        latest: bool = False,
     ) -> None:
-        size = check_buffer(buffer, overflow)
+        size = check_buffer(1 if latest else buffer, overflow)
         if callback is not None and not callable(callback):
             raise ArgumentError(f"a callback is a function, not {callback!r:.80}")
         if inspect.iscoroutinefunction(callback):
@@ -693,7 +764,9 @@ class Subscription(OfLink):
         self.schedule = schedule
         """Addresses and conditions of sampling, as the gateway has them."""
         self._publishing = publishing
-        self._intake = Intake(publishing, schedule, size, overflow, callback)
+        self._latest = latest and overflow == "drop_oldest"
+        receiver = LatestIntake if self._latest else Intake
+        self._intake = receiver(publishing, schedule, size, overflow, callback)
         self._entered = False
         self._group = None
         self._waits_for_block = callback is not None
@@ -781,7 +854,7 @@ class Subscription(OfLink):
 
     async def __anext__(self) -> Sample:
         intake = self._intake
-        if not intake.buffer:
+        if self._latest or not intake.buffer:
             await intake.wait()
         return intake.next()
 
