@@ -67,7 +67,7 @@ def test_the_rover_stops_at_ctrl_c_and_nothing_stops_it_where_its_program_is_kil
     assert "drive(rover, 1)" in drive
     far = drive.replace("drive(rover, 1)", "drive(rover, 1000)").replace("rover.sock", "robot.sock")
     (tmp_path / "drive.py").write_text(far)
-    with simulated(tmp_path, "rover.ul?model=rover.py:Rover") as url:
+    with simulated(tmp_path, "rover.ul?model=model.py:Rover") as url:
         ended_by(number, [sys.executable, "drive.py"], tmp_path, url, 0x12)
         with blocking.connect(url) as link:
             assert [link.read(0x12) != 0, link.read(0x22) != 0] == [moves_on] * 2

@@ -1,56 +1,88 @@
-"""A command in a process of its own, for input that can ask for any amount of time and memory."""
+"""A call in a process of its own, for input that can ask for any amount of time and memory."""
 
 from __future__ import annotations
 
-import contextlib
 import os
+import pickle
 import signal
 import sys
-from typing import TYPE_CHECKING
-
-import typer
+import traceback
+from typing import TYPE_CHECKING, TypeVar
 
 from unity_link.errors import UnityLinkError
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable
+
+T = TypeVar("T")
 
 _MOST_BYTES = 2 << 30
+_TOO_LARGE = 3
+"""Exit code of the process where memory ran out."""
 
 
 class TooMuchError(UnityLinkError):
     """Input asks for more time or memory than a command gives it."""
 
 
-@contextlib.contextmanager
-def bounded(name: str, seconds: int) -> Iterator[None]:
-    """Enter the block in a new process, which is ended at a bound; in this one, wait for it, and end as it does.
+def call_bounded(function: Callable[[], T], name: str, seconds: int) -> T:
+    """Call a function in a new process, which is ended at a bound, and return its result.
 
     Args:
+        function: returns or raises what can be pickled.
         name: of what is read, for the message.
         seconds: processor time that the new process may take, at least 1.
 
     Raises:
-        typer.Exit: in this process, where the new one has ended by itself, with its code.
+        UnityLinkError: what the function raises.
         TooMuchError: where it took more time or memory than it may.
     """
-    import resource
-
-    too_large = TooMuchError(f"{name} takes more than {_MOST_BYTES >> 30} GiB of memory")
     sys.stdout.flush()
     sys.stderr.flush()
-    if child := os.fork():
-        code = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
-        if code == -signal.SIGXCPU:
-            raise TooMuchError(f"{name} takes more than {seconds} s of processor time; `--seconds` gives it more")
-        # A library in C++ that finds no memory ends the process.
-        if code < 0:
-            raise too_large
-        raise typer.Exit(code)
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
-    resource.setrlimit(resource.RLIMIT_AS, (_MOST_BYTES, _MOST_BYTES))
+    reading, writing = os.pipe()
+    child = os.fork()
+    if not child:
+        os.close(reading)
+        _answer(function, writing, seconds)
+    os.close(writing)
+    with os.fdopen(reading, "rb") as pipe:
+        answer = pipe.read()
+    code = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+    if code == -signal.SIGXCPU:
+        raise TooMuchError(f"{name} takes more than {seconds} s of processor time; `--seconds` gives it more")
+    # A library in C++ that finds no memory ends the process.
+    if code == _TOO_LARGE or code < 0:
+        raise TooMuchError(f"{name} takes more than {_MOST_BYTES >> 30} GiB of memory")
+    if code:
+        raise UnityLinkError(f"{name} cannot be read: the process that reads it has ended with {code}")
+    result, error = pickle.loads(answer)  # noqa: S301  (what this program has written)
+    if error is not None:
+        raise error
+    made: T = result
+    return made
+
+
+def _answer(function: Callable[[], object], writing: int, seconds: int) -> None:
+    """Write the result of a function, or its error, in the new process, and end that."""
+    import resource
+
+    code = 1
     try:
-        yield
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
+        resource.setrlimit(resource.RLIMIT_AS, (_MOST_BYTES, _MOST_BYTES))
+        try:
+            answer = pickle.dumps((function(), None))
+        except (UnityLinkError, OSError) as error:
+            answer = pickle.dumps((None, error))
+        with os.fdopen(writing, "wb") as pipe:
+            pipe.write(answer)
+        code = 0
     except MemoryError:
-        raise too_large from None
+        code = _TOO_LARGE
+    except Exception:  # noqa: BLE001  (told here, and by the exit code)
+        traceback.print_exc()
+    finally:
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(code)

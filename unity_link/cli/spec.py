@@ -152,14 +152,15 @@ def import_rdl(
     overwrite: Overwrite = False,
 ) -> None:
     """Make a spec of a SystemRDL description, once it is proved to say the same."""
-    from unity_link.cli.bounded import bounded
+    from unity_link.cli.bounded import call_bounded
     from unity_link.spec import SpecError
     from unity_link.spec.systemrdl import import_file
 
     try:
         # A few lines of macros can ask for any amount of time and memory.
-        with bounded(str(files[-1]), seconds):
-            imported = import_file(*files, top=top, include=include or (), perl=perl)
+        imported = call_bounded(
+            lambda: import_file(*files, top=top, include=include or (), perl=perl), str(files[-1]), seconds
+        )
     except SpecError as error:
         print_diagnostics(error.diagnostics)
         raise typer.Exit(FAILED) from None
