@@ -63,12 +63,14 @@ def test_the_rover_stops_at_ctrl_c_and_nothing_stops_it_where_its_program_is_kil
     number: signal.Signals, moves_on: bool, tmp_path: Path
 ) -> None:
     save("rover.md", tmp_path)
+    subprocess.run([PROGRAM, "generate", "python", "rover.ul"], cwd=tmp_path, check=True, capture_output=True)
     drive = (tmp_path / "drive.py").read_text()
     assert "drive(rover, 1)" in drive
     far = drive.replace("drive(rover, 1)", "drive(rover, 1000)").replace("rover.sock", "robot.sock")
     (tmp_path / "drive.py").write_text(far)
     with simulated(tmp_path, "rover.ul?model=model.py:Rover") as url:
-        ended_by(number, [sys.executable, "drive.py"], tmp_path, url, 0x12)
+        # The right wheel, which is written behind the left one.
+        ended_by(number, [sys.executable, "drive.py"], tmp_path, url, 0x22)
         with blocking.connect(url) as link:
             assert [link.read(0x12) != 0, link.read(0x22) != 0] == [moves_on] * 2
 
