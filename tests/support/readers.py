@@ -54,8 +54,14 @@ def by_halves(name: str, write: Callable[[Sequence[str]], str], *commands: str, 
     def is_sound(texts: Sequence[str]) -> bool:
         with tempfile.TemporaryDirectory() as folder:
             (Path(folder) / name).write_text(write(texts), encoding="utf-8", newline="")
-            printed = [run(Path(folder), *command.split()) for command in commands]
-            return printed[-1] is not None and printed[-1].split() == said(len(texts)).split()
+            printed = ""
+            for command in commands:
+                output = run(Path(folder), *command.split())
+                # A compiler that has failed leaves no program to run.
+                if output is None:
+                    return False
+                printed = output
+            return printed.split() == said(len(texts)).split()
 
     return lambda texts: bisected(texts, is_sound)
 
