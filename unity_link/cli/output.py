@@ -30,11 +30,12 @@ _LATE_CONTROL = re.compile("[\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u20
 
 def out() -> Console:
     """Return the console of stdout; a pipe gets whole lines, however long."""
-    return console_on(sys.stdout, soft_wrap=not sys.stdout.isatty())
+    # It looks for stdout at each print: a prompt puts another one in its place.
+    return console_on(None, soft_wrap=not sys.stdout.isatty())
 
 
-def console_on(stream: TextIO, *, soft_wrap: bool = False) -> Console:
-    """Return a console that prints strings from outside as a terminal shows and does not obey them."""
+def console_on(stream: TextIO | None, *, soft_wrap: bool = False) -> Console:
+    """Return a console that prints strings from outside as a terminal shows and does not obey them; None for stdout."""
     return _console_class()(file=stream, highlight=False, markup=False, emoji=False, soft_wrap=soft_wrap)
 
 
