@@ -47,7 +47,7 @@ WALKER = compile_text("""\
 enum mode { off, walking = 4, class }
 group state(1, 100, TIMESTAMPS);
 group targets;
-group slow(RATE=0.5);
+group slow(RATE=2);
 public walker() {
   GATEWAY(ADDRESS_BITS=8, DATA_BITS=32);
   @mode = 0x60[3:0]: mode READWRITE(PUBLISH(state));
@@ -443,7 +443,7 @@ def test_groups_come_by_callback_and_one_by_one(medium: Medium, runtime: list[Pa
     auto feed = robot.state.subscribe();
     auto next = feed.next(5s);
     CHECK(next && next->first.clock == 77 && next->second.sequence == 0);
-    CHECK(std::abs(robot.slow.subscribe().subscription().rate_hz() - 100000.0 / 65535) < 1e-9);
+    CHECK(std::abs(robot.slow.subscribe().subscription().rate_hz() - 2.0) < 1e-9);
     THROWS(ArgumentError, (unity_link::Subscription{link, {0x61}, {0.5}}));
     THROWS(ArgumentError, robot.state.subscribe());
     CHECK(last == "subscription: group 1 of the gateway is in use, or there is none" && feed.next(5s));
