@@ -49,19 +49,21 @@ class RoundTrips(asyncio.Protocol):
         self._writer.close()
 
 
+async def seconds_of_a_read(path: str, count: int) -> float:
+    """Return the median of so many lone reads over a link to a pseudo-terminal."""
+    async with unity_link.connect(f"serial:{path}") as link:
+        expect(await link.read(ADDRESS))
+        times = []
+        for _ in range(count):
+            start = time.perf_counter()
+            await link.read(ADDRESS)
+            times.append(time.perf_counter() - start)
+        return statistics.median(times)
+
+
 async def measure() -> Row:
     """Compare `await link.read(...)` with the protocol, median of the round trips."""
     with responder() as path:
-
-        async def ours() -> float:
-            async with unity_link.connect(f"serial:{path}") as link:
-                expect(await link.read(ADDRESS))
-                times = []
-                for _ in range(READS):
-                    start = time.perf_counter()
-                    await link.read(ADDRESS)
-                    times.append(time.perf_counter() - start)
-                return statistics.median(times)
 
         async def bare() -> float:
             protocol = RoundTrips()
@@ -75,7 +77,7 @@ async def measure() -> Row:
             protocol.close()
             return statistics.median(times)
 
-        pair = await compare(ours, bare)
+        pair = await compare(lambda: seconds_of_a_read(path, READS), bare)
     return Row(
         "A read, one after the other, beside an `asyncio.Protocol`",
         f"{pair.ours * 1e6:.1f} us",

@@ -7,10 +7,9 @@ import os
 import statistics
 import time
 
-import unity_link
 from benchmarks.concurrent_reads import REQUEST, RESPONSE
-from benchmarks.expected import ADDRESS, expect
 from benchmarks.measure import Row, compare
+from benchmarks.read_beside_protocol import seconds_of_a_read
 from benchmarks.responder import responder
 
 READS = 4000
@@ -20,16 +19,6 @@ MOST = 1.5
 async def measure() -> Row:
     """Compare `await link.read(...)`, which spins as well, with the same bytes, median of the round trips."""
     with responder() as path:
-
-        async def ours() -> float:
-            async with unity_link.connect(f"serial:{path}") as link:
-                expect(await link.read(ADDRESS))
-                times = []
-                for _ in range(READS):
-                    start = time.perf_counter()
-                    await link.read(ADDRESS)
-                    times.append(time.perf_counter() - start)
-                return statistics.median(times)
 
         async def bare() -> float:
             port = os.open(path, os.O_RDWR | os.O_NONBLOCK | os.O_NOCTTY)
@@ -45,7 +34,7 @@ async def measure() -> Row:
             os.close(port)
             return statistics.median(times)
 
-        pair = await compare(ours, bare)
+        pair = await compare(lambda: seconds_of_a_read(path, READS), bare)
     return Row(
         "A read, one after the other, beside a bare loop that spins, as ours does",
         f"{pair.ours * 1e6:.1f} us",

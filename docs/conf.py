@@ -43,5 +43,5 @@ html_copy_source = False
 
 
 def setup(app: Sphinx) -> None:
-    """Have blocks of `ul` in colours."""
+    """Register the lexer for blocks of `ul`."""
     app.add_lexer("ul", UlLexer)

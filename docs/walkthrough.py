@@ -40,7 +40,7 @@ class Block(NamedTuple):
     """The name of a file, or of a terminal; empty without one."""
     text: str
     line: int
-    """Where the text begins in the page, from 1 on."""
+    """Line of the page at which the text begins, from 1 on."""
 
 
 def follow(page: Path, folder: Path) -> None:

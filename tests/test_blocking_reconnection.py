@@ -219,7 +219,7 @@ def _by_a_read_that_is_given_up(link: BlockingLink) -> None:
 
 
 WAYS = (_by_a_write, _in_a_thread, _by_a_read_that_is_given_up)
-"""How a program may learn that its gateway is away."""
+"""Ways by which a program may learn that its gateway is away."""
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""What commands write is never in the place of what Unity-Link did not make, unless the user says so."""
+"""Files of commands are never in the place of what Unity-Link did not make, unless the user says so."""
 
 from __future__ import annotations
 

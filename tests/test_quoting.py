@@ -149,7 +149,7 @@ PIECES = (
         "中",
     ),
 )
-"""What some language takes for an end or a beginning, and line ends of all kinds."""
+"""Ends and beginnings of strings and comments in some language, and line ends of all kinds."""
 BATCH = 2_000
 """Strings that a reader gets at once."""
 PROGRAMS = {

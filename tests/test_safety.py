@@ -1,4 +1,4 @@
-"""What docs/safety.md says of outputs when a program ends, by the tutorials' own programs."""
+"""The claims of docs/safety.md on outputs when a program ends, by the tutorials' own programs."""
 
 from __future__ import annotations
 

@@ -27,10 +27,10 @@ if TYPE_CHECKING:
 
 ROOT = Path(__file__).parents[1]
 LOAD = re.compile(r"unity_link\.load\((?:\"([\w/.]+)\"|path|compile_text\(\w+\))\)")
-"""Where a spec is loaded: by its path, or as the text that stands before."""
+"""Lines in which a spec is loaded: by its path, or as the text that stands before."""
 TEXT = re.compile(r'= """\n(public .*?)"""', re.DOTALL)
 UNTYPED = ("Argument", "Member", "Variable")
-"""What pyright does not know of packages without types."""
+"""Rules of pyright on packages without types."""
 MACHINE = """\
 enum mode { idle, balance }
 public machine() {

@@ -31,7 +31,7 @@ _PERIOD_NS = 16.667
 _FROM_CHIP = "ft_rxf_n ft_txe_n ft_data[*]"
 _TO_CHIP = "ft_rd_n ft_wr_n ft_oe_n ft_siwu_n ft_data[*]"
 _OUTPUT_NS, _SETUP_NS, _HOLD_NS = (0, 9), 7.5, 0
-"""Of an FT232H, table 4.1 of FT_000288: when its outputs change, and what its inputs need."""
+"""Times of an FT232H, table 4.1 of FT_000288: when its outputs change, and what its inputs need."""
 _CHIPS = (
     "FT232H: outputs from 0 to 9 ns after CLKOUT, setup 7.5 ns, hold 0. FT2232H: outputs from 1 to 7.15 ns, setup 8 ns."
 )
@@ -43,7 +43,7 @@ _MADE = "Made by `make lists` from the VHDL. Unchecked: see README.md."
 
 
 class _Tool(NamedTuple):
-    """What the tools of SDC differ in."""
+    """Differences between the tools of SDC."""
 
     name: str
     comment: str

@@ -59,7 +59,7 @@ INSTANTS: dict[str, Callable[[int, int], int]] = {
 
 
 class Parts:
-    """What a recording is made of."""
+    """Parts of a recording."""
 
     def __init__(self, path: Path) -> None:
         with path.open("rb") as file:

@@ -217,7 +217,7 @@ def xml_texts(texts: Sequence[str]) -> list[str]:
 
 
 class Tags(HTMLParser):
-    """What a page of HTML is made of, besides its text."""
+    """Tags of a page of HTML, without its text."""
 
     def __init__(self, text: str) -> None:
         super().__init__()

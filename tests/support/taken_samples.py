@@ -50,13 +50,13 @@ READS = st.lists(
     min_size=2,
     max_size=6,
 )
-"""Of each: seconds for which the host stands still before, samples lost of those that come, and how they are taken."""
+"""Reads: seconds that the host stands still before each, samples lost of those that come, and how they are taken."""
 CLOCKS = (50_000_000, 100_000_000, 99_999_937, 4_294_967_295)
 """In Hz."""
 
 
 class Arrival(NamedTuple):
-    """What a host reads at once."""
+    """Bytes that a host reads at once."""
 
     now: float
     taken: list[Taken]

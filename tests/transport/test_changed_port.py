@@ -35,7 +35,7 @@ def url(tmp_path: Path) -> Iterator[str]:
 
 
 def make_sane(url: str) -> None:
-    """Have the terminal echo, wait for lines and translate their ends."""
+    """Set the terminal to echo, wait for lines and translate their ends."""
     port = parse_url(url).path
     subprocess.run(["stty", "-F", port, "sane"], check=True)
 

@@ -41,7 +41,7 @@ def placed(name: str) -> list[Place]:
 
 
 class Tool(NamedTuple):
-    """How a tool names a register, and what resets it without a clock."""
+    """Names that a tool gives to a register, and to its reset without a clock."""
 
     files: str
     name: Callable[[Place], str]
@@ -72,7 +72,7 @@ TOOLS = {
 
 
 class _Rule(NamedTuple):
-    """What a constraint says of the ways between registers; patterns of their names, empty for any."""
+    """Constraint on the ways between registers; patterns of their names, empty for any."""
 
     command: str
     origin: str
@@ -96,7 +96,7 @@ def _of_lpf(path: Path) -> Iterator[_Rule]:
 
 
 def _of_tcl(path: Path, scope: str) -> list[_Rule]:
-    """Have Tcl read a file, and note what it asks for."""
+    """Read a file with Tcl, and return the constraints that it asks for."""
     tcl, found = tk.Tcl(), list[_Rule]()
 
     def note(command: str, *words: str) -> str:
@@ -134,7 +134,7 @@ def _label(place: Place) -> str:
 
 
 def _crosses(place: Place) -> bool:
-    """Whether a register meets a bit, or a reset, that comes from another clock or from none."""
+    """Return whether a register meets a bit, or a reset, that comes from another clock or from none."""
     if place.name == "meta":
         is_pointer = "ul_fifo_async" in place.entities
         return (_label(place).endswith("_crossing") and not is_pointer) or place.entities[-1] == "ul_reset_synchroniser"
