@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from generate.programs import HERE, PATIENCE, SANITIZED, C, generated
 from support.searching import examples
 from support.spec_examples import FIGURE_1
-from support.taken_samples import BASE_HZ, CLOCKS, READS, TURN, are_decidable, arrivals_of, of_group
+from support.taken_samples import BASE_HZ, BEGAN, CLOCKS, READS, are_decidable, arrivals_of, of_group
 from unity_link.spec import compile_text
 
 if TYPE_CHECKING:
@@ -33,7 +33,7 @@ def program(tmp_path_factory: pytest.TempPathFactory) -> Path:
     reads=READS,
     clock_hz=st.sampled_from(CLOCKS),
     divisor=st.integers(100, 3000),
-    began=st.integers(0, TURN - 1),
+    began=BEGAN,
     seed=st.integers(0, 1000),
 )
 @settings(max_examples=examples(30), deadline=None)

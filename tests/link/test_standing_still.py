@@ -15,7 +15,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from support.searching import examples
-from support.taken_samples import BASE_HZ, CLOCKS, READS, TURN, Taken, are_decidable, arrivals_of, of_group
+from support.taken_samples import BASE_HZ, BEGAN, CLOCKS, READS, Taken, are_decidable, arrivals_of, of_group
 from unity_link import GatewayInfo, Sample
 from unity_link.link.samples_together import SamplesTogether
 from unity_link.link.subscription import GatewayClock, Intake, Publishing, Schedule
@@ -70,7 +70,7 @@ class Host:
     reads=READS,
     clock_hz=st.sampled_from(CLOCKS),
     divisors=st.lists(st.integers(100, 3000), min_size=1, max_size=2),
-    began=st.integers(0, TURN - 1),
+    began=BEGAN,
     seed=st.integers(0, 1000),
 )
 @settings(max_examples=examples(30), deadline=None)

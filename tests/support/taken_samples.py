@@ -53,6 +53,10 @@ READS = st.lists(
 """Reads: seconds that the host stands still before each, samples lost of those that come, and how they are taken."""
 CLOCKS = (50_000_000, 100_000_000, 99_999_937, 4_294_967_295)
 """In Hz."""
+_LATE = 95e-6
+"""Seconds that a busy bus keeps a sample waiting."""
+BEGAN = st.integers(0, TURN - 1 - round(_LATE * max(CLOCKS)))
+"""Timestamps at first; the first sample has no wrap before it, though it may be late, as nobody could see that."""
 
 
 class Arrival(NamedTuple):
@@ -72,7 +76,7 @@ def arrivals_of(
         reads: one of `READS`.
         clock_hz: of the gateway.
         divisors: of the groups, one each.
-        began: the gateway's timestamp at first.
+        began: the gateway's timestamp at first, one of `BEGAN`.
         seed: chooses which samples are lost and late.
     """
     chance, now = random.Random(seed), 0.0
@@ -86,7 +90,7 @@ def arrivals_of(
             taken = []
             while numbers[group] * period <= now:
                 # The bus may be busy when a sample is due.
-                instant = numbers[group] * period + chance.choice([0, 0, 0, 95e-6])
+                instant = numbers[group] * period + chance.choice([0, 0, 0, _LATE])
                 taken.append(Taken(instant, group, numbers[group], began + round(instant * clock_hz)))
                 numbers[group] += 1
             first = chance.randrange(max(1, len(taken) - lost))

@@ -7,6 +7,7 @@ import pickle
 import signal
 import sys
 import traceback
+from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
 from unity_link.errors import UnityLinkError
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 _MOST_BYTES = 2 << 30
+"""Memory that the new process may take beyond what this one has."""
 _TOO_LARGE = 3
 """Exit code of the process where memory ran out."""
 
@@ -70,7 +72,8 @@ def _answer(function: Callable[[], object], writing: int, seconds: int) -> None:
     try:
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
-        resource.setrlimit(resource.RLIMIT_AS, (_MOST_BYTES, _MOST_BYTES))
+        most = _address_space() + _MOST_BYTES
+        resource.setrlimit(resource.RLIMIT_AS, (most, most))
         try:
             answer = pickle.dumps((function(), None))
         except (UnityLinkError, OSError) as error:
@@ -86,3 +89,12 @@ def _answer(function: Callable[[], object], writing: int, seconds: int) -> None:
         sys.stdout.flush()
         sys.stderr.flush()
         os._exit(code)
+
+
+def _address_space() -> int:
+    """Return the bytes of address space that this process has, by proc(5); 0 on systems without."""
+    try:
+        pages = int(Path("/proc/self/statm").read_text().split()[0])
+    except OSError:
+        return 0
+    return pages * os.sysconf("SC_PAGE_SIZE")

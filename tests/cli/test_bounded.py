@@ -1,0 +1,33 @@
+"""A call in a process of its own is ended at its bounds, whatever the process that asks for it has taken itself."""
+
+from __future__ import annotations
+
+import itertools
+import mmap
+
+import pytest
+
+from unity_link.cli.bounded import TooMuchError, call_bounded
+from unity_link.errors import ArgumentError
+
+GIB = 1 << 30
+
+
+def test_memory_that_this_process_has_is_not_counted() -> None:
+    with mmap.mmap(-1, 5 * GIB):
+        assert call_bounded(lambda: len(bytes(GIB // 2)), "it", 60) == GIB // 2
+        with pytest.raises(TooMuchError, match=r"^it takes more than 2 GiB of memory$"):
+            call_bounded(lambda: len(bytes(3 * GIB)), "it", 60)
+
+
+def test_a_call_that_goes_on_is_ended() -> None:
+    with pytest.raises(TooMuchError, match=r"^it takes more than 1 s of processor time; `--seconds` gives it more$"):
+        call_bounded(lambda: sum(itertools.repeat(0)), "it", 1)
+
+
+def test_an_error_comes_back() -> None:
+    def fail() -> None:
+        raise ArgumentError("this is wrong")
+
+    with pytest.raises(ArgumentError, match=r"^this is wrong$"):
+        call_bounded(fail, "it", 60)
