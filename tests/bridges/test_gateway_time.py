@@ -10,20 +10,25 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from unity_link.bridges.gateway_time import ANOTHER_CLOCK, MOST_DRIFT, GatewayTime
+from unity_link.bridges.gateway_time import SET, TURN_ON, GatewayTime
+from unity_link.link.freshness import MOST_DRIFT
 
 
 class Clock:
     """The time of a gateway, and the samples that tell it."""
 
     def __init__(self, **options: Any) -> None:
+        self.set = 0.0
+        """Seconds by which this machine's clock was set."""
         self.statistics = SimpleNamespace(reconnections=0)
         link: Any = SimpleNamespace(statistics=self.statistics)
         self.time = GatewayTime(link, **options)
 
     def instants(self, group: int, time: Any, arrived: Any) -> list[float]:
         batch: Any = SimpleNamespace(
-            time=None if time is None else np.array(time, np.float64), arrived=np.array(arrived, np.float64)
+            time=None if time is None else np.array(time, np.float64),
+            arrived=np.array(arrived, np.float64) + self.set,
+            at=arrived[-1],
         )
         found: list[float] = self.time.instants(group, batch).tolist()
         return found
@@ -92,8 +97,24 @@ def test_a_gateway_that_was_reset_begins_anew() -> None:
     assert clock.instants(0, [7.0], [1008.0]) == [1008.0]
 
 
-@pytest.mark.parametrize("step", [2 * ANOTHER_CLOCK, -2 * ANOTHER_CLOCK])
+@pytest.mark.parametrize("step", [2 * SET, -2 * SET, 3600.0, -3600.0])
 def test_a_clock_of_this_machine_that_was_set_is_followed(step: float) -> None:
     clock = Clock()
     clock.instants(0, [5.0], [1000.0])
-    assert clock.instants(0, [6.0], [1001.0 + step]) == [1001.0 + step]
+    clock.set = step
+    assert clock.instants(0, [6.0], [1001.0]) == [1001.0 + step]
+
+
+@pytest.mark.parametrize("late", [11.0, 3600.0])
+def test_samples_that_have_waited_for_this_program_stand_where_they_were_taken(late: float) -> None:
+    clock = Clock()
+    clock.instants(0, [5.0], [1000.0])
+    seen = clock.instants(0, [6.0, 7.0, 8.0], [1001.0 + late] * 3)
+    assert seen == pytest.approx([1001.0, 1002.0, 1003.0], abs=0.01)
+    assert clock.instants(0, [5.0 + late], [1000.0 + late]) == pytest.approx([1000.0 + late], abs=late * 2 * MOST_DRIFT)
+
+
+def test_a_gateway_whose_clock_was_read_a_turn_on_begins_anew() -> None:
+    clock = Clock()
+    clock.instants(0, [5.0], [1000.0])
+    assert clock.instants(0, [6.0 + 2 * TURN_ON], [1001.0]) == [1001.0]

@@ -15,6 +15,7 @@ each file begins by naming the spec and its hash (`Templates.origin`)::
 
 from __future__ import annotations
 
+import functools
 import importlib
 import inspect
 from pathlib import Path
@@ -75,22 +76,29 @@ class Target(Protocol):
         """
 
 
+@functools.cache
+def _environment(target: str, filters: tuple[tuple[str, Callable[..., Any]], ...]) -> jinja2.Environment:
+    """Return the environment of a target's templates, of which each is compiled once."""
+    import jinja2
+
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(Path(__file__).with_name(target)),
+        undefined=jinja2.StrictUndefined,
+        autoescape=jinja2.select_autoescape(enabled_extensions=("html.jinja",)),
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        finalize=lambda value: quoting.terminal(value) if isinstance(value, str) else value,
+    )
+    environment.filters.update(_QUOTING | dict(filters))
+    return environment
+
+
 class Templates:
     """The templates of a target, ``NAME.jinja`` in its folder."""
 
     def __init__(self, target: str, spec: Spec, filters: Mapping[str, Callable[..., Any]]) -> None:
-        import jinja2
-
-        self._environment: jinja2.Environment = jinja2.Environment(
-            loader=jinja2.FileSystemLoader(Path(__file__).with_name(target)),
-            undefined=jinja2.StrictUndefined,
-            autoescape=jinja2.select_autoescape(enabled_extensions=("html.jinja",)),
-            trim_blocks=True,
-            lstrip_blocks=True,
-            keep_trailing_newline=True,
-            finalize=lambda value: quoting.terminal(value) if isinstance(value, str) else value,
-        )
-        self._environment.filters.update(_QUOTING | dict(filters))
+        self._environment = _environment(target, tuple(filters.items()))
         self._spec = spec
         self.origin = _origin(target, spec)
         """Lines that name the sources, for the comment at the top of each file."""
