@@ -18,8 +18,6 @@ OF_ONE_PIECE = {
     "unity_link.bridges.serve",
     # A signal finds the group that samples it, and a group its signals.
     "unity_link.data",
-    # Components are built of components: elaboration, building and placing call each other.
-    "unity_link.spec",
 }
 """Rooms with a circle, which each calls itself by design."""
 

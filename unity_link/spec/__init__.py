@@ -5,7 +5,8 @@ The way of a spec, one file for each step:
 - `tokens`, `grammar.lark`, `parser`, `comments`: text to syntax tree; `recovery` finds the other faults after the first
 - `syntax`: that tree; `printer`: back to text
 - `loading`: the file and what it imports
-- `elaborate`, `building`, `placing`: syntax tree to model, by `expressions`, `arguments`, `signals`, `modules`
+- `elaborate`, `placing`, `building`: syntax tree to model in a `context`, by `expressions`, `arguments`, `signals`,
+  `modules`
 - `interface`: the checks of an interface as a whole
 - `model`, `kinds`, `columns`: the checked model, what the bits of a signal mean, and the same for many at once
 - `ranges`: the checks of the numbers of a model that was not compiled here

@@ -1,21 +1,17 @@
-"""Builds what an interface is made of: components, signals, modules, and the groups that signals name.
+"""Builds what an interface is made of: signals, modules, and the groups that signals name.
 
 What is built goes into an `InterfaceDraft`, which checks it as a whole in the end.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.spec.arguments import Binder, Bound
 from unity_link.spec.diagnostics import SourceText, did_you_mean
-from unity_link.spec.expressions import Evaluator, GroupReference, Result
+from unity_link.spec.expressions import Evaluator, GroupReference, Result, describe
 from unity_link.spec.interface import GroupDraft, InterfaceDraft, Placed, SignalPlace
-from unity_link.spec.model import (
-    ComponentSpec,
-    ModuleSpec,
-    Signal,
-)
+from unity_link.spec.model import ModuleSpec, Signal
 from unity_link.spec.modules import COMMON, MODULES
 from unity_link.spec.signals import SignalReader
 from unity_link.spec.syntax import (
@@ -27,22 +23,36 @@ from unity_link.spec.syntax import (
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from unity_link.spec.loading import Declared
-
-from unity_link.spec.placing import Address, Contents, Where, whole_address
-
-if TYPE_CHECKING:
-    from unity_link.spec.elaborate import Elaborator
+    from unity_link.spec.context import Context
 
 MOST_PARTS = 100_000
 """Signals, components and modules of one interface: more is a mistake in an array."""
 
 
-class Builder:
-    """Builds the components of one interface."""
+class Address(NamedTuple):
+    """An address that a component is given, and where it was written."""
 
-    def __init__(self, elaborator: Elaborator, draft: InterfaceDraft) -> None:
-        self.elaborator = elaborator
+    value: int | None
+    place: SignalPlace
+
+
+class Where(NamedTuple):
+    """Place where a component is being put."""
+
+    path: str
+    addresses: Mapping[str, Address]
+    scope: Mapping[str, Result]
+    module: int | None
+    base: int
+    chain: tuple[str, ...]
+    """The declarations that it is inside of."""
+
+
+class Builder:
+    """Builds the signals and modules of one interface."""
+
+    def __init__(self, context: Context, draft: InterfaceDraft) -> None:
+        self.context = context
         self._draft = draft
         self._full = False
         self._evaluators: dict[int, tuple[Evaluator, SignalReader]] = {}
@@ -51,38 +61,10 @@ class Builder:
         """Return what computes expressions and reads signals in one source."""
         tools = self._evaluators.get(id(source))
         if tools is None:
-            evaluator = Evaluator(source, self.elaborator.reporter)
-            reader = SignalReader(evaluator, self.elaborator.enumerations, self._draft.data_bits)
+            evaluator = Evaluator(source, self.context.reporter)
+            reader = SignalReader(evaluator, self.context.enumerations, self._draft.data_bits)
             tools = self._evaluators[id(source)] = (evaluator, reader)
         return tools
-
-    def component(
-        self,
-        declared: Declared[ComponentDeclaration],
-        where: Where,
-        name: str,
-        index: int | None = None,
-        arguments: Mapping[str, Result] | None = None,
-    ) -> ComponentSpec:
-        """Build a component where it is put."""
-        source, node = declared
-        evaluator, _ = self.tools(source)
-        self.elaborator.enter(evaluator, node)
-        contents = Contents(self, declared, where)
-        contents.fill(node.members, where.module, where.base)
-        given = {key: value for key, value in (arguments or {}).items() if isinstance(value, int | float | str)}
-        return ComponentSpec(
-            name=name,
-            path=where.path,
-            type=str(node.name),
-            index=index,
-            arguments=given,
-            signals=tuple(contents.signals),
-            parts=tuple(contents.parts),
-            modules=tuple(contents.modules),
-            doc="\n".join(node.doc),
-            span=self.elaborator.span(source, node),
-        )
 
     def count(self, evaluator: Evaluator, place: tuple[int, int]) -> bool:
         """Count one more part; False where there are too many."""
@@ -127,7 +109,7 @@ class Builder:
             poll_hz=bound["POLL"].get("RATE") if "POLL" in bound else None,
             module=module,
             doc="\n".join(node.doc),
-            span=self.elaborator.span(source, node),
+            span=self.context.span(source, node),
         )
         for group in groups:
             group.signals.append((signal, SignalPlace(source, node.name.place)))
@@ -177,10 +159,10 @@ class Builder:
         if isinstance(reference, GroupReference):
             name = reference.name
         else:
-            name = self.elaborator.group_of_number(reference) or self._undeclared(f"group_{reference}")
+            name = self.context.group_of_number(reference) or self._undeclared(f"group_{reference}")
         if name not in groups:
-            if name in self.elaborator.declarations.groups:
-                groups[name] = self.elaborator.new_group(name)
+            if name in self.context.declarations.groups:
+                groups[name] = self.context.new_group(name)
             else:
                 assert isinstance(reference, int)
                 groups[name] = GroupDraft(name, place, {"NUMBER": reference})
@@ -188,7 +170,7 @@ class Builder:
 
     def _undeclared(self, name: str) -> str:
         """Return a name of a group that has none of its own: not that of one that is declared."""
-        while name in self.elaborator.declarations.groups:
+        while name in self.context.declarations.groups:
             name += "_"
         return name
 
@@ -208,7 +190,7 @@ class Builder:
             message = f"the group {group.name} is published with divisor {group.divisor}, and here with {divisor}"
             note = group.divisor_place.note("a group has one divisor, which is given here")
             advice = "put the signal into another group"
-            self.elaborator.reporter.error(
+            self.context.reporter.error(
                 evaluator.source, place.bounds, "group-divisor", message, help=advice, notes=[note]
             )
 
@@ -263,7 +245,17 @@ class Builder:
             parent=parent,
             arguments=bound,
             doc="\n".join(node.doc),
-            span=self.elaborator.span(source, node),
+            span=self.context.span(source, node),
         )
         self._draft.modules.append((module, SignalPlace(source, node.type.place)))
         return len(self._draft.modules) - 1, start
+
+
+def whole_address(evaluator: Evaluator, place: tuple[int, int], value: Result) -> int | None:
+    """Return a value as an address; report one that is none."""
+    if value is None:
+        return None
+    if isinstance(value, bool) or not isinstance(value, int):
+        evaluator.fault(place, "bad-address", f"an address is a whole number, not {describe(value)}")
+        return None
+    return value

@@ -1,23 +1,20 @@
 """The members of a component where it is put: names, arrays, arguments and addresses.
 
-`Contents` goes through the members of one component and leaves signals and modules to the `Builder`, which calls it
-again for each component inside.
+`put_component` goes through the members of one component by its `Contents`, and so through each component inside;
+signals and modules are built by the `Builder`.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import msgspec
 
+from unity_link.spec.building import Address, Builder, Where, whole_address
 from unity_link.spec.diagnostics import did_you_mean, listed
 from unity_link.spec.expressions import Evaluator, Result, describe
 from unity_link.spec.interface import SignalPlace
-from unity_link.spec.model import (
-    ComponentArray,
-    ComponentSpec,
-    Signal,
-)
+from unity_link.spec.model import ComponentArray, ComponentSpec, Signal
 from unity_link.spec.modules import MODULES
 from unity_link.spec.syntax import (
     INDEX_NAME,
@@ -33,32 +30,39 @@ if TYPE_CHECKING:
 
     from unity_link.spec.loading import Declared
 
-if TYPE_CHECKING:
-    from unity_link.spec.building import Builder
-
 GATEWAY_WORD = "GATEWAY"
 MOST_LEVELS = 24
 MOST_ITEMS = 65_536
 """Most items of an array."""
 
 
-class Address(NamedTuple):
-    """An address that a component is given, and where it was written."""
-
-    value: int | None
-    place: SignalPlace
-
-
-class Where(NamedTuple):
-    """Place where a component is being put."""
-
-    path: str
-    addresses: Mapping[str, Address]
-    scope: Mapping[str, Result]
-    module: int | None
-    base: int
-    chain: tuple[str, ...]
-    """The declarations that it is inside of."""
+def put_component(
+    builder: Builder,
+    declared: Declared[ComponentDeclaration],
+    where: Where,
+    name: str,
+    index: int | None = None,
+    arguments: Mapping[str, Result] | None = None,
+) -> ComponentSpec:
+    """Return a component, built where it is put."""
+    source, node = declared
+    evaluator, _ = builder.tools(source)
+    builder.context.enter(evaluator, node)
+    contents = Contents(builder, declared, where)
+    contents.fill(node.members, where.module, where.base)
+    given = {key: value for key, value in (arguments or {}).items() if isinstance(value, int | float | str)}
+    return ComponentSpec(
+        name=name,
+        path=where.path,
+        type=str(node.name),
+        index=index,
+        arguments=given,
+        signals=tuple(contents.signals),
+        parts=tuple(contents.parts),
+        modules=tuple(contents.modules),
+        doc="\n".join(node.doc),
+        span=builder.context.span(source, node),
+    )
 
 
 class Contents:
@@ -66,7 +70,7 @@ class Contents:
 
     def __init__(self, builder: Builder, declared: Declared[ComponentDeclaration], where: Where) -> None:
         self._builder = builder
-        self._elaborator = builder.elaborator
+        self._context = builder.context
         self._source, self._node = declared
         self._where = where
         self._evaluator, _ = builder.tools(self._source)
@@ -105,7 +109,7 @@ class Contents:
             message = f"'{member.name}' and '{other}' differ only in case, which VHDL does not tell apart"
         span = source.span(*first)
         note = (span, "the first one is here", source.line(span.line))
-        self._elaborator.reporter.error(source, member.name.place, "name-twice", message, notes=[note])
+        self._context.reporter.error(source, member.name.place, "name-twice", message, notes=[note])
 
     def _path(self, name: str, index: int | None) -> str:
         item = str(name) if index is None else f"{name}[{index}]"
@@ -193,12 +197,12 @@ class Contents:
                     path=self._path(member.name, None),
                     items=tuple(items),
                     doc="\n".join(member.doc),
-                    span=self._elaborator.span(self._source, member),
+                    span=self._context.span(self._source, member),
                 )
             )
 
     def _declared(self, member: Placement) -> Declared[ComponentDeclaration] | None:
-        components = self._elaborator.declarations.components
+        components = self._context.declarations.components
         declared = components.get(member.type)
         place = member.type.place
         if declared is None:
@@ -246,13 +250,13 @@ class Contents:
                 given[name] = values[name][0]
             else:
                 default = parameter.default
-                tools = Evaluator(declared.source, self._elaborator.reporter)
-                given[name] = None if default is None else tools.evaluate(default, self._elaborator.globals)
+                tools = Evaluator(declared.source, self._context.reporter)
+                given[name] = None if default is None else tools.evaluate(default, self._context.globals)
         addresses = self._addresses(member, declared, scope)
-        inner = {**self._elaborator.globals, **given, **{name: one.value for name, one in addresses.items()}}
+        inner = {**self._context.globals, **given, **{name: one.value for name, one in addresses.items()}}
         chain = (*self._where.chain, str(node.name))
         where = Where(self._path(member.name, index), addresses, inner, module, base, chain)
-        component = self._builder.component(declared, where, str(member.name), index, given)
+        component = put_component(self._builder, declared, where, str(member.name), index, given)
         return component if not member.doc else _documented(component, member)
 
     def _addresses(
@@ -265,8 +269,8 @@ class Contents:
             value, place = bound.get(str(parameter.name), (None, member.type.place))
             tools = self._evaluator
             if str(parameter.name) not in bound and parameter.default is not None:
-                tools = Evaluator(declared.source, self._elaborator.reporter)
-                value, place = tools.evaluate(parameter.default, self._elaborator.globals), parameter.place
+                tools = Evaluator(declared.source, self._context.reporter)
+                value, place = tools.evaluate(parameter.default, self._context.globals), parameter.place
             whole = whole_address(tools, place, value)
             addresses[str(parameter.name)] = Address(whole, SignalPlace(tools.source, place))
         return addresses
@@ -322,13 +326,3 @@ class Contents:
 
 def _documented(component: ComponentSpec, member: Placement) -> ComponentSpec:
     return msgspec.structs.replace(component, doc="\n".join(member.doc), type_doc=component.doc)
-
-
-def whole_address(evaluator: Evaluator, place: tuple[int, int], value: Result) -> int | None:
-    """Return a value as an address; report one that is none."""
-    if value is None:
-        return None
-    if isinstance(value, bool) or not isinstance(value, int):
-        evaluator.fault(place, "bad-address", f"an address is a whole number, not {describe(value)}")
-        return None
-    return value
