@@ -59,11 +59,16 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 
 class _Scheduler(LoadScopeScheduling):  # type: ignore[misc]  # pytest-xdist has no types
-    """Gives each test to the process that is free, and the blocks of a document, which share names, to one."""
+    """Gives each test to the process that is free.
+
+    One process has the blocks of a document, which share names, and tests of a file that share much work.
+    """
+
+    _TOGETHER = (".md", "test_experiment.py")
 
     def _split_scope(self, nodeid: str) -> str:
         file, _, _ = nodeid.partition("::")
-        return file if file.endswith(".md") else nodeid
+        return file if file.endswith(self._TOGETHER) else nodeid
 
 
 @pytest.hookimpl(optionalhook=True)
