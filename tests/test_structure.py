@@ -14,8 +14,6 @@ MOST_SHARED_NAMES = 10
 
 
 OF_ONE_PIECE = {
-    # A client is known to the shared link that it uses.
-    "unity_link.bridges.serve",
     # A signal finds the group that samples it, and a group its signals.
     "unity_link.data",
 }

@@ -15,8 +15,8 @@ from support.searching import examples
 from support.sharing import call, settle, sharing, tell_of_reset
 from support.simulated_time import on_simulated_time, run_simulated
 from support.worked_examples import Example, worked_examples
-from unity_link.bridges.serve import client
-from unity_link.bridges.serve.client import MOST_UNDER_WAY
+from unity_link.bridges.serve import connection
+from unity_link.bridges.serve.connection import MOST_UNDER_WAY
 from unity_link.bridges.serve.conversation import Conversation
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.messages import Codec, ErrorCode
@@ -156,8 +156,8 @@ def test_a_client_that_is_heard_in_turns_is_answered_as_one_that_is_heard_at_onc
     operations: list[tuple[Any, ...]], cost: int
 ) -> None:
     begun = [("K", 0, 1, bytes), *operations]
-    with patch.object(client, "COST_HERE", 0):
+    with patch.object(connection, "COST_HERE", 0):
         at_once = run_simulated(hold_conversation(begun))
-    with patch.object(client, "COST_HERE", cost):
+    with patch.object(connection, "COST_HERE", cost):
         in_turns = run_simulated(hold_conversation(begun))
     assert in_turns == at_once

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from support.recorded_bus import RecordedBus
 from support.searching import examples
 from support.shared_pair import PAIR, SharedPair
-from support.sharing import PipedLink, call, open_directly, settle, sharing, until
+from support.sharing import PipedLink, call, clients_of, open_directly, settle, sharing, until
 from support.simulated_time import on_simulated_time, run_simulated
 from support.valve import Valve, cut
 from unity_link import (
@@ -27,7 +27,7 @@ from unity_link import (
     OutOfRangeError,
     Reconnect,
 )
-from unity_link.bridges.serve.client import COST_ALONE, MOST_POSTED, MOST_UNDER_WAY, MOST_UNSENT
+from unity_link.bridges.serve.connection import COST_ALONE, MOST_POSTED, MOST_UNDER_WAY, MOST_UNSENT
 from unity_link.bridges.serve.shared import PATIENCE, SharedLink
 from unity_link.protocol import window
 from unity_link.protocol.configuration import Feature, GatewayInfo
@@ -359,7 +359,7 @@ async def test_a_client_that_does_not_read_holds_up_nobody_and_loses_samples_onl
             for _ in range(3000):
                 assert (await anext(samples)).lost == 0
             assert await other.read(0) == 0
-        (client,) = (client for client in shared.clients if client.samples_dropped)
+        (client,) = (client for client in clients_of(shared) if client.samples_dropped)
         assert client._under_way < MOST_UNDER_WAY + 4096
         deaf.transport.resume_reading()
         await until(lambda: deaf.heard.count(b"RM00FF") == 1000)
@@ -377,7 +377,7 @@ async def test_what_waits_for_a_client_that_does_not_read_is_bounded() -> None:
         for _ in range(200):
             deaf.transport.write(b"RM00FF\r" * 100)
             await asyncio.sleep(0.01)
-        (client,) = shared.clients
+        (client,) = clients_of(shared)
         assert client._transport is not None
         assert client._transport.get_write_buffer_size() < 2 * MOST_UNSENT + MOST_UNDER_WAY
         assert client._under_way < MOST_UNDER_WAY + 4096
@@ -388,7 +388,7 @@ async def test_what_waits_for_a_client_that_does_not_read_is_bounded() -> None:
 async def test_a_client_that_floods_the_server_leaves_the_others_their_turns(flood: bytes) -> None:
     async with sharing(VirtualGateway()) as shared, PipedLink(shared) as other:
         noisy = call(shared)
-        (client,) = shared.clients - {other.client}
+        (client,) = clients_of(shared) - {other.client}
         noisy.transport.write(flood * 20_000)
         for _ in range(10):
             await other.read(0)
@@ -430,7 +430,7 @@ async def test_posted_writes_leave_their_room_once_a_row_of_reads_behind_them_is
 async def test_what_the_server_says_itself_to_a_client_that_does_not_read_is_bounded() -> None:
     async with sharing(VirtualGateway()) as shared:
         deaf = call(shared)
-        (client,) = shared.clients
+        (client,) = clients_of(shared)
         assert client._transport is not None
         deaf.transport.pause_reading()
         deaf.transport.write(b"Q\r" * 20_000)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Self
 
 from support import pipe
 from unity_link.bridges.serve.client import Client
-from unity_link.bridges.serve.shared import SharedLink
+from unity_link.bridges.serve.shared import SharedLink, Sharer
 from unity_link.link.link import Link
 from unity_link.transport import DriverUrl
 from unity_link.virtual.gateway import BareGateway, Gateway
@@ -63,10 +63,16 @@ def call(shared: SharedLink) -> Terminal:
     return terminal
 
 
+def clients_of(shared: SharedLink) -> set[Client]:
+    return {client for client in shared.clients if isinstance(client, Client)}
+
+
 async def settle(shared: SharedLink) -> None:
     """Wait until all that was asked for is answered."""
     await asyncio.sleep(0.01)
-    await until(lambda: not shared._session.window.in_flight and not any(client._pending for client in shared.clients))
+    await until(
+        lambda: not shared._session.window.in_flight and not any(client._pending for client in clients_of(shared))
+    )
     await asyncio.sleep(0.01)
 
 
@@ -124,7 +130,7 @@ class ServedGateway(SharedLink):
         assert isinstance(self._target, Gateway)
         await open_directly(self._target, stream)
 
-    def leave(self, client: Client) -> None:
+    def leave(self, client: Sharer) -> None:
         super().leave(client)
         self._run(self.finish())
 

@@ -5,8 +5,8 @@
             Slots: which group has which holder    /
 
 - `door`: who is let in
-- `client`: one connection, and the order of its requests and answers
-- `conversation`: what its frames mean
+- `client`: a program that is served, by its `connection`, which keeps the order of requests and answers, and its
+  `conversation`, which says what the frames mean
 - `requests`: a client's request on its way through the link's window
 - `turns`: whose request is next
 - `groups`: the groups of all clients on those of the gateway

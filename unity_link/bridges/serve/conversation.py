@@ -24,7 +24,7 @@ from unity_link.protocol.reception import group_fits
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.bridges.serve.client import Client
+    from unity_link.bridges.serve.connection import ClientConnection
     from unity_link.bridges.serve.groups import Slot
     from unity_link.bridges.serve.shared import SharedLink
 
@@ -48,11 +48,10 @@ class Conversation:
         codec: the messages of the client.
     """
 
-    def __init__(self, client: Client, shared: SharedLink, codec: Codec) -> None:
-        self.groups: dict[int, ClientGroup] = {}
-        self.mode = ADAPTIVE
-        """The send-immediate mode that the client asks for."""
+    def __init__(self, client: ClientConnection, shared: SharedLink, codec: Codec) -> None:
+        client.mode = ADAPTIVE
         self._client = client
+        self._groups = client.groups
         self._shared = shared
         self._codec = codec
         self._takes_turns = Feature.HALF_DUPLEX in shared.gateway.features
@@ -108,10 +107,10 @@ class Conversation:
     def reset(self) -> None:
         """End the session, and forget the groups: the gateway was reset."""
         self._session.reset()
-        for group in self.groups.values():
+        for group in self._groups.values():
             self._shared.slots.forget(group)
-        self.groups.clear()
-        self.mode = ADAPTIVE
+        self._groups.clear()
+        self._client.mode = ADAPTIVE
 
     # Requests
 
@@ -137,7 +136,7 @@ class Conversation:
             self._relay(request, codec.fields(command, *values), digits, plain=plain)
 
     def _start_session(self, request: DecodedRequest, *, plain: bool) -> None:
-        for group in self.groups.values():
+        for group in self._groups.values():
             if group.slot is not None:
                 # Also where it does not run: behind the answer to this, none of its samples may come.
                 self._relay_silently("GX", group.slot)
@@ -258,7 +257,7 @@ class Conversation:
             self._refuse(request, plain=plain)
             return
         settings = GroupSettings(self._codec, flags, divisor, addresses)
-        group = self.groups.setdefault(number, ClientGroup(number, self._client, settings))
+        group = self._groups.setdefault(number, ClientGroup(number, self._client, settings))
         group.settings = settings
         if group.slot is None:
             self._say(self._codec.response(request), request.id, plain=plain)
@@ -267,7 +266,7 @@ class Conversation:
             self._relay(request, group.slot.text + settings.fields, 0, plain=plain, after=after, stored=stored)
 
     def _change_group(self, request: DecodedRequest, *, plain: bool) -> None:
-        group, command = self.groups.get(request.values[0]), request.command
+        group, command = self._groups.get(request.values[0]), request.command
         if group is None:
             self._refuse(request, plain=plain)
             return
@@ -297,7 +296,7 @@ class Conversation:
         self._say(self._codec.response(request), request.id, plain=plain)
 
     def _choose_mode(self, mode: int) -> None:
-        self.mode = mode
+        self._client.mode = mode
         self._shared.settle_mode()
 
     # Answers

@@ -76,8 +76,10 @@ class Door(asyncio.Protocol):
             return
         strangers = self._shared.strangers
         if len(strangers) >= MOST_STRANGERS:
-            next(iter(strangers)).hang_up()
-        strangers[self] = None
+            oldest = next(iter(strangers))
+            del strangers[oldest]
+            oldest.abort()
+        strangers[self._transport] = None
         self._timer = self._shared.loop.call_later(HURRY, self.hang_up)
 
     def data_received(self, data: bytes) -> None:
@@ -100,7 +102,7 @@ class Door(asyncio.Protocol):
         self._transport.abort()
 
     def _leave(self) -> None:
-        self._shared.strangers.pop(self, None)
+        self._shared.strangers.pop(self._transport, None)
         if self._timer is not None:
             self._timer.cancel()
             self._timer = None

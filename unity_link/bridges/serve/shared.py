@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 import msgspec
 
@@ -26,9 +26,8 @@ from unity_link.protocol.requests import Request
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine
 
-    from unity_link.bridges.serve.client import Client
-    from unity_link.bridges.serve.door import Door
-    from unity_link.bridges.serve.groups import GroupSettings, Slot
+    from unity_link.bridges.serve.groups import ClientGroup, GroupSettings, Slot
+    from unity_link.bridges.serve.turns import ClientQueue
     from unity_link.protocol.session import Interrupted
     from unity_link.transport import DriverUrl, Medium
 
@@ -37,6 +36,24 @@ PATIENCE = 2.0
 PAUSES = Reconnect(longest_pause=2.0)
 _OFF, _ALWAYS, _ADAPTIVE = range(3)
 _MODE_NAMES = ("off", "always", "adaptive")
+
+
+class Sharer(Protocol):
+    """A client, as far as the link has to know it."""
+
+    queue: ClientQueue
+    groups: dict[int, ClientGroup]
+    mode: int | None
+    """The send-immediate mode that it asks for; None before it has said anything that could be understood."""
+
+    def hang_up(self) -> None:
+        """End the connection."""
+
+    def refuse_all(self) -> None:
+        """Answer every waiting request with an error."""
+
+    def lose_session(self) -> None:
+        """Answer for a reset of the gateway."""
 
 
 class SharedLink(Connection):
@@ -56,8 +73,8 @@ class SharedLink(Connection):
         """True if requests are refused because the gateway has been away too long."""
         self.turns = Turns(self._flow.submit)
         self.slots: Slots
-        self.clients: set[Client] = set()
-        self.strangers: dict[Door, None] = {}
+        self.clients: set[Sharer] = set()
+        self.strangers: dict[asyncio.Transport, None] = {}
         """Connections that have not been let in yet, the oldest first."""
         self.ended: asyncio.Future[None] = self.loop.create_future()
         """Raises when the link has ended for good."""
@@ -83,14 +100,14 @@ class SharedLink(Connection):
 
     # Clients
 
-    def join(self, client: Client) -> None:
+    def join(self, client: Sharer) -> None:
         """Take in a client."""
         self.clients.add(client)
 
-    def leave(self, client: Client) -> None:
+    def leave(self, client: Sharer) -> None:
         """Let a client go, and free what it has set up."""
         self.clients.discard(client)
-        for group in client.conversation.groups.values() if client.conversation is not None else ():
+        for group in client.groups.values():
             if group.slot is not None:
                 self._free(group.slot)
         self.settle_mode()
@@ -178,7 +195,7 @@ class SharedLink(Connection):
                 await self._flow.stream.choose_send_immediate(_MODE_NAMES[mode])
 
     def _wanted_mode(self) -> int:
-        modes = {client.conversation.mode for client in self.clients if client.conversation} or {_ADAPTIVE}
+        modes = {client.mode for client in self.clients} - {None} or {_ADAPTIVE}
         return next(mode for mode in (_ALWAYS, _ADAPTIVE, _OFF) if mode in modes)
 
     # The gateway
@@ -299,7 +316,7 @@ class SharedLink(Connection):
     async def finish(self) -> None:
         """Hang up on all clients, leave the gateway as it is without them, and end."""
         for stranger in list(self.strangers):
-            stranger.hang_up()
+            stranger.abort()
         for client in list(self.clients):
             client.hang_up()
             self.leave(client)
