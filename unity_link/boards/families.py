@@ -66,6 +66,11 @@ def _into_gowin_pads(board: Board) -> tuple[str, ...]:
     return () if board.medium == "uart" else ("ireg_in_iob", "oreg_in_iob", "ioreg_in_iob")
 
 
+def _config_pins(board: Board) -> tuple[str, ...]:
+    """Return what has nextpnr free the pins that `gowin_pack` frees on a GW5A-25A by itself."""
+    return ("sspi_as_gpio",) if board.device == "GW5A-25A" else ()
+
+
 def _without_lut_ram(board: Board) -> str:
     """Return what has Yosys take RAM blocks and registers where the device has no RAM of LUTs that nextpnr places."""
     return " -nolutram" if board.device.startswith(_NO_LUT_RAM) else ""
@@ -131,7 +136,7 @@ FAMILIES = {
         place=lambda board: (
             *("--device", board.package, "--vopt", f"family={board.device}"),
             *("--vopt", "cst=pins", "--write", "placed"),
-            *(word for way in _into_gowin_pads(board) for word in ("--vopt", way)),
+            *(word for way in (*_into_gowin_pads(board), *_config_pins(board)) for word in ("--vopt", way)),
         ),
         pack=lambda board: ("-d", board.device, "-o", "bitstream", "placed"),
         pin_file=_cst,
