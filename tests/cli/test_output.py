@@ -6,6 +6,8 @@ import ast
 import io
 import json
 import re
+import subprocess
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -76,3 +78,16 @@ def test_no_command_has_a_console_of_its_own() -> None:
         own = {node.name for node in nodes if isinstance(node, ast.ClassDef)}
         made = {node.func.id for node in nodes if isinstance(node, ast.Call) and isinstance(node.func, ast.Name)}
         assert "Console" not in made - own, f"{path.name}: console_on of output.py makes one that is not obeyed"
+
+
+def test_what_is_logged_on_stderr_is_shown_and_not_obeyed() -> None:
+    program = [
+        "import logging, sys",
+        "from unity_link import cli",
+        f"run = lambda **_: logging.getLogger('unity_link.virtual').warning('%s', {HOSTILE!r})",
+        "sys.exit(cli._run(run))",
+    ]
+    done = subprocess.run([sys.executable, "-c", "\n".join(program)], capture_output=True, check=False, timeout=60)
+    said = done.stderr.decode()
+    assert ("title" in said, OBEYED.search(said)) == (True, None)
+    assert done.returncode == 0

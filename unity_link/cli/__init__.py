@@ -41,7 +41,7 @@ import typer
 import unity_link
 from unity_link.cli.completion import remember_used, words_of_bash
 from unity_link.cli.families import MARKUP, Commands
-from unity_link.cli.output import print_error
+from unity_link.cli.output import print_error, quote_logs
 from unity_link.cli.running import INTERRUPTED
 from unity_link.errors import ArgumentError, UnityLinkError
 
@@ -101,6 +101,7 @@ def _run(program: typer.Typer, name: str = NAME) -> int:
     # A character that the terminal does not know, such as the µ of µs, is no reason to end.
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="backslashreplace")
+    quote_logs()
     try:
         code: int | None = program(standalone_mode=False, prog_name=name)
         sys.stdout.flush()

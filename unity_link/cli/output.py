@@ -51,6 +51,18 @@ def _console_class() -> type[Console]:
     return Quoting
 
 
+def quote_logs() -> None:
+    """Have warnings and errors that are logged on stderr shown by a terminal, and not obeyed."""
+    import logging
+
+    class Quoting(logging.Formatter):
+        def format(self, record: logging.LogRecord) -> str:
+            return terminal(super().format(record))
+
+    if logging.lastResort is not None:
+        logging.lastResort.setFormatter(Quoting())
+
+
 def is_live() -> bool:
     """Return whether stdout is a terminal that can show a moving picture."""
     console = out()

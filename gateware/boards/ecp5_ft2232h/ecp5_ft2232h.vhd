@@ -4,7 +4,8 @@
 --
 -- An ECP5-25 with an FT2232H whose channel A is wired as a FIFO, all of its pins. The gateway runs on the board's
 -- oscillator of 24.576 MHz; `ul_ft245_sync` crosses to the 60 MHz of the chip, which runs only while the PC holds it in
--- synchronous mode (`ft232h://...` does). Any FT232H module on any ECP5 is wired alike: change the .lpf alone.
+-- synchronous mode (`ft232h://...` does). An FT232H module on another ECP5 needs another .lpf alone, in which CLKOUT
+-- enters at a clock input (PCLKT).
 -- The registers at its pins are the ECP5's own: gateware/pads/ecp5 takes the place of its like in gateware/rtl.
 -- Behind the gateway stands `demo_slave`, whose first four LEDs the board has.
 
