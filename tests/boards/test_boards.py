@@ -7,6 +7,7 @@ import os
 import re
 import subprocess
 import sys
+import tomllib
 from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -37,7 +38,9 @@ LAMP_TEXT = "public lamp() { @on = 0[7:0]: unsigned READWRITE(); @current = 1: s
 LAMP = compile_text(LAMP_TEXT)
 HX8K = load_board("hx8k_breakout")[1]
 BUILT = [name for name in board_names() if load_board(name)[1].family in FAMILIES]
-WIRING = Path(__file__).parents[2] / "docs" / "how-to" / "ft245.md"
+HOW_TO = Path(__file__).parents[2] / "docs" / "how-to"
+WIRING = HOW_TO / "ft245.md"
+DATA = Path(building.__file__).with_name("data")
 NO_SITE = "ERROR: package does not have a pin named 'B10' (on line 4)\nERROR: Loading PCF failed.\n"
 OVER = """\
 Info: Device utilisation:
@@ -69,7 +72,7 @@ def board_file(folder: Path, text: str, *, replace: tuple[str, str] = ("", "")) 
     return path
 
 
-HX8K_TEXT = (Path(building.__file__).with_name("data") / "hx8k_breakout.toml").read_text()
+HX8K_TEXT = (DATA / "hx8k_breakout.toml").read_text()
 
 
 # What a board is
@@ -135,6 +138,49 @@ def test_the_wiring_page_says_the_pins_that_the_bitstreams_have(name: str, colum
         assert {pin: told[pin] for pin in wired} == wired
 
 
+def io_rows() -> str:
+    """Return the rows of the table of LEDs, buttons and headers that the boards' files make."""
+    shared = {name: tomllib.loads((DATA / f"{name}.toml").read_text())["io"] for name in board_names()}
+    rows = []
+    for base in (name for name in shared if not isinstance(shared[name], str)):
+        title = f"`{base}...`" if base in shared.values() else f"`{base}`"
+        for name, io in load_board(base)[1].io.items():
+            pins = list(io.named(name))
+            named = f"`{pins[0]}`" if len(pins) == 1 else f"`{pins[0]}` to `{pins[-1].removeprefix(name)}`"
+            pull = f"pulled {io.pull}" if io.pull != "none" else ""
+            remarks = "; ".join(filter(None, (io.about, pull)))
+            rows.append(f"| {title} | {named} | {' '.join(io.named(name).values())} | {remarks} |\n")
+            title = ""
+    return "".join(rows)
+
+
+def test_the_page_of_boards_has_the_leds_buttons_and_headers_that_their_files_have() -> None:
+    page = (HOW_TO / "boards.md").read_text()
+    table = page[page.index("## LEDs, buttons and headers") :].partition("\n|---|---|---|---|\n")[2]
+    assert table.partition("\n\n")[0] + "\n" == io_rows()
+
+
+@pytest.mark.parametrize("name", board_names())
+def test_a_build_puts_the_chain_of_a_board_at_pins_of_its_headers(name: str) -> None:
+    _, board = load_board(name)
+    sites = {pin.site for pin in board.io_pins.values()}
+    assert {site for pin, site in board.pins.items() if pin.startswith("chain_")} <= sites
+
+
+@pytest.mark.parametrize("name", BUILT)
+def test_the_pin_file_of_each_family_has_sites_and_pulls_of_the_pins_of_a_design_and_no_others(name: str) -> None:
+    _, board = load_board(name)
+    given = board.medium_pins | {port: board.io_pins[port] for port in list(board.io_pins)[:2]}
+    text = FAMILIES[board.family].pin_file(board, given)
+    for port, pin in given.items():
+        lines = [line for line in text.splitlines() if re.search(rf"\b{re.escape(port)}(?![\w\[])", line)]
+        assert any(re.search(rf"\b{pin.site}\b", line) for line in lines), port
+        pulls = re.findall(r"pullup(?= yes)|PULL(?:UP|DOWN)(?==true)|PULL_?MODE=(?:UP|DOWN)", "".join(lines))
+        assert [re.split("=|pull", pull.lower())[-1] for pull in pulls] == [pin.pull] * (pin.pull != "none")
+    others = board.io_pins.keys() - given.keys()
+    assert not [port for port in others if re.search(rf"\b{re.escape(port)}\b", text)]
+
+
 @pytest.mark.parametrize("medium", PINS)
 def test_the_pins_are_the_ports_of_the_generated_design(medium: str) -> None:
     (text,) = (file.text for file in generate("vhdl", LAMP) if file.name == f"lamp_on_{medium}.vhd")
@@ -184,6 +230,26 @@ def test_the_pins_are_the_ports_of_the_generated_design(medium: str) -> None:
             ('"--board"', '"evil.bit"'),
             "programmer has 'evil.bit', options that choose a board and a cable were expected",
         ),
+        (("[io]", "[io]\nled0 = 'R9'"), "io has led0 twice"),
+        (("[io]", "[io]\nLamp = 'R9'"), "io has 'Lamp', a name of small letters, digits and '_'"),
+        (("[io]", "[io]\n'a;b' = 'R9'"), "io has 'a;b', a name of small letters"),
+        (("[io]", "[io]\nuart_txd = 'R9'"), "io.uart_txd is a pin or a port of each design already"),
+        (("[io]", "[io]\nclk_ready = 'R9'"), "io.clk_ready is a pin or a port of each design already"),
+        (("[io]", "[io]\nlamp = 'R9; x'"), "io.lamp is 'R9; x', letters, digits and '_' were expected"),
+        (("[io]", "[io]\nlamp = 9"), "io.lamp is 9, a table was expected"),
+        (("[io]", "[io]\nlamp = []"), "io.lamp is {}, site or sites was expected"),
+        (("[io]", "[io]\nlamp = { site = 'R9', sites = ['R9'] }"), "io.lamp has site and sites, one of both was"),
+        (("[io]", "[io]\nlamp = { site = 'R9', pul = 'up' }"), "there is no key 'io.lamp.pul'; did you mean 'pull'?"),
+        (("[io]", "[io]\nlamp = { sites = ['R9', 1] }"), "io.lamp.sites is ['R9', 1], a list of texts was expected"),
+        (("[io]", "[io]\nlamp = { sites = ['R9'], first = -1 }"), "io.lamp.first is -1, 0 or more was expected"),
+        (("[io]", "[io]\nlamp = { site = 'R9', pull = 'left' }"), "io.lamp.pull is 'left', one of up, down, none was"),
+        (("[io]", "[io]\nlamp = { site = 'R9', pull = 'down' }"), "io.lamp.pull is 'down', and an hx8k pulls up alone"),
+        (
+            ("[io]", "[io]\nlamp = { site = 'R9', io_type = '3.3 V' }"),
+            "io.lamp.io_type is '3.3 V', a name such as LVCMOS33",
+        ),
+        (("[clock]", "io = 'ulx3'\n[clock]"), "io is 'ulx3', a table or the name of a board was expected; did you"),
+        (("[clock]", "io = 3\n[clock]"), "io is 3, a table or the name of a board was expected"),
         (('"--board"', '"--dump-flash"'), "programmer has '--dump-flash', options that choose a board"),
         (('"ice40_generic"', '"--write-flash"'), "programmer has --board with '--write-flash', a name or a number was"),
     ],
@@ -192,12 +258,20 @@ def test_the_pins_are_the_ports_of_the_generated_design(medium: str) -> None:
 def test_a_file_that_describes_no_board_is_refused_in_one_sentence(
     replace: tuple[str, str], words: str, tmp_path: Path
 ) -> None:
-    path = board_file(tmp_path, HX8K_TEXT, replace=replace)
+    # A table and a value of one name are no TOML.
+    text = HX8K_TEXT.partition("[io]")[0] if replace[1].startswith("io = ") else HX8K_TEXT
+    path = board_file(tmp_path, text, replace=replace)
     with pytest.raises(ArgumentError) as raised:
         load_board(str(path))
     assert str(raised.value).startswith(f"{path} describes no board: ")
     assert words in str(raised.value)
     assert "\n" not in str(raised.value)
+
+
+@pytest.mark.parametrize("named", ["hx8k_breakout", "hx8k_breakout_ft245"])
+def test_a_users_file_may_have_the_leds_buttons_and_headers_of_a_known_board(named: str, tmp_path: Path) -> None:
+    text = HX8K_TEXT.partition("[io]")[0].replace("[clock]", f'io = "{named}"\n[clock]')
+    assert load_board(str(board_file(tmp_path, text)))[1].io == HX8K.io
 
 
 def test_a_users_file_is_a_board_of_its_name(tmp_path: Path) -> None:

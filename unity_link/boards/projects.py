@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from unity_link.boards.families import pull_of
 from unity_link.errors import ArgumentError
 from unity_link.gateware import LICENCE
 from unity_link.gateware.cache import LIBRARY
@@ -19,10 +18,10 @@ from unity_link.generate.vhdl.names import identifier
 from unity_link.quoting import tcl_comment, tcl_string
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Iterable, Iterator
     from pathlib import Path
 
-    from unity_link.boards.board import Board
+    from unity_link.boards.board import Board, Pin
     from unity_link.files import Overwrite
     from unity_link.spec import Spec
 
@@ -45,6 +44,8 @@ class Design(NamedTuple):
     sources: list[tuple[str, str | None]]
     """Files in compile order, with their library; None for the tool's usual one."""
     board: Board
+    pins: dict[str, Pin]
+    """The pins that it has."""
 
 
 class Vendor(NamedTuple):
@@ -96,7 +97,9 @@ def make_project(
     pads = None if board.medium == "uart" else vendor.pads
     sources: list[tuple[str, str | None]] = [(f"{GATEWARE_FOLDER}/{path}", LIBRARY) for path in in_compile_order(pads)]
     sources += [(path, None) for path in design_files(generated)]
-    design = Design(f"{prefix}_{board_name}", f"{prefix}_on_{board.medium}", generics, sources, board)
+    design = Design(
+        f"{prefix}_{board_name}", f"{prefix}_on_{board.medium}", generics, sources, board, board.medium_pins
+    )
     write([*with_gateware(generated), *vendor.files(design)], output / design.name, overwrite=overwrite)
     return output / design.name / f"{design.name}.{vendor.opened}"
 
@@ -109,16 +112,19 @@ def _period_ns(hz: int) -> str:
     return f"{1e9 / hz:.3f}"
 
 
-def _false_paths(board: Board) -> list[str]:
+def _false_paths(pins: Iterable[str]) -> list[str]:
     """Return what both tools are told of pins whose other side is in no clock."""
     ends = {"-from": ("uart_rxd", "chain_in"), "-to": ("uart_txd", "chain_clk", "chain_load_n", "chain_out")}
     return [
-        f"set_false_path {way} [get_ports {{{' '.join(pin for pin in board.pins if pin in pins)}}}]"
-        for way, pins in ends.items()
+        f"set_false_path {way} [get_ports {{{' '.join(pin for pin in pins if pin in asynchronous)}}}]"
+        for way, asynchronous in ends.items()
     ]
 
 
 # Vivado
+
+
+_VIVADO_PULLS = {"up": " PULLUP TRUE", "down": " PULLDOWN TRUE", "none": ""}
 
 
 def _vivado(design: Design) -> Iterator[GeneratedFile]:
@@ -155,17 +161,13 @@ def _vivado(design: Design) -> Iterator[GeneratedFile]:
             f"# The pins of {tcl_comment(board.title)}. {_ATTENTION}",
             f"create_clock -name clk -period {_period_ns(board.clock.hz)} [get_ports clk]",
             *(
-                f"set_property -dict {{PACKAGE_PIN {site} IOSTANDARD {board.io_type}{_vivado_pull(pin)}}} "
-                f"[get_ports {{{pin}}}]"
-                for pin, site in board.pins.items()
+                f"set_property -dict {{PACKAGE_PIN {pin.site} IOSTANDARD {pin.io_type}{_VIVADO_PULLS[pin.pull]}}} "
+                f"[get_ports {{{name}}}]"
+                for name, pin in design.pins.items()
             ),
-            *_false_paths(board),
+            *_false_paths(design.pins),
         ),
     )
-
-
-def _vivado_pull(pin: str) -> str:
-    return {"UP": " PULLUP TRUE", "DOWN": " PULLDOWN TRUE", "NONE": ""}[pull_of(pin)]
 
 
 # Quartus
@@ -188,12 +190,12 @@ def _quartus(design: Design) -> Iterator[GeneratedFile]:
             f"set_global_assignment -name SDC_FILE {GATEWARE_FOLDER}/constraints/quartus/unity_link.sdc",
             *(
                 line
-                for pin, site in board.pins.items()
+                for port, pin in design.pins.items()
                 for line in (
-                    f"set_location_assignment PIN_{site} -to {pin}",
-                    f'set_instance_assignment -name IO_STANDARD "{board.io_type}" -to {pin}',
+                    f"set_location_assignment PIN_{pin.site} -to {port}",
+                    f'set_instance_assignment -name IO_STANDARD "{pin.io_type}" -to {port}',
                     # A Cyclone V has none that pull down.
-                    *([f"set_instance_assignment -name WEAK_PULL_UP_RESISTOR ON -to {pin}"] * (pull_of(pin) == "UP")),
+                    *([f"set_instance_assignment -name WEAK_PULL_UP_RESISTOR ON -to {port}"] * (pin.pull == "up")),
                 )
             ),
         ),
@@ -204,7 +206,7 @@ def _quartus(design: Design) -> Iterator[GeneratedFile]:
             f"# The clock of {tcl_comment(board.title)}. {_ATTENTION}",
             f"create_clock -name clk -period {_period_ns(board.clock.hz)} [get_ports clk]",
             "derive_clock_uncertainty",
-            *_false_paths(board),
+            *_false_paths(design.pins),
         ),
     )
 
