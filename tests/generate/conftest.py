@@ -7,11 +7,35 @@ from typing import TYPE_CHECKING
 import pytest
 
 from generate.octave import CAREFULLY, MEX_FILE, Octave, why_not
+from generate.programs import HERE, SANITIZED, C, Driven, compiled, generated, linked
 from support.spec_examples import FIGURE_1
 from unity_link.spec import compile_text
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
     from pathlib import Path
+
+
+@pytest.fixture(scope="session")
+def runtime(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    """Compile the part that is the same for every spec, with sanitizers in it."""
+    directory = tmp_path_factory.mktemp("runtime")
+    generated("c", compile_text(FIGURE_1), directory)
+    return compiled(C, [directory / "unity_link.c", directory / "unity_link_posix.c"], directory, *SANITIZED)
+
+
+@pytest.fixture(scope="session")
+def driver(runtime: list[Path]) -> Path:
+    """The client as a program that takes commands."""
+    directory = runtime[0].parent
+    objects = compiled(C, [HERE / "driver.c"], directory, *SANITIZED)
+    return linked(C, [*runtime, *objects], directory / "driver", *SANITIZED)
+
+
+@pytest.fixture
+def client(driver: Path) -> Iterator[Driven]:
+    with Driven(driver) as client:
+        yield client
 
 
 @pytest.fixture(scope="session")

@@ -336,6 +336,8 @@ static void do_command(const char *command)
         finish(status, called, calls);
     } else if (!strcmp(command, "statistics")) {
         print_statistics();
+    } else if (!strcmp(command, "ports")) {
+        finish(UL_OK, &the_link.statistics.set_again, 1);
     } else if (!strcmp(command, "close")) {
         finish(ul_close(&the_link), NULL, 0);
     } else {

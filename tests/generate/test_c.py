@@ -83,7 +83,7 @@ from unity_link.virtual.build import build_gateway
 from unity_link.virtual.faults import Failing, Noise, NoisyLine
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable
     from pathlib import Path
 
     from unity_link.spec import Signal, Value
@@ -96,28 +96,6 @@ LOST, LOST_EXECUTED, LOST_NOT_EXECUTED, UNANSWERED, NO_CONNECTION, UNSUPPORTED, 
 SILENT = "the gateway does not answer any more; the request is"
 EXAMPLES = HERE.parents[1] / "examples"
 DEFAULT_INFO = GatewayInfo()
-
-
-@pytest.fixture(scope="session")
-def runtime(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
-    """Compile the part that is the same for every spec, with sanitizers in it."""
-    directory = tmp_path_factory.mktemp("runtime")
-    generated("c", compile_text(FIGURE_1), directory)
-    return compiled(C, [directory / "unity_link.c", directory / "unity_link_posix.c"], directory, *SANITIZED)
-
-
-@pytest.fixture(scope="session")
-def driver(runtime: list[Path]) -> Path:
-    """The client as a program that takes commands."""
-    directory = runtime[0].parent
-    objects = compiled(C, [HERE / "driver.c"], directory, *SANITIZED)
-    return linked(C, [*runtime, *objects], directory / "driver", *SANITIZED)
-
-
-@pytest.fixture
-def client(driver: Path) -> Iterator[Driven]:
-    with Driven(driver) as client:
-        yield client
 
 
 @pytest.fixture(scope="session")

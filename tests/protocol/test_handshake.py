@@ -10,13 +10,14 @@ from unity_link.protocol.constants import (
     CHECKED_TRIES,
     DAMAGE_PATIENCE,
     DAMAGE_PAUSE,
+    ECHO_PATIENCE,
     FIRST_TRY,
     LONGEST_TRY,
     SURE,
 )
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import Framing
-from unity_link.protocol.handshake import ECHO, ECHO_PATIENCE, RESET_TRIES, Handshake
+from unity_link.protocol.handshake import ECHO, RESET_TRIES, Handshake
 from unity_link.transport import udp
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Straying

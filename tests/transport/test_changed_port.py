@@ -14,6 +14,7 @@ import trio
 import uvloop
 
 import unity_link
+from support.changed_ports import make_sane
 from unity_link import blocking
 from unity_link.transport import parse_url
 from unity_link.transport.serial import PortChannel, open_channel
@@ -32,12 +33,6 @@ def url(tmp_path: Path) -> Iterator[str]:
         assert process.stdout is not None
         yield process.stdout.readline().strip()
         process.kill()
-
-
-def make_sane(url: str) -> None:
-    """Set the terminal to echo, wait for lines and translate their ends."""
-    port = parse_url(url).path
-    subprocess.run(["stty", "-F", port, "sane"], check=True)
 
 
 async def go_on(url: str) -> None:

@@ -53,6 +53,14 @@ DAMAGE_COST = 1 / 16
 """Part of a try that a question counts that was answered by something else."""
 SURE = 3
 """Number of times an impossible answer is heard before it is believed: a datagram that was damaged can come twice."""
+ECHOES = 2
+"""Times that a question must have come back beside answers until an echo is believed."""
+ECHO_PATIENCE = 0.5
+"""Seconds for which nothing but an echo is heard before it is believed: on a pair of wires an answer may follow."""
+FLOOD_PATIENCE = 1.0
+"""Seconds without an answer, in a flood of lines that are none; the first time out behind them ends the session."""
+FEWEST_OF_A_FLOOD = 64
+"""Lines of a flood, at least, besides two for each request that is sent meanwhile: those may be its damaged answer."""
 
 TABLE: dict[str, float] = {name: value for name, value in globals().items() if isinstance(value, int | float)}
 """All of them by name, for clients in other languages."""

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from unity_link import protocol
 from unity_link.errors import UnansweredError, UnsupportedError
 from unity_link.protocol.configuration import Feature
-from unity_link.protocol.constants import KEEP_ALIVE
+from unity_link.protocol.constants import FEWEST_OF_A_FLOOD, FLOOD_PATIENCE, KEEP_ALIVE
 from unity_link.protocol.frames import LF, MOST_LINES, FrameError, OtherNodeError
 from unity_link.protocol.messages import COMMANDS, WITHOUT_ID, ErrorCode
 from unity_link.protocol.requests import BatchRun, Fence, Request, gateway_error
@@ -68,12 +68,6 @@ class SampledTogether(NamedTuple):
     parts: list[tuple[NDArray[np.intp], NDArray[np.uint8]]]
     """Samples of each length: their places among all, and their bodies, shape (n, length)."""
     arrived: float
-
-
-FLOOD_PATIENCE = 1.0
-"""Seconds without an answer, in a flood of lines that are none; the first time out behind them ends the session."""
-FEWEST_OF_A_FLOOD = 64
-"""Lines of a flood, at least, besides two for each request that is sent meanwhile: those may be its damaged answer."""
 
 
 class Counters:

@@ -22,6 +22,8 @@ from unity_link.protocol.constants import (
     DAMAGE_COST,
     DAMAGE_PATIENCE,
     DAMAGE_PAUSE,
+    ECHO_PATIENCE,
+    ECHOES,
     FIRST_TRY,
     LONGEST_TRY,
     SHORTEST_TRY,
@@ -41,10 +43,6 @@ ECHO_BEFORE_ANSWERS = (
     "what is sent comes back before each answer: the adapter, or the transceiver, listens while it sends, as on two "
     "wires of RS-485; switch its echo off, or its receiver while it sends (/RE to DE)"
 )
-ECHOES = 2
-"""Times that a question must have come back beside answers until that is believed."""
-ECHO_PATIENCE = 0.5
-"""Seconds for which nothing but an echo is heard before it is believed: on a pair of wires an answer may follow."""
 _LONGEST_TEXT = 120
 """Characters of what is not understood that a message quotes."""
 

@@ -34,8 +34,8 @@ from unity_link.errors import (
     UnsupportedError,
 )
 from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.constants import ANSWER_PATIENCE, LONGEST_SILENCE
-from unity_link.protocol.exchange import FEWEST_OF_A_FLOOD, Counters, Exchange
+from unity_link.protocol.constants import ANSWER_PATIENCE, FEWEST_OF_A_FLOOD, LONGEST_SILENCE
+from unity_link.protocol.exchange import Counters, Exchange
 from unity_link.protocol.frames import LF, LONGEST_FRAME
 from unity_link.protocol.group_table import GroupTable, HeldGroup
 from unity_link.protocol.handshake import Handshake

@@ -7,6 +7,9 @@
 enum { MOST_READS = 16 };
 enum { UNKNOWN_ERROR = UL_LOST - 1 };   /* in the place of a code that no error of a gateway has */
 static const char SILENT[] = "the gateway does not answer any more";
+static const char FLOODED[] =
+    "the line is full of what is no answer: is an echo on, as behind `stty sane`, has the speed of the port changed, or "
+    "does another program use it?";
 static const char TOO_WIDE[] = "the gateway's words have fewer bits";
 static const char LINE_GONE[] = "the connection was lost (its port, or its other side, is gone)";
 
@@ -177,6 +180,20 @@ static void repeat(ul_link *link)
     if (link->statistics.repetitions > before && !link->loses) end_output(link);
 }
 
+/* Whether lines come in place of answers, and more than what is sent can be the cause of. */
+static bool is_flooded(ul_link *link, double now)
+{
+    uint64_t sent = link->statistics.requests + link->statistics.repetitions;
+    if (link->flood_responses == link->statistics.responses)
+        return now - link->flood_since >= FLOOD_PATIENCE
+            && link->unasked - link->flood_unasked >= FEWEST_OF_A_FLOOD + 2 * (sent - link->flood_sent);
+    link->flood_since = now;
+    link->flood_responses = link->statistics.responses;
+    link->flood_unasked = link->unasked;
+    link->flood_sent = sent;
+    return false;
+}
+
 /* See what the time says, and send again what was lost. */
 static void recover(ul_link *link)
 {
@@ -184,10 +201,15 @@ static void recover(ul_link *link)
     uint64_t before = link->statistics.repetitions;
     double deadline, now = now_of(link);
     bool is_due = has_deadline(link, &deadline) && now >= deadline;
+    bool flooded = is_due && is_flooded(link, now);
     if (note_time(link, now, &given_up)) lose(link, SILENT);
     settle(&given_up, UL_UNANSWERED);
+    if (flooded) lose(link, FLOODED);
     if (is_repeating(link)) repeat(link);
-    if (is_due && link->waited && link->statistics.repetitions > before) link->statistics.timeouts++;
+    if (!is_due || !link->waited || link->statistics.repetitions == before) return;
+    link->statistics.timeouts++;
+    if (link->transport.set_again != NULL)
+        link->statistics.set_again += link->transport.set_again(link->transport.context);
 }
 
 /* Send what is to be sent, wait for something to happen, up to a time, and see to it. Who waits no more flushes what is
@@ -313,6 +335,7 @@ static void take_nameless_error(ul_link *link, text code, double now)
 {
     uint64_t number;
     link->heard = true;
+    link->unasked++;
     if (!take_number(&code, 2, &number)) return;
     if (number == UL_DAMAGED || number == UL_TOO_LONG || number == UL_RECEIVE_OVERFLOW) note_damaged_request(link, now);
     if (number == UL_UNKNOWN_COMMAND || number == UL_MALFORMED) {
@@ -322,9 +345,16 @@ static void take_nameless_error(ul_link *link, text code, double now)
     }
 }
 
+/* A line that answers nothing. */
+static void note_stray(ul_link *link)
+{
+    link->statistics.stray++;
+    link->unasked++;
+}
+
 static void take_body(ul_link *link, text body, double now)
 {
-    if (body.size < 2) link->statistics.stray++;
+    if (body.size < 2) note_stray(link);
     else if (is_lower_command(body.at[0])) take_response(link, body, now);
     else if (body.at[0] == 'P') take_sample(link, without_first(body, 1));
     else if (body.at[0] == 'X') take_nameless_error(link, without_first(body, 1), now);
@@ -379,6 +409,7 @@ static size_t cut(ul_link *link, text frame, size_t size)
     /* What is as short as an error is one of which the X was damaged: one bit makes a P of it. */
     bool sample = is_sample(link, frame) && frame.size >= frame_overhead(link) + 3;
     link->statistics.damaged++;
+    link->unasked++;
     if (!sample) {
         link->heard = true;
         /* Where sides take turns, more of it may follow: the time shows its end. */
@@ -395,7 +426,7 @@ static size_t take_line(ul_link *link, text line)
     if (plain) body.size--;
     else if (!take_check(link, &body)) return cut(link, line, frame_size(link, line));
     if (!take_prefix(link, &body)) {
-        link->statistics.stray++;
+        note_stray(link);
         return line.size + 1;
     }
     /* Without a check, its length is what tells a plain frame from damaged ones. */
@@ -440,6 +471,7 @@ static bool take_frame(ul_link *link)
     } else if (end == rest.at) {
         /* A server's sign that what was repeated is still under way. */
         link->heard = true;
+        link->unasked++;
         taken = 1;
     } else {
         taken = take_line(link, (text){rest.at, (size_t)(end - rest.at)});
@@ -453,7 +485,10 @@ static bool fill(ul_link *link)
 {
     size_t rest = link->receive_size - link->receive_start;
     memmove(link->receive, link->receive + link->receive_start, rest);
-    if (rest == sizeof link->receive) rest = 0;
+    if (rest == sizeof link->receive) {
+        rest = 0;
+        link->unasked += FEWEST_OF_A_FLOOD;
+    }
     link->receive_start = 0;
     link->receive_size = rest;
     size_t room = sizeof link->receive - rest;

@@ -8,21 +8,41 @@
 enum { PROTOCOL_VERSION = 2, LONGEST_ANSWER = 160 };
 enum { LONGEST_REST = 48 };     /* of a frame, beside its words */
 
+static const char ECHO[] = "what is sent comes back as it is: is TX wired to RX, or an echo switched on?";
+static const char ECHO_BEFORE_ANSWERS[] =
+    "what is sent comes back before each answer: the adapter, or the transceiver, listens while it sends, as on two wires "
+    "of RS-485; switch its echo off, or its receiver while it sends (/RE to DE)";
+
 typedef struct opening {
     ul_link *link;
     double until, asked, patience;
     size_t heard;
+    unsigned questions, answers, echoes;
+    bool believes;                      /* the gateway has said what it is */
+    bool is_alone, is_loop;             /* nothing but the question was heard, and for so long that nothing else will be */
+    double alone_since;
     char answer[LONGEST_ANSWER];
     size_t size;
 } opening;
 
-static bool is_answer(const opening *opens, text line, bool plain, const char *beginning, text *answer)
+/* Take the body of a line; false where it is no frame of this node's. */
+static bool take_line_body(const opening *opens, bool plain, text *line)
 {
-    *answer = line;
-    if ((line.size > 0 && line.at[line.size - 1] == PLAIN_END) != plain) return false;
-    if (plain) answer->size--;
-    else if (!take_check(opens->link, answer)) return false;
-    return take_prefix(opens->link, answer) && starts_with(*answer, beginning) && answer->size <= LONGEST_ANSWER;
+    if ((line->size > 0 && line->at[line->size - 1] == PLAIN_END) != plain) return false;
+    if (plain) line->size--;
+    else if (!take_check(opens->link, line)) return false;
+    return take_prefix(opens->link, line);
+}
+
+/* Whether it is the question for the configuration that came back, in plain form with its answer in the same line. */
+static bool is_echo(text body, bool plain)
+{
+    return plain ? starts_with(body, "Q\r") : body.size == 1 && *body.at == 'Q';
+}
+
+static bool echoes(const opening *opens)
+{
+    return opens->echoes >= ECHOES || opens->is_loop;
 }
 
 /* Send a question, behind a line end for what an earlier program left unfinished; LF, for CR would execute it unchecked. */
@@ -34,19 +54,23 @@ static void send_question(opening *opens, const char *question, bool plain)
     link->send_size = (size_t)(at - link->send);
     flush(link);
     opens->asked = now_of(link);
+    opens->questions++;
 }
 
 /* Look for the answer in what has come. False where there is none; a line that is none may be one that was damaged. */
 static bool find_answer(opening *opens, const char *question, bool plain, bool *damaged)
 {
-    text line, answer;
+    text line;
     while (next_line(opens->link, &line)) {
-        if (!is_answer(opens, line, plain, question, &answer)) {
+        bool is_frame = take_line_body(opens, plain, &line), is_question = is_frame && is_echo(line, plain);
+        opens->echoes += is_question;
+        if (!is_frame || is_question || !starts_with(line, question) || line.size > LONGEST_ANSWER) {
             *damaged = true;
             continue;
         }
-        memcpy(opens->answer, answer.at, answer.size);
-        opens->size = answer.size;
+        memcpy(opens->answer, line.at, line.size);
+        opens->size = line.size;
+        opens->answers++;
         return true;
     }
     return false;
@@ -68,7 +92,7 @@ static bool ask(opening *opens, const char *question, bool plain, double tries)
 {
     ul_link *link = opens->link;
     if (opens->patience > FIRST_TRY) opens->patience = FIRST_TRY;
-    while (tries > 0 && now_of(link) < opens->until && !link->gone) {
+    while (tries > 0 && now_of(link) < opens->until && !link->gone && !echoes(opens)) {
         bool damaged = false, shortened = false;
         send_question(opens, question, plain);
         double end = opens->asked + opens->patience < opens->until ? opens->asked + opens->patience : opens->until;
@@ -194,6 +218,44 @@ static bool is_last_answer(const opening *opens, text answer)
     return answer.size == opens->size && memcmp(answer.at, opens->answer, answer.size) == 0;
 }
 
+/* Keep since when nothing but the question is heard: on a pair of wires an answer may follow. */
+static void note_whether_alone(opening *opens)
+{
+    bool is_question = opens->size == 1;
+    double now = now_of(opens->link);
+    if (!opens->is_alone) opens->alone_since = now;
+    opens->is_alone = is_question;
+    opens->is_loop = is_question && now - opens->alone_since > ECHO_PATIENCE;
+}
+
+/* Say why no session has begun, as far as what was heard tells. */
+static ul_status fail_to_open(const opening *opens)
+{
+    ul_link *link = opens->link;
+    if (opens->echoes > 0) return fail(link, UL_NO_CONNECTION, "", ECHO_BEFORE_ANSWERS);
+    if (opens->is_alone) return fail(link, UL_NO_CONNECTION, "", ECHO);
+    if (link->gone) return fail(link, UL_NO_CONNECTION, "", "the connection was lost before the gateway answered");
+    if (opens->believes) {
+        snprintf(link->error, sizeof link->error,
+                 "the gateway answered %u of %u questions: what is sent or answered is lost or damaged on the way",
+                 opens->answers, opens->questions);
+        return UL_NO_CONNECTION;
+    }
+    if (opens->heard > 0)
+        return fail(link, UL_NO_CONNECTION, "", "no gateway answered, but bytes arrived: check the speed of the port");
+    return fail(link, UL_NO_CONNECTION, "", "no gateway answered: check its power, the port and the wiring");
+}
+
+/* Ask for the configuration in checked form, and once more where an echo may be about: that would answer a `K`, too. */
+static bool confirm_info(opening *opens, text plain)
+{
+    unsigned asked = 0;
+    do {
+        if (!ask(opens, "Q", false, CHECKED_TRIES) || !is_last_answer(opens, plain)) return false;
+    } while (opens->echoes > 0 && ++asked < ECHOES);
+    return !echoes(opens);
+}
+
 /* Learn what the gateway is. A plain answer has no check: one that cannot be is asked for again, and believed when it was
  * the same so many times. */
 static ul_status learn(opening *opens)
@@ -206,15 +268,13 @@ static ul_status learn(opening *opens)
         alike = is_last_answer(opens, plain) ? alike + 1 : 1;
         plain.size = opens->size;
         memcpy(kept, opens->answer, plain.size);
+        note_whether_alone(opens);
         status = believe(link, without_first(plain, 1));
+        if (status == UL_OK) opens->believes = true;
         if (status == UL_UNSUPPORTED && alike == SURE) break;
-        if (status == UL_OK && ask(opens, "Q", false, CHECKED_TRIES) && is_last_answer(opens, plain)) return UL_OK;
+        if (status == UL_OK && confirm_info(opens, plain)) return UL_OK;
     }
-    if (status == UL_UNSUPPORTED) return status;
-    if (link->gone) return fail(link, UL_NO_CONNECTION, "", "the connection was lost before the gateway answered");
-    if (opens->heard > 0)
-        return fail(link, UL_NO_CONNECTION, "", "no gateway answered, but bytes arrived: check the speed of the port");
-    return fail(link, UL_NO_CONNECTION, "", "no gateway answered: check its power, the port and the wiring");
+    return status == UL_UNSUPPORTED ? status : fail_to_open(opens);
 }
 
 /* Choose the ID with which the session begins, by what differs from one opening to the next: clock, and seed. */
@@ -237,8 +297,7 @@ static ul_status start_session(opening *opens)
     uint32_t first = choose_first(link);
     *put_number(put_text(session, "K"), link->info.id_digits, first) = '\0';
     double began = now_of(link);
-    if (!ask(opens, session, false, FOR_EVER))
-        return fail(link, UL_NO_CONNECTION, "", "the gateway does not answer any more");
+    if (!ask(opens, session, false, FOR_EVER)) return fail_to_open(opens);
     double now = now_of(link), least = now - opens->asked;
     start_window(link, first, least / (double)(strlen(session) + frame_overhead(link)), now - began);
     link->least_round_trip = least;

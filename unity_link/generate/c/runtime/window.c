@@ -146,6 +146,7 @@ static void start_window(ul_link *link, uint32_t first, double byte_time, double
     link->next_sign = link->next_measurement = -FOR_EVER;
     link->sent_at_sign = link->sent - 1;
     link->knows_answered = false;
+    link->flood_responses = UINT64_MAX;
     link->most_in_flight = is_half_duplex(link) ? 1 : half < UL_WINDOW ? half : UL_WINDOW;
     link->allowed = link->most_in_flight;
     link->byte_limit = link->info.features & UL_FEATURE_FLOW_CONTROL ? SIZE_MAX : link->info.receive_fifo_bytes;

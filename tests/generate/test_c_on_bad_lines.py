@@ -1,0 +1,208 @@
+"""The generated client in C tells the cause of garbage, echoes and losses on its line, and is never held up by them."""
+
+from __future__ import annotations
+
+import itertools
+import subprocess
+from typing import TYPE_CHECKING
+
+import pytest
+
+from generate.peers import simulate
+from generate.programs import HERE, PATIENCE, SANITIZED, C, Driven, Simulated, output
+from support.changed_ports import make_sane
+from unity_link.protocol.constants import ECHO_PATIENCE
+from unity_link.protocol.crc import Crc
+from unity_link.protocol.frames import Framing
+from unity_link.protocol.handshake import ECHO, ECHO_BEFORE_ANSWERS
+from unity_link.protocol.session import FLOODED
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.faults import Straying
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from pathlib import Path
+
+LOST, NO_CONNECTION = "32 ", "36 "
+FLOODS = {
+    "damaged lines": b"a\n" * 200,
+    "empty lines": b"\n" * 200,
+    "empty plain lines": b"\r\n" * 200,
+    "errors about damage": Framing(Crc()).checked(b"X01") * 200,
+    "one line without an end": b"U" * 4000,
+}
+
+
+class Replaced:
+    """A gateway whose answers are replaced by something else from an instant on.
+
+    Args:
+        heard: what comes each time that the client waits.
+    """
+
+    def __init__(self, heard: bytes) -> None:
+        self._gateway, self._heard = VirtualGateway(), heard
+        self.is_replaced = False
+
+    def __call__(self, data: bytes, now: float) -> bytes:
+        """Take bytes at a time, and return what is sent."""
+        return self._heard if self.is_replaced else self._gateway.receive(data, now)
+
+
+# Garbage
+
+
+def test_a_port_that_another_program_has_changed_is_set_again_and_counted(client: Driven) -> None:
+    with simulate("pty") as url:
+        client.words(f"connect {url} 5")
+        client.words("write A 2A")
+        assert client.words("ports") == [0]
+        for times in (1, 2):
+            make_sane(url)
+            assert client.words("read A") == [42]
+            client.words("write A 2A")
+            assert client.words("ports") == [times]
+        client.words("close")
+
+
+@pytest.mark.parametrize(
+    ("kind", "request_"),
+    [*((kind, "read 10") for kind in FLOODS), ("empty lines", "write 10 1"), ("damaged lines", "fence")],
+)
+def test_a_line_full_of_what_is_no_answer_is_told_of_within_two_seconds(driver: Path, kind: str, request_: str) -> None:
+    gateway = Replaced(FLOODS[kind])
+    with Simulated(driver, gateway, latency=0.01) as client:
+        client.words("connect test: 5")
+        if request_ == "fence":
+            client.words("post 10 1")
+        gateway.is_replaced, began = True, client.now
+        told = client(request_)
+        assert told.startswith(LOST)
+        assert FLOODED.partition(" (")[0] in told
+        assert FLOODED.partition("): ")[2] in told
+        assert client.now - began < 2
+        client("close")
+
+
+def test_noise_while_nothing_is_asked_for_ends_no_link(driver: Path) -> None:
+    gateway = VirtualGateway()
+
+    def noisy(data: bytes, now: float) -> bytes:
+        return gateway.receive(data, now) or b"a\n" * 100
+
+    with Simulated(driver, noisy) as client:
+        client.words("connect test: 5")
+        client.words("poll 10")
+        assert client.words("read 10") == [0]
+        client.words("close")
+
+
+# Floods
+
+
+MOST_TAKEN = 16 * 2 * 4160
+"""Bytes between two looks at the clock: as many reads as there may be, into the whole buffer."""
+ENDLESS = {"empty lines": b"\n", "carriage returns": b"\r", "empty plain lines": b"\r\n", "letters": b"PrXn"}
+
+
+@pytest.fixture(scope="module")
+def endless(runtime: list[Path]) -> Path:
+    """Return a program whose medium has always more, however much it takes."""
+    folder = runtime[0].parent
+    options = [*SANITIZED, "-O1", f"-I{folder}", "-Wno-unused-function"]
+    subprocess.run([*C, *options, HERE / "endless.c", "-o", folder / "endless"], check=True, timeout=PATIENCE)
+    return folder / "endless"
+
+
+@pytest.mark.parametrize("kind", ENDLESS)
+def test_bytes_that_come_without_end_hold_no_call_up_beyond_its_time_out(endless: Path, kind: str) -> None:
+    calls = [line.split() for line in output(endless, ENDLESS[kind].hex().upper()).splitlines()]
+    status = {name: int(number) for name, number, _, _ in calls}
+    assert status == {"open": 36, "poll": 0, "next": 39, "await": 39, "read": 32, "close": 0}
+    waited = {name: int(number) for name, _, number, _ in calls}
+    assert all(waited[name] <= 6 for name in ("open", "poll", "next", "await"))
+    assert waited["read"] < 100
+    assert max(int(number) for *_, number in calls) <= MOST_TAKEN
+
+
+# Echoes
+
+
+def echoing(gateway: Callable[[bytes, float], bytes]) -> Callable[[bytes, float], bytes]:
+    """Return a gateway behind an adapter that hears itself."""
+    return lambda data, now: data + gateway(data, now)
+
+
+def test_an_adapter_that_echoes_is_named_soon_in_the_words_of_python(driver: Path) -> None:
+    with Simulated(driver, echoing(VirtualGateway().receive)) as client:
+        assert client("connect test: 5") == f"{NO_CONNECTION}{ECHO_BEFORE_ANSWERS}"
+        assert client.now < 0.5
+
+
+def test_an_echo_is_named_where_the_first_one_was_lost_in_a_collision(driver: Path) -> None:
+    gateway = VirtualGateway()
+
+    def echoing_later(data: bytes, now: float) -> bytes:
+        answers = gateway.receive(data, now)
+        return answers if b"Q\r" in data else data + answers
+
+    with Simulated(driver, echoing_later) as client:
+        assert client("connect test: 5") == f"{NO_CONNECTION}{ECHO_BEFORE_ANSWERS}"
+        assert not gateway.memory
+
+
+def test_a_port_whose_tx_is_wired_to_its_rx_is_named_when_no_answer_follows_the_echo(driver: Path) -> None:
+    with Simulated(driver, lambda data, now: data) as client:
+        assert client("connect test: 5") == f"{NO_CONNECTION}{ECHO}"
+        assert ECHO_PATIENCE < client.now < 2 * ECHO_PATIENCE
+
+
+def test_a_question_that_came_back_once_is_no_echo(driver: Path) -> None:
+    gateway, times = VirtualGateway(), itertools.count()
+
+    def once(data: bytes, now: float) -> bytes:
+        answers = gateway.receive(data, now)
+        return data + answers if data and next(times) == 0 else answers
+
+    with Simulated(driver, once) as client:
+        client.words("connect test: 5")
+        assert client.words("read 10") == [0]
+        client.words("close")
+
+
+# Losses
+
+
+def test_a_line_that_loses_is_named_and_not_its_speed_where_some_questions_were_answered(driver: Path) -> None:
+    gateway, answered = VirtualGateway(), itertools.count()
+
+    def silent_from_the_second_on(data: bytes, now: float) -> bytes:
+        answers = gateway.receive(data, now)
+        return answers if answers and next(answered) == 0 else b""
+
+    with Simulated(driver, silent_from_the_second_on) as client:
+        told = client("connect test: 1")
+    assert told.startswith(f"{NO_CONNECTION}the gateway answered 1 of ")
+    assert told.endswith(" questions: what is sent or answered is lost or damaged on the way")
+
+
+def test_a_session_that_does_not_begin_is_told_with_what_was_answered_before(driver: Path) -> None:
+    gateway = VirtualGateway()
+    with Simulated(driver, lambda data, now: b"" if b"K" in data else gateway.receive(data, now)) as client:
+        told = client("connect test: 1")
+    assert told.startswith(f"{NO_CONNECTION}the gateway answered 2 of ")
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_where_one_in_five_is_lost_each_way_a_link_is_opened_within_five_seconds(driver: Path, seed: int) -> None:
+    gateway = VirtualGateway()
+    towards, back = (Straying[bytes](seed + place, loss=0.2) for place in (0, 100))
+
+    def losing(data: bytes, now: float) -> bytes:
+        heard = b"".join(towards.carry(data)) if data else b""
+        answers = gateway.receive(heard, now)
+        return b"".join(back.carry(answers)) if answers else b""
+
+    with Simulated(driver, losing) as client:
+        client.words("connect test:0.003 5")
+        client("close")
