@@ -13,13 +13,6 @@ MOST_SHARED_NAMES = 10
 """Class names that may stand in two files, where both are clear from their place."""
 
 
-OF_ONE_PIECE = {
-    # A signal finds the group that samples it, and a group its signals.
-    "unity_link.data",
-}
-"""Rooms with a circle, which each calls itself by design."""
-
-
 def shared_class_names(package: Path) -> dict[str, list[str]]:
     """Return the names of classes that stand in several files, with the files; none that begins with ``_``."""
     files = defaultdict(set)
@@ -44,7 +37,7 @@ def test_a_class_name_in_two_files_is_found(tmp_path: Path) -> None:
 
 
 def test_no_modules_import_each_other_for_types_or_in_functions_either() -> None:
-    found = [circle for circle in circles(PACKAGE) if circle[0].rpartition(".")[0] not in OF_ONE_PIECE]
+    found = circles(PACKAGE)
     assert found == [], "\n".join(" - ".join(circle) for circle in found)
 
 

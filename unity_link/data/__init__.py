@@ -10,7 +10,7 @@
         async for position in robot.j1.cpos:
             print(position)
 
-- `proxies`, `ports`: one signal: a value, or a queue
+- `proxies`, `signals`, `ports`: one signal: a value, or a queue
 - `groups`: many signals at once, of one or several gateways, by `layout` (which words they take) and `writing`
 - `sampling`, `batch`: samples of groups, one by one and many at a time; `tables`: the same for numpy, pandas and polars
 - `feed`: samples that several readers and callbacks share
@@ -18,13 +18,14 @@
 """
 
 from unity_link.data.batch import Batch, GroupSample, Values
-from unity_link.data.feed import Registration
+from unity_link.data.callbacks import Registration
 from unity_link.data.groups import Group
 from unity_link.data.loading import LoadedRobot, load, read_interface
 from unity_link.data.ports import Port, ReadPort, WritePort
-from unity_link.data.proxies import Proxy, Readable, ReadWrite, Writable
+from unity_link.data.proxies import Proxy
 from unity_link.data.robot import Component, Robot, python_names
 from unity_link.data.sampling import GroupSubscription
+from unity_link.data.signals import Readable, ReadWrite, Writable
 from unity_link.data.tables import Table
 from unity_link.spec.kinds import NamedNumber
 

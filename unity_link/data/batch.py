@@ -187,6 +187,26 @@ class Batch(Sealed):
         first, *others = self.samples[count:]
         return Batch(self.layout, [msgspec.structs.replace(first, lost=lost), *others])
 
+    def see(self, asked: float) -> None:
+        """Keep each signal's last value of it, or call its handlers of changes with each value.
+
+        Args:
+            asked: instant by `time.monotonic` since which the reader has waited for the batch. It is passed over by
+                signals of which something newer was seen while it waited for its reader.
+        """
+        at = self.at
+        # One that was waited for is the newest: an answer that came with it is seen later, but was given before it.
+        has_waited = at < asked
+        for proxy, last in self.layout.lasts:
+            if has_waited and last.at > at:
+                continue
+            if last.callbacks:
+                for value in proxy.scalars(self[proxy]):
+                    proxy.see(value, at)
+            else:
+                last.batch = self
+                last.at = at
+
     # As tables
 
     @functools.cached_property

@@ -24,7 +24,7 @@ from typing import TYPE_CHECKING, Any, Self, SupportsIndex
 
 from unity_link.blocking import BlockingLink
 from unity_link.data import groups
-from unity_link.data.feed import Registration
+from unity_link.data.callbacks import Registration
 from unity_link.data.proxies import OPERATORS, Proxy
 from unity_link.data.robot import Component, Robot
 from unity_link.data.sampling import GroupSubscription

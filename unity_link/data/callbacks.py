@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import inspect
-from typing import TYPE_CHECKING, Generic, TypeVar
+from typing import TYPE_CHECKING, Generic, Self, TypeVar
 
 from unity_link.errors import ANY_ERROR, ArgumentError
 from unity_link.link.runtime import report
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from types import TracebackType
 
 T = TypeVar("T")
 
@@ -59,6 +60,26 @@ class Callback(Generic[T]):
             return
         self._told.add(type(error))
         report(f"{self._what} raised {type(error).__name__} (told once)", error)
+
+
+class Registration:
+    """A callback that is called until `cancel`, or until the ``with`` block of this ends."""
+
+    def __init__(self, *ends: Callable[[], None]) -> None:
+        self._ends = ends
+
+    def cancel(self) -> None:
+        """Call it no more. May be called twice."""
+        for end in self._ends:
+            end()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.cancel()
 
 
 def _ignore(_: object) -> None:

@@ -37,28 +37,6 @@ LOOK_EVERY = 1.0
 """Seconds between looks whether a gateway is there that was away when the samples were to begin."""
 
 
-class Registration:
-    """A callback that is called until `cancel`, or until the ``with`` block of this ends."""
-
-    def __init__(self, remove: Callable[[], None], listening: Listener | None) -> None:
-        self._remove = remove
-        self._listening = listening
-
-    def cancel(self) -> None:
-        """Call it no more. May be called twice."""
-        self._remove()
-        if self._listening is not None:
-            self._listening.leave()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        self.cancel()
-
-
 class Listener:
     """A consumer of the samples of a feed, in batches, until its ``with`` block ends."""
 

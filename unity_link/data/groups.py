@@ -5,16 +5,16 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol, Self
 
 import msgspec
 import numpy as np
 
 from unity_link.data.batch import Values
-from unity_link.data.callbacks import Callback
-from unity_link.data.feed import Feed, Registration
+from unity_link.data.callbacks import Callback, Registration
+from unity_link.data.feed import Feed
 from unity_link.data.layout import GroupLayout
-from unity_link.data.proxies import BUFFER, Proxy, signals_table
+from unity_link.data.proxies import BUFFER, Proxy, nothing_publishes, signals_table
 from unity_link.data.sampling import GroupSubscription, Poll
 from unity_link.data.writing import write_values
 from unity_link.errors import ArgumentError, Sealed, UnsupportedError
@@ -29,7 +29,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from unity_link.data.batch import Batch, GroupSample
-    from unity_link.data.robot import Component
     from unity_link.data.sampling import SampleSource
     from unity_link.link.link import Link
     from unity_link.link.subscription import Overflow
@@ -52,9 +51,39 @@ class Plan(msgspec.Struct, frozen=True, kw_only=True):
     nearest: bool = False
     """True if a gateway that can't send at once may do without."""
 
+    @classmethod
+    def declared(cls, group: model.GroupSpec) -> Self:
+        """Return that of a group that a spec declares."""
+        return cls(
+            rate_hz=group.rate_hz,
+            divisor=group.divisor,
+            trigger=group.trigger,
+            on_change=group.on_change,
+            immediate=group.immediate,
+            timestamps=True if group.timestamps else None,
+            group=group.number if group.trigger else None,
+            nearest=True,
+        )
+
+    @classmethod
+    def of(cls, proxy: Proxy[Any]) -> Plan | None:
+        """Return that by which the spec has a signal sampled; None where it does not say."""
+        signal = proxy.signal
+        if signal.group is not None:
+            return cls.declared(next(one for one in proxy.robot.interface.groups if one.name == signal.group))
+        return None if signal.poll_hz is None else cls(rate_hz=signal.poll_hz, polled=True)
+
     def is_known(self) -> bool:
         """Return whether this tells when samples are taken."""
         return self.rate_hz is not None or self.divisor is not None or self.trigger
+
+
+class Part(Protocol):
+    """A component of a robot, as far as groups know it."""
+
+    @property
+    def signals(self) -> tuple[Proxy[Any], ...]:
+        """All signals in it and in its parts."""
 
 
 class Group(Sealed):
@@ -69,7 +98,7 @@ class Group(Sealed):
     Those that a spec declares are in `Robot.groups`.
     """
 
-    def __init__(self, *members: Proxy[Any] | Component, rate_hz: float | None = None, name: str = "a group") -> None:
+    def __init__(self, *members: Proxy[Any] | Part, rate_hz: float | None = None, name: str = "a group") -> None:
         """Make a group.
 
         Args:
@@ -114,16 +143,7 @@ class Group(Sealed):
         """Make a group that a spec declares."""
         made = cls(*proxies, name=group.name)
         made._model = group
-        made._plan = Plan(
-            rate_hz=group.rate_hz,
-            divisor=group.divisor,
-            trigger=group.trigger,
-            on_change=group.on_change,
-            immediate=group.immediate,
-            timestamps=True if group.timestamps else None,
-            group=group.number if group.trigger else None,
-            nearest=True,
-        )
+        made._plan = Plan.declared(group)
         return made
 
     @classmethod
@@ -314,7 +334,7 @@ class Group(Sealed):
 
     def _register(self, made: Callback[Any], listen: Callable[[Batch], object]) -> Registration:
         self._default_plan()
-        return Registration(made.cancel, self.feed.listen(listen))
+        return Registration(made.cancel, self.feed.listen(listen).leave)
 
     def _lay_out(self) -> list[GroupLayout]:
         if self._layouts is None:
@@ -329,29 +349,19 @@ class Group(Sealed):
     def _default_plan(self) -> Plan:
         if self._plan.is_known():
             return self._plan
-        groups = {id(group): group for proxy in self._read if (group := proxy.robot.publishing_group(proxy))}
-        plans = {group._plan for group in groups.values()}  # noqa: SLF001  (another group's)
-        everywhere = all(proxy.robot.publishing_group(proxy) for proxy in self._read)
-        if self.model is None and everywhere and len(plans) == 1:
-            return plans.pop()
+        plans = {Plan.of(proxy) for proxy in self._read}
+        if self.model is None and len(plans) == 1 and (plan := plans.pop()) is not None:
+            return plan
         raise nothing_publishes(self._read or self.proxies)
 
 
-def _readable(members: Sequence[Proxy[Any] | Component]) -> tuple[Proxy[Any], ...]:
+def _readable(members: Sequence[Proxy[Any] | Part]) -> tuple[Proxy[Any], ...]:
     """Return the signals that are named, and of components those that can be read together."""
     return tuple(
         proxy
         for member in members
         for proxy in ((member,) if isinstance(member, Proxy) else member.signals)
         if proxy is member or (proxy.signal.access.reads and not proxy.signal.fifo)
-    )
-
-
-def nothing_publishes(proxies: Sequence[Proxy[Any]]) -> ArgumentError:
-    """Return the error for signals of which nothing says when they are sampled."""
-    names = ", ".join(proxy.path for proxy in proxies[:3]) + (", ..." if len(proxies) > 3 else "")
-    return ArgumentError(
-        f"nothing says when {names} is to be sampled: give PUBLISH or POLL in the spec, or a rate_hz to a group"
     )
 
 

@@ -15,7 +15,6 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from unity_link.data.batch import Batch
     from unity_link.data.proxies import Proxy
     from unity_link.link.link import Link
     from unity_link.protocol.arrays import Words
@@ -42,8 +41,8 @@ class GroupLayout:
         self._wide = tuple(dict.fromkeys(signal.addresses for signal in signals if signal.words > 1))
         self._columns = Columns(signals, self.addresses)
         # Thousands of batches of dozens of signals may come a second, and to find an attribute of a class that has a
-        # `__getattr__` takes longer than all else that `see_batch` does.
-        self._lasts = [(proxy, proxy._last) for proxy in proxies]  # noqa: SLF001  (once; nobody else is to see it)
+        # `__getattr__` takes longer than all else that `Batch.see` does.
+        self.lasts = [(proxy, proxy._last) for proxy in proxies]  # noqa: SLF001  (once; nobody else is to see it)
         self._named = [(place, proxy) for place, proxy in enumerate(proxies) if proxy.signal.kind.enumeration]
 
     def __reduce__(self) -> Any:
@@ -97,23 +96,3 @@ class GroupLayout:
     def columns(self, words: Words) -> dict[Proxy[Any], NDArray[Any]]:
         """Return the values in words of shape (samples, addresses), by their proxies, each of shape (samples,)."""
         return dict(zip(self.proxies, self._columns.columns(words), strict=True))
-
-    def see_batch(self, batch: Batch, asked: float) -> None:
-        """Keep each signal's last value of a batch, or call its handlers of changes with each value.
-
-        Args:
-            batch: is passed over by signals of which something newer was seen while it waited for its reader.
-            asked: instant by `time.monotonic` since which the reader has waited for it.
-        """
-        at = batch.at
-        # One that was waited for is the newest: an answer that came with it is seen later, but was given before it.
-        has_waited = at < asked
-        for proxy, last in self._lasts:
-            if has_waited and last.at > at:
-                continue
-            if last.callbacks:
-                for value in proxy.scalars(batch[proxy]):
-                    proxy.see(value, at)
-            else:
-                last.batch = batch
-                last.at = at

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Any, Generic, cast
 
 import numpy as np
 
-from unity_link.data.proxies import Proxy, S, SampledSignal, T
+from unity_link.data.proxies import Proxy, S, T
+from unity_link.data.signals import SampledSignal
 from unity_link.errors import ArgumentError
 from unity_link.protocol.numbers import whole_number
 

@@ -1,4 +1,4 @@
-"""One signal as a typed value: `Readable`, `Writable`, or both.
+"""One signal of a robot, its last value and its callbacks; `signals` has those that can be read or written.
 
 A proxy remembers the newest value that it has seen, by whatever way: a read, a write, a group, a subscription. Of
 samples it keeps only the batch that they came in, and decodes when it is asked.
@@ -6,30 +6,25 @@ samples it keeps only the batch that they came in, and decodes when it is asked.
 
 from __future__ import annotations
 
-import contextlib
 import math
 import time
-from typing import TYPE_CHECKING, Any, Generic, Never, cast
+from typing import TYPE_CHECKING, Any, ClassVar, Generic, Never, Protocol, cast
 
 from typing_extensions import TypeVar
 
-from unity_link.data.callbacks import Callback
-from unity_link.data.feed import Registration
-from unity_link.errors import AnswerLostError, ArgumentError, Sealed, missing, refusing
+from unity_link.data.callbacks import Callback, Registration
+from unity_link.errors import ArgumentError, Sealed, missing
 from unity_link.hardware import link_under
-from unity_link.link.subscription import check_buffer
 
 if TYPE_CHECKING:
-    from collections.abc import AsyncIterator, Callable, Sequence
+    import enum
+    from collections.abc import Callable, Sequence
 
     from numpy.typing import NDArray
 
-    from unity_link.data.batch import Batch
-    from unity_link.data.feed import Feed
-    from unity_link.data.robot import Robot
     from unity_link.hardware import Bus
-    from unity_link.link.subscription import Overflow
-    from unity_link.spec.model import Signal
+    from unity_link.spec.kinds import Enumeration
+    from unity_link.spec.model import Interface, Signal
 
 T = TypeVar("T")
 S = TypeVar("S", default=T)
@@ -43,6 +38,22 @@ MOST_ROWS = 60
 """Signals that a notebook shows."""
 
 
+class Owner(Protocol):
+    """A robot, as far as its signals know it."""
+
+    interface: ClassVar[Interface]
+
+    def enumeration(self, enumeration: Enumeration) -> type[enum.IntEnum]:
+        """Return the class of an enumeration."""
+
+
+class SampledColumns(Protocol):
+    """A batch of samples."""
+
+    def __getitem__(self, proxy: Proxy[Any], /) -> NDArray[Any]:
+        """Return the values of a signal; shape (samples,)."""
+
+
 class _Last(Generic[T]):
     """The last value of a signal that was seen, with each read or batch another one, and what is called for it."""
 
@@ -54,7 +65,7 @@ class _Last(Generic[T]):
         self.value: T | None = None
         self.at = -math.inf
         """Instant by `time.monotonic`."""
-        self.batch: Batch | None = None
+        self.batch: SampledColumns | None = None
         """Batch with the value, if the last one came in a batch."""
 
 
@@ -66,7 +77,7 @@ class Proxy(Sealed, Generic[T]):
 
     __slots__ = ("_last", "_names", "bus", "link", "robot", "signal")
 
-    def __init__(self, signal: Signal, robot: Robot, bus: Bus) -> None:
+    def __init__(self, signal: Signal, robot: Owner, bus: Bus) -> None:
         self.signal = signal
         """Declaration of the signal in the spec."""
         self.robot = robot
@@ -160,18 +171,17 @@ class Proxy(Sealed, Generic[T]):
             ArgumentError: for an asynchronous function.
         """
         made = Callback(callback, f"a callback of {self.path}")
-        feed = self.feed()
-        listening = feed.listen() if feed is not None else None
+        listening = self._listen()
         self._last.callbacks = (*self._last.callbacks, made)
-        return Registration(lambda: self._remove(made), listening)
+        return Registration(lambda: self._remove(made), *listening)
 
     def _remove(self, callback: Callback[T]) -> None:
         callback.cancel()
         self._last.callbacks = tuple(other for other in self._last.callbacks if other is not callback)
 
-    def feed(self) -> Feed | None:
-        """Return the samples of the group that publishes or polls it; None where nothing does."""
-        return None
+    def _listen(self) -> tuple[Callable[[], None], ...]:
+        """Keep its samples seen, where it has some, until all that is returned is called."""
+        return ()
 
     # Called by groups and subscriptions
 
@@ -224,6 +234,14 @@ def signals_table(title: str, proxies: Sequence[Proxy[Any]]) -> str:
     return html.long_table(title, len(proxies), lambda place: _row(proxies[place]), head, most=MOST_ROWS)
 
 
+def nothing_publishes(proxies: Sequence[Proxy[Any]]) -> ArgumentError:
+    """Return the error for signals of which nothing says when they are sampled."""
+    names = ", ".join(proxy.path for proxy in proxies[:3]) + (", ..." if len(proxies) > 3 else "")
+    return ArgumentError(
+        f"nothing says when {names} is to be sampled: give PUBLISH or POLL in the spec, or a rate_hz to a group"
+    )
+
+
 def _row(proxy: Proxy[Any]) -> tuple[str, ...]:
     from unity_link.link import html
 
@@ -256,123 +274,3 @@ def _no_attribute(proxy: Proxy[Any], name: str) -> AttributeError:
     if name in ("get", "take", "samples", "read") and not access.reads:
         return AttributeError(f"{proxy.path} can only be written: its spec says {access.name}")
     return missing(proxy, name, proxy.path, read="`get` reads a signal", write="`set` writes a signal")
-
-
-class SampledSignal(Proxy[T]):
-    """A signal of which there are samples, where a group publishes or polls it."""
-
-    __slots__ = ()
-
-    if not TYPE_CHECKING:  # A type checker refuses it by itself.
-        __iter__ = refusing("write `async for` over the samples of a signal, or make a blocking robot by `put`")
-
-    def feed(self) -> Feed | None:
-        """Return the samples of the group that publishes or polls it; None where nothing does."""
-        group = self.robot.publishing_group(self)
-        return None if group is None else group.feed
-
-    def __aiter__(self) -> AsyncIterator[T]:
-        """Iterate over its samples, as `samples` does."""
-        return self.samples()
-
-    async def samples(self, *, buffer: int = BUFFER, overflow: Overflow = "fail") -> AsyncIterator[T]:
-        """Iterate over the values that its group publishes, or that the host polls.
-
-        Args:
-            buffer: most samples that wait for the loop's body.
-            overflow: what happens when they are more: ``"fail"``, or ``"drop_oldest"``. Values alone do not show
-                losses, so the default is not that of `Group.subscribe`.
-
-        Raises:
-            ArgumentError: where nothing publishes or polls it.
-            SamplesLostError: where the loop's body is too slow.
-            GatewayError: where the gateway refused a read of one that is polled, or one behind a server is away at the
-                beginning; another loop begins anew.
-            LinkLostError: when the link ends.
-        """
-        from unity_link.data.groups import nothing_publishes
-
-        feed = self.feed()
-        if feed is None:
-            raise nothing_publishes([self])
-        with feed.listen(buffer=check_buffer(buffer, overflow), overflow=overflow) as listener:
-            while True:
-                for value in self.scalars((await listener.next())[self]):
-                    yield value
-
-
-class Readable(SampledSignal[T]):
-    """A signal that can be read."""
-
-    __slots__ = ()
-
-    async def get(self) -> T:
-        """Read it from the gateway; one of several words in one bus transaction."""
-        signal = self.signal
-        words = signal.words
-        if words == 1:
-            value = self.scalar(signal.decode(await self.bus.read(signal.address)))
-        else:
-            block = await self.bus.read_block(signal.address, words)
-            value = self.scalar(signal.decode(block.tolist()))
-        self.see(value)
-        return value
-
-
-class Writable(Proxy[T], Generic[T, S]):
-    """A signal that can be written, of values `T`; it takes `S`, which is the same without a second argument."""
-
-    __slots__ = ()
-
-    async def set(self, value: S) -> None:
-        """Write it; when this returns it is on the bus.
-
-        One of several words is written in one bus transaction, and a field leaves the other bits of its word alone.
-
-        Args:
-            value: in the signal's unit, it goes to the nearest one that there is; an enumeration takes names too.
-
-        Raises:
-            ArgumentError: for a value outside of the limits, or that the kind cannot say. Nothing was sent.
-            UnsupportedError: for a field, where the gateway was built without masked writes.
-        """
-        signal = self.signal
-        words = signal.encode(cast("Any", value))
-        if signal.is_field:
-            for index, word in enumerate(words):
-                mask = signal.mask >> (index * signal.word_bits) & ((1 << signal.word_bits) - 1)
-                # It was executed then; only the old word was lost, which is not needed.
-                with contextlib.suppress(AnswerLostError):
-                    await self.bus.write_masked(signal.address + index, word, mask)
-        elif len(words) == 1:
-            await self.bus.write(signal.address, words[0])
-        else:
-            await self.bus.write_block(signal.address, words)
-        self.see(self.scalar(signal.decode(words)))
-
-    async def post(self, value: S) -> None:
-        """Write it without waiting for the execution; errors are raised by the link's next `fence`.
-
-        A field, and a value of several words, need an answer and are written as by `set`.
-
-        Raises:
-            ArgumentError: as by `set`.
-        """
-        signal = self.signal
-        if signal.is_field or signal.words > 1:
-            await self.set(value)
-            return
-        (word,) = signal.encode(cast("Any", value))
-        await self.bus.post(signal.address, word)
-        self.see(self.scalar(signal.decode(word)))
-
-    @property
-    def limits(self) -> tuple[float, float]:
-        """Smallest and largest value that it takes, in its unit."""
-        return self.signal.limits
-
-
-class ReadWrite(Readable[T], Writable[T, S]):
-    """A signal that can be read and written."""
-
-    __slots__ = ()

@@ -16,7 +16,8 @@ from typing import TYPE_CHECKING, Any, ClassVar, Never
 
 from unity_link.data.groups import Group
 from unity_link.data.ports import Port, ReadPort, WritePort
-from unity_link.data.proxies import Proxy, Readable, ReadWrite, Writable, signals_table
+from unity_link.data.proxies import Proxy, signals_table
+from unity_link.data.signals import Readable, ReadWrite, Writable
 from unity_link.errors import ArgumentError, OfLink, UnknownNameError, UnsupportedError, did_you_mean, missing
 from unity_link.hardware import Module, module_type
 from unity_link.link.link import NOT_CONNECTED, Link
@@ -162,18 +163,6 @@ class Robot(Component):
     def enumeration(cls, enumeration: Enumeration) -> type[enum.IntEnum]:
         """Return the class of an enumeration."""
         return cls.enumerations.get(enumeration.name) or enumeration.python_type
-
-    @functools.cached_property
-    def written_bits(self) -> dict[int, int]:
-        """The bits of each word that signals write, by its address."""
-        bits: dict[int, int] = {}
-        for proxy in self._by_path.values():
-            signal = proxy.signal
-            if signal.access.writes:
-                for part, address in enumerate(signal.addresses):
-                    mask = signal.mask >> (part * signal.word_bits) & ((1 << signal.word_bits) - 1)
-                    bits[address] = bits.get(address, 0) | mask
-        return bits
 
     @functools.cached_property
     def _polled(self) -> dict[float, Group]:

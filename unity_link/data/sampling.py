@@ -281,7 +281,7 @@ class GroupSubscription(Sealed):
             if again == len(samples):
                 return batch
             fresh = batch.behind(again)
-        layout.see_batch(fresh, asked)
+        fresh.see(asked)
         seen[0] = samples[-1].sequence
         return batch
 

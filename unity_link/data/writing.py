@@ -66,7 +66,8 @@ def _writings(
                 value, mask, written = fields.get(address, (0, 0, 0))
                 own = signal.mask >> (part * signal.word_bits) & word_mask
                 # Two robots of one spec may stand on a link: of one field, the last value counts.
-                fields[address] = (value & ~own | word, mask | own, written | proxy.robot.written_bits[address])
+                all_written = written | proxy.robot.interface.written_bits[address]
+                fields[address] = (value & ~own | word, mask | own, all_written)
         elif len(words) == 1:
             whole[signal.address] = words[0]
         else:

@@ -288,6 +288,17 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
         """All signals by their paths, in the order of the spec."""
         return {signal.path: signal for part in self.root.walk() for signal in part.signals}
 
+    @functools.cached_property
+    def written_bits(self) -> dict[int, int]:
+        """The bits of each word that signals write, by its address."""
+        bits: dict[int, int] = {}
+        for signal in self.signals.values():
+            if signal.access.writes:
+                for part, address in enumerate(signal.addresses):
+                    mask = signal.mask >> (part * signal.word_bits) & ((1 << signal.word_bits) - 1)
+                    bits[address] = bits.get(address, 0) | mask
+        return bits
+
     @property
     def open_parameters(self) -> tuple[str, ...]:
         """Names of the parameters without a value: addresses that are given when it is opened."""

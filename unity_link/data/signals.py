@@ -1,0 +1,148 @@
+"""Signals that can be read, written, or both; those that are read are sampled with their group."""
+
+from __future__ import annotations
+
+import contextlib
+from typing import TYPE_CHECKING, Generic, Protocol, cast
+
+from unity_link.data.proxies import BUFFER, Owner, Proxy, S, T, nothing_publishes
+from unity_link.errors import AnswerLostError, refusing
+from unity_link.link.subscription import check_buffer
+
+if TYPE_CHECKING:
+    from collections.abc import AsyncIterator, Callable
+    from typing import Any
+
+    from unity_link.data.feed import Feed
+    from unity_link.data.groups import Group
+    from unity_link.link.subscription import Overflow
+
+
+class SamplingOwner(Owner, Protocol):
+    """A robot that has its signals sampled."""
+
+    def publishing_group(self, proxy: Proxy[Any]) -> Group | None:
+        """Return the group that the gateway or the host samples a signal with, None where nothing does."""
+
+
+class SampledSignal(Proxy[T]):
+    """A signal of which there are samples, where a group publishes or polls it."""
+
+    __slots__ = ()
+    robot: SamplingOwner
+
+    if not TYPE_CHECKING:  # A type checker refuses it by itself.
+        __iter__ = refusing("write `async for` over the samples of a signal, or make a blocking robot by `put`")
+
+    def feed(self) -> Feed | None:
+        """Return the samples of the group that publishes or polls it; None where nothing does."""
+        group = self.robot.publishing_group(self)
+        return None if group is None else group.feed
+
+    def _listen(self) -> tuple[Callable[[], None], ...]:
+        feed = self.feed()
+        return () if feed is None else (feed.listen().leave,)
+
+    def __aiter__(self) -> AsyncIterator[T]:
+        """Iterate over its samples, as `samples` does."""
+        return self.samples()
+
+    async def samples(self, *, buffer: int = BUFFER, overflow: Overflow = "fail") -> AsyncIterator[T]:
+        """Iterate over the values that its group publishes, or that the host polls.
+
+        Args:
+            buffer: most samples that wait for the loop's body.
+            overflow: what happens when they are more: ``"fail"``, or ``"drop_oldest"``. Values alone do not show
+                losses, so the default is not that of `Group.subscribe`.
+
+        Raises:
+            ArgumentError: where nothing publishes or polls it.
+            SamplesLostError: where the loop's body is too slow.
+            GatewayError: where the gateway refused a read of one that is polled, or one behind a server is away at the
+                beginning; another loop begins anew.
+            LinkLostError: when the link ends.
+        """
+        feed = self.feed()
+        if feed is None:
+            raise nothing_publishes([self])
+        with feed.listen(buffer=check_buffer(buffer, overflow), overflow=overflow) as listener:
+            while True:
+                for value in self.scalars((await listener.next())[self]):
+                    yield value
+
+
+class Readable(SampledSignal[T]):
+    """A signal that can be read."""
+
+    __slots__ = ()
+
+    async def get(self) -> T:
+        """Read it from the gateway; one of several words in one bus transaction."""
+        signal = self.signal
+        words = signal.words
+        if words == 1:
+            value = self.scalar(signal.decode(await self.bus.read(signal.address)))
+        else:
+            block = await self.bus.read_block(signal.address, words)
+            value = self.scalar(signal.decode(block.tolist()))
+        self.see(value)
+        return value
+
+
+class Writable(Proxy[T], Generic[T, S]):
+    """A signal that can be written, of values `T`; it takes `S`, which is the same without a second argument."""
+
+    __slots__ = ()
+
+    async def set(self, value: S) -> None:
+        """Write it; when this returns it is on the bus.
+
+        One of several words is written in one bus transaction, and a field leaves the other bits of its word alone.
+
+        Args:
+            value: in the signal's unit, it goes to the nearest one that there is; an enumeration takes names too.
+
+        Raises:
+            ArgumentError: for a value outside of the limits, or that the kind cannot say. Nothing was sent.
+            UnsupportedError: for a field, where the gateway was built without masked writes.
+        """
+        signal = self.signal
+        words = signal.encode(cast("Any", value))
+        if signal.is_field:
+            for index, word in enumerate(words):
+                mask = signal.mask >> (index * signal.word_bits) & ((1 << signal.word_bits) - 1)
+                # It was executed then; only the old word was lost, which is not needed.
+                with contextlib.suppress(AnswerLostError):
+                    await self.bus.write_masked(signal.address + index, word, mask)
+        elif len(words) == 1:
+            await self.bus.write(signal.address, words[0])
+        else:
+            await self.bus.write_block(signal.address, words)
+        self.see(self.scalar(signal.decode(words)))
+
+    async def post(self, value: S) -> None:
+        """Write it without waiting for the execution; errors are raised by the link's next `fence`.
+
+        A field, and a value of several words, need an answer and are written as by `set`.
+
+        Raises:
+            ArgumentError: as by `set`.
+        """
+        signal = self.signal
+        if signal.is_field or signal.words > 1:
+            await self.set(value)
+            return
+        (word,) = signal.encode(cast("Any", value))
+        await self.bus.post(signal.address, word)
+        self.see(self.scalar(signal.decode(word)))
+
+    @property
+    def limits(self) -> tuple[float, float]:
+        """Smallest and largest value that it takes, in its unit."""
+        return self.signal.limits
+
+
+class ReadWrite(Readable[T], Writable[T, S]):
+    """A signal that can be read and written."""
+
+    __slots__ = ()
