@@ -192,6 +192,62 @@ def test_arguments_and_addresses_may_be_given_by_name_and_have_defaults() -> Non
     assert [one.id for one in interface.signals.values()] == ["x7", "xq", "y1", "yq"]
 
 
+def test_a_default_sees_the_parameters_before_it() -> None:
+    outside = 'c(a, b=a + 1, d="x" + b): @(p, q=p + b, r=q + 1) { @p: READ(ID=d); @q: READ(); @r: READ(); }'
+    interface = interface_of("one: c(2) @(8); two: c(2, 5) @(16);", outside=outside)
+    assert addresses(interface) == {
+        "one.p": 8,
+        "one.q": 11,
+        "one.r": 12,
+        "two.p": 16,
+        "two.q": 21,
+        "two.r": 22,
+    }
+    assert [one.id for one in interface.signals.values() if one.name == "p"] == ["x3", "x5"]
+    public = compile_text("public x(base=0x20, next=base + 4) { @a = next: READ(); }").interface()
+    assert addresses(public) == {"a": 0x24}
+
+
+@pytest.mark.parametrize(("width", "bits"), [("12", 12), ("64", 64), ("none", 32)])
+def test_a_parameter_is_the_width_of_a_kind(width: str, bits: int) -> None:
+    outside = "c(size=none): @(x) { @x: signed size READWRITE(MAX=3); }"
+    (one,) = interface_of(f"c: c({width}) @(4);", outside=outside).signals.values()
+    assert (one.kind.name, one.kind.width) == ("signed", bits)
+
+
+def test_a_width_by_name_may_be_that_of_an_enumeration_or_in_a_component_that_nothing_uses() -> None:
+    outside = "enum mode { off, on } c(size): @(x) { @x: mode size READ(); } unused(n): @(x) { @x: unsigned n READ(); }"
+    (one,) = interface_of("c: c(3) @(4);", outside=outside).signals.values()
+    assert (one.kind.name, one.kind.width) == ("enum", 3)
+
+
+def test_an_argument_that_is_none_is_not_there() -> None:
+    outside = """
+        group state(RATE=100, TIMESTAMPS=true, TRIGGER=false, ON_CHANGE=none);
+        d(): @(x) { @x: signed READWRITE(UNIT=none, SCALE=none, PUBLISH(none, 3), POLL(RATE=none), MAX=none); }
+    """
+    nothing = "unit=none, scale=none, among=none, rate=none, max=none"
+    outside += (
+        f"e({nothing}): @(x) {{ @x: signed READWRITE(UNIT=unit, SCALE=scale, PUBLISH(among), POLL(rate), MAX=max); }}"
+    )
+    members = 'a: e("m", 2, state, max=5) @(1); b: e(rate=10) @(2); c: d() @(3); d: e() @(4);'
+    interface = interface_of(members, outside=outside)
+    found = interface.signals.values()
+    assert [(one.unit, one.kind.scale, one.group, one.poll_hz, one.maximum) for one in found] == [
+        ("m", 2, "state", None, 5),
+        ("", 1, None, 10, None),
+        *[("", 1, None, None, None)] * 2,
+    ]
+    state = group(interface, "state")
+    assert (state.timestamps, state.trigger, state.on_change) == (True, False, False)
+
+
+def test_none_for_a_parameter_that_has_a_default_is_that_default() -> None:
+    outside = 'c(unit="rad"): @(x) { @x: READ(UNIT=unit); } d(unit=none): @(x) { c: c(unit) @(x); }'
+    interface = interface_of('a: d() @(1); b: d("deg") @(2);', outside=outside)
+    assert [one.unit for one in interface.signals.values()] == ["rad", "deg"]
+
+
 def test_an_id_that_is_left_out_is_the_path() -> None:
     assert interface_of("c[1]: c();", outside="c() { @x = 1: READ(); }").signals["c[0].x"].id == "c[0].x"
 

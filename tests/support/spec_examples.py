@@ -93,6 +93,10 @@ def expressions(draw: st.DrawFn, names: list[str]) -> Expression:
     return draw(st.recursive(leaves, larger, max_leaves=4))
 
 
+SIZE = 12
+"""Width that signals in components have by a parameter."""
+
+
 @st.composite
 def kinds(draw: st.DrawFn, enumerations: list[EnumDeclaration]) -> tuple[KindSpecifier | None, int]:
     """Draw a kind of at most 32 bits, and its width."""
@@ -118,6 +122,8 @@ def signals(
 ) -> SignalDeclaration:
     """Draw a signal at an address of its own, given as an offset to `base` where that is negative."""
     kind, width = draw(kinds(enumerations))
+    if address < 0 and draw(st.booleans()):
+        kind, width = KindSpecifier(Word("unsigned"), Name(Word("size"))), SIZE
     low = draw(st.integers(0, 32 - width))
     is_number = kind is None or kind.name in {"unsigned", "signed", "fixed", "ufixed"}
     access = draw(st.sampled_from(["READ", "WRITE", "READWRITE"]))
@@ -148,7 +154,13 @@ def _unique_names(draw: st.DrawFn, taken: set[str], size: int) -> list[str]:
 @st.composite
 def specs(draw: st.DrawFn) -> File:
     """Draw a whole spec that has no faults: enumerations, groups, components in arrays, modules."""
-    taken = {"base", "name", *(kind for kind in ("bool", "unsigned", "signed", "float", "fixed", "ufixed"))}
+    taken = {
+        "base",
+        "name",
+        "size",
+        "none",
+        *(kind for kind in ("bool", "unsigned", "signed", "float", "fixed", "ufixed")),
+    }
     enumerations = [
         EnumDeclaration(
             Word(name),
@@ -174,7 +186,7 @@ def specs(draw: st.DrawFn) -> File:
             ComponentDeclaration(
                 public=False,
                 name=Word(name),
-                parameters=[ParameterDeclaration(Word("name"))],
+                parameters=[ParameterDeclaration(Word("name")), ParameterDeclaration(Word("size"), whole(SIZE))],
                 addresses=[ParameterDeclaration(Word("base"))],
                 members=inside,
             )

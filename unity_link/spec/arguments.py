@@ -10,7 +10,7 @@ import enum
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from unity_link.spec.diagnostics import did_you_mean, listed
-from unity_link.spec.expressions import Evaluator, GroupReference, Result, describe
+from unity_link.spec.expressions import LEFT_OUT, Evaluator, GroupReference, LeftOut, Result, describe
 from unity_link.spec.model import ParameterReference
 from unity_link.spec.syntax import Argument, Call, Expression, Name
 
@@ -27,7 +27,7 @@ class Shape(enum.StrEnum):
     GROUP = "a group's number or name"
     HANDLE = "a parameter of the interface, or an address"
     SIGNAL = "the name of a signal"
-    FLAG = "a flag"
+    FLAG = "true or false"
     CLAUSE = "a clause"
 
 
@@ -96,6 +96,7 @@ _TYPES: dict[Shape, tuple[type, ...]] = {
     Shape.TEXT: (str,),
     Shape.GROUP: (int, GroupReference),
     Shape.HANDLE: (int, ParameterReference),
+    Shape.FLAG: (bool,),
 }
 
 Bound: TypeAlias = dict[str, Any]
@@ -109,7 +110,7 @@ class Binder:
         self._evaluator = evaluator
         self._scope = scope
         self.places: dict[str, tuple[int, int]] = {}
-        """Place of each argument; those of clauses under ``CLAUSE.NAME``."""
+        """Place of each argument that is there; those of clauses under ``CLAUSE.NAME``."""
 
     def bind(
         self,
@@ -128,7 +129,11 @@ class Binder:
             slots: what it takes.
             by_place: how many of the slots, from the first one, can be given without their names.
         """
-        return self._bind(word, place, arguments, slots, by_place, "")
+        bound = self._bind(word, place, arguments, slots, by_place, "")
+        for slot in slots:
+            if slot.required and bound.get(slot.name) is LEFT_OUT:
+                self._report_missing(word, place, slot)
+        return {name: value for name, value in bound.items() if value is not LEFT_OUT}
 
     def _bind(
         self,
@@ -151,15 +156,18 @@ class Binder:
                 self._evaluator.fault(argument.place, "argument-twice", f"{slot.name} is given twice")
                 continue
             seen.add(slot.name)
-            self.places[prefix + slot.name] = argument.place
             value = self._value(argument, slot, known)
+            if value is not LEFT_OUT:
+                self.places[prefix + slot.name] = argument.place
             if value is not None:
                 bound[slot.name] = value
         for slot in slots:
             if slot.required and slot.name not in seen:
-                message = f"{word} needs {slot.name}, {slot.shape.value}"
-                self._evaluator.fault(place, "argument-missing", message)
+                self._report_missing(word, place, slot)
         return bound
+
+    def _report_missing(self, word: str, place: tuple[int, int], slot: ArgumentSlot) -> None:
+        self._evaluator.fault(place, "argument-missing", f"{word} needs {slot.name}, {slot.shape.value}")
 
     def _slot(
         self, word: str, argument: Argument, known: Mapping[str, ArgumentSlot], free: list[ArgumentSlot]
@@ -203,16 +211,23 @@ class Binder:
         if slot.shape is Shape.CLAUSE:
             return self._clause(argument, slot)
         if slot.shape is Shape.FLAG:
-            if argument.name is None and isinstance(argument.value, Name):
-                return True
-            self._evaluator.fault(argument.place, "bad-argument", f"{slot.name} stands by itself, without a value")
-            return None
+            return self._flag(argument, slot, known)
         if slot.shape is Shape.SIGNAL:
             if isinstance(argument.value, Name):
-                return str(argument.value.name)
+                return LEFT_OUT if self._scope.get(argument.value.name) is LEFT_OUT else str(argument.value.name)
             self._evaluator.fault(argument.value.place, "bad-argument", f"{slot.name} is {slot.shape.value}")
             return None
         return self._computed(argument.value, slot, known)
+
+    def _flag(self, argument: Argument, slot: ArgumentSlot, known: Mapping[str, ArgumentSlot]) -> bool | LeftOut | None:
+        """Return True for a flag that stands by itself, and what one is set to; one that is not set is left out."""
+        if argument.name is None and isinstance(argument.value, Name):
+            return True
+        value = None if argument.name is None else self._computed(argument.value, slot, known)
+        if argument.name is None:
+            message = f"{slot.name} takes no parentheses: it stands by itself, or has a truth, as in {slot.name}=true"
+            self._evaluator.fault(argument.place, "bad-argument", message)
+        return LEFT_OUT if value is False else value  # type: ignore[return-value]  # `_checked` saw to it
 
     def _computed(self, expression: Expression, slot: ArgumentSlot, known: Mapping[str, ArgumentSlot]) -> Result:
         if isinstance(expression, Name) and expression.name not in self._scope:
@@ -228,7 +243,8 @@ class Binder:
             advice = f"declare it: group {name.name}(RATE=100);"
         self._evaluator.report_unknown(name, advice)
 
-    def _clause(self, argument: Argument, slot: ArgumentSlot) -> Bound | None:
+    def _clause(self, argument: Argument, slot: ArgumentSlot) -> Bound | LeftOut | None:
+        """Return the values of a clause; without one that it needs, as its author says, it is left out as a whole."""
         value = argument.value
         if argument.name is not None:
             names = ", ".join(inner.name.lower() for inner in slot.clause)
@@ -239,11 +255,16 @@ class Binder:
         given = value.arguments if isinstance(value, Call) else []
         # The joints' signals are told apart only by their names.
         by_place = 0 if slot.name == "JOINTS" else len(slot.clause)
-        return self._bind(slot.name, value.place, given, slot.clause, by_place, f"{slot.name}.")
+        prefix = f"{slot.name}."
+        bound = self._bind(slot.name, value.place, given, slot.clause, by_place, prefix)
+        if any(inner.required and bound.get(inner.name) is LEFT_OUT for inner in slot.clause):
+            self.places = {name: place for name, place in self.places.items() if not name.startswith(prefix)}
+            return LEFT_OUT
+        return {name: inner for name, inner in bound.items() if inner is not LEFT_OUT}
 
     def _checked(self, slot: ArgumentSlot, expression: Expression, value: Result) -> Result:
-        if value is None:
-            return None
+        if value is None or value is LEFT_OUT:
+            return value
         # The types are compared as they are, since a bool is an int to isinstance.
         if type(value) not in _TYPES[slot.shape]:
             message = f"{slot.name} is {slot.shape.value}, not {describe(value)}"

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from unity_link.spec.arguments import GATEWAY, Binder, Bound
 from unity_link.spec.building import Address, Builder, Where
 from unity_link.spec.context import Context
-from unity_link.spec.expressions import Evaluator, GroupReference, Result, describe
+from unity_link.spec.expressions import Evaluator, GroupReference, LeftOut, Result, describe
 from unity_link.spec.interface import InterfaceDraft, SignalPlace
 from unity_link.spec.model import Interface, Parameter, ParameterReference
 from unity_link.spec.placing import GATEWAY_WORD, put_component
@@ -52,18 +52,16 @@ class Elaborator:
             message = "a public interface is not put anywhere, so it has no addresses"
             evaluator.fault(node.name.place, "public-addresses", message, "leave out ': @(...)'")
         parameters = []
+        scope: dict[str, Result] = dict(self._context.globals)
         for item in node.parameters:
-            value = None if item.default is None else evaluator.evaluate(item.default, self._context.globals)
-            assert not isinstance(value, GroupReference | ParameterReference) or item.default is not None
-            if isinstance(value, GroupReference | ParameterReference):
+            value = None if item.default is None else evaluator.evaluate(item.default, scope)
+            if isinstance(value, GroupReference | ParameterReference | LeftOut):
                 message = f"the parameter of a public interface cannot be {describe(value)}"
                 evaluator.fault(item.place, "bad-argument", message)
                 value = None
             parameters.append(Parameter(str(item.name), value))
+            scope[str(item.name)] = ParameterReference(str(item.name)) if value is None else value
         self._context.check_parameters(evaluator, node)
-        scope: dict[str, Result] = dict(self._context.globals)
-        for given in parameters:
-            scope[given.name] = ParameterReference(given.name) if given.value is None else given.value
         address_bits, data_bits = self._widths(evaluator, node, scope)
         draft = InterfaceDraft(self._context.reporter, address_bits, data_bits)
         builder = Builder(self._context, draft)

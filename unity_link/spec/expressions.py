@@ -1,12 +1,13 @@
 """Computes the expressions of a spec.
 
-Values are whole numbers, floats, strings, truths, and references to what has no value yet: a group, or a parameter that
-is given when an interface is opened. None stands for what could not be computed; why has been reported, and whoever
-meets it says nothing more about it.
+Values are whole numbers, floats, strings, truths, `LEFT_OUT`, and references to what has no value yet: a group, or a
+parameter that is given when an interface is opened. None stands for what could not be computed; why has been reported,
+and whoever meets it says nothing more about it.
 """
 
 from __future__ import annotations
 
+import enum
 import functools
 import math
 import operator
@@ -26,8 +27,15 @@ class GroupReference(NamedTuple):
     name: str
 
 
-Result: TypeAlias = int | float | str | bool | GroupReference | ParameterReference | None
-CONSTANTS: dict[str, Result] = {"true": True, "false": False, "pi": math.pi}
+class LeftOut(enum.Enum):
+    """The constant ``none``: an argument with this value is one that is not given."""
+
+    NONE = "none"
+
+
+LEFT_OUT = LeftOut.NONE
+Result: TypeAlias = int | float | str | bool | GroupReference | ParameterReference | LeftOut | None
+CONSTANTS: dict[str, Result] = {"true": True, "false": False, "pi": math.pi, "none": LEFT_OUT}
 MOST_BITS = 128
 """Most bits of a whole number. An address has at most 32 bits, a value 64; a mistyped shift would fill the memory."""
 MOST_TEXT = 1000
@@ -54,7 +62,7 @@ def parse_number(text: str) -> int | float | None:
     return None if isinstance(number, float) and not math.isfinite(number) else number
 
 
-def describe(value: Result) -> str:
+def describe(value: Result) -> str:  # noqa: PLR0911  (one for each kind of value)
     """Name a value in a message."""
     match value:
         case bool():
@@ -67,6 +75,8 @@ def describe(value: Result) -> str:
             return f"the group '{value.name}'"
         case ParameterReference():
             return f"the parameter '{value.name}', whose value is given only when the interface is opened"
+        case LeftOut():
+            return "none"
     return "nothing"
 
 

@@ -171,8 +171,12 @@ class _Builder(Transformer[Token, Any]):
     def bits(self, high: Expression, low: Expression | None) -> Bits:
         return Bits(high, low)
 
-    def kind(self, name: Token, width: Token | None) -> KindSpecifier:
-        return KindSpecifier(word(name), None if width is None else self.number(width))
+    def head(self, *tokens: Token) -> tuple[KindSpecifier | None, Token]:
+        *kind, access = tokens
+        if not kind:
+            return None, access
+        width = [self.number(token) if token.type == "NUMBER" else self.name(token) for token in kind[1:]]
+        return KindSpecifier(word(kind[0]), *width), access
 
     def label(self, name: Token, count: Expression | None) -> tuple[Token, Expression | None]:
         return name, count
@@ -183,11 +187,11 @@ class _Builder(Transformer[Token, Any]):
         name: Token,
         address: Expression | None,
         bits: Bits | None,
-        kind: KindSpecifier | None,
-        access: Token,
+        head: tuple[KindSpecifier | None, Token],
         arguments: list[Argument],
         end: Token,
     ) -> SignalDeclaration:
+        kind, access = head
         return SignalDeclaration(word(name), address, bits, kind, word(access), arguments, **_bounds(at, end))
 
     def placement(

@@ -12,7 +12,7 @@ import msgspec
 
 from unity_link.spec.building import Address, Builder, Where, whole_address
 from unity_link.spec.diagnostics import did_you_mean, listed
-from unity_link.spec.expressions import Evaluator, Result, describe
+from unity_link.spec.expressions import LEFT_OUT, Evaluator, Result, describe
 from unity_link.spec.interface import SignalPlace
 from unity_link.spec.model import ComponentArray, ComponentSpec, Signal
 from unity_link.spec.modules import MODULES
@@ -251,8 +251,8 @@ class Contents:
             else:
                 default = parameter.default
                 tools = Evaluator(declared.source, self._context.reporter)
-                given[name] = None if default is None else tools.evaluate(default, self._context.globals)
-        addresses = self._addresses(member, declared, scope)
+                given[name] = None if default is None else tools.evaluate(default, self._context.globals | given)
+        addresses = self._addresses(member, declared, scope, given)
         inner = {**self._context.globals, **given, **{name: one.value for name, one in addresses.items()}}
         chain = (*self._where.chain, str(node.name))
         where = Where(self._path(member.name, index), addresses, inner, module, base, chain)
@@ -260,18 +260,23 @@ class Contents:
         return component if not member.doc else _documented(component, member)
 
     def _addresses(
-        self, member: Placement, declared: Declared[ComponentDeclaration], scope: Mapping[str, Result]
+        self,
+        member: Placement,
+        declared: Declared[ComponentDeclaration],
+        scope: Mapping[str, Result],
+        given: Mapping[str, Result],
     ) -> dict[str, Address]:
         parameters = declared.node.addresses or []
         bound = self._bind(member, parameters, member.addresses or [], scope, "address")
-        addresses = {}
+        addresses: dict[str, Address] = {}
+        known = {**self._context.globals, **given}
         for parameter in parameters:
             value, place = bound.get(str(parameter.name), (None, member.type.place))
             tools = self._evaluator
             if str(parameter.name) not in bound and parameter.default is not None:
                 tools = Evaluator(declared.source, self._context.reporter)
-                value, place = tools.evaluate(parameter.default, self._context.globals), parameter.place
-            whole = whole_address(tools, place, value)
+                value, place = tools.evaluate(parameter.default, known), parameter.place
+            whole = known[str(parameter.name)] = whole_address(tools, place, value)
             addresses[str(parameter.name)] = Address(whole, SignalPlace(tools.source, place))
         return addresses
 
@@ -286,6 +291,7 @@ class Contents:
         """Match what a component is given with what it takes; give values and places by the names of the parameters."""
         names = [str(parameter.name) for parameter in parameters]
         free = list(names)
+        seen: set[str] = set()
         bound: dict[str, tuple[Result, tuple[int, int]]] = {}
         surplus = 0
         for argument in arguments:
@@ -300,14 +306,16 @@ class Contents:
                 message = f"{member.type} has no {word} '{argument.name}'"
                 self._evaluator.fault(argument.name.place, "unknown-argument", message, advice)
                 continue
-            elif argument.name in bound:
+            elif argument.name in seen:
                 message = f"{argument.name} is given twice"
                 self._evaluator.fault(argument.place, "argument-twice", message)
                 continue
             else:
                 name = str(argument.name)
                 free.remove(name)
-            bound[name] = (value, argument.value.place)
+            seen.add(name)
+            if value is not LEFT_OUT:
+                bound[name] = (value, argument.value.place)
         missing = [str(one.name) for one in parameters if str(one.name) not in bound and one.default is None]
         if surplus or (missing and not any(argument.name not in {None, *names} for argument in arguments)):
             self._report_number(member, names, arguments, missing, word)

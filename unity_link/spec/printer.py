@@ -122,7 +122,8 @@ def _signal_head(signal: SignalDeclaration) -> str:
         bits = f"[{_expression(signal.bits.high)}{low}]"
     kind = ""
     if signal.kind is not None:
-        kind = f"{signal.kind.name} " if signal.kind.width is None else f"{signal.kind.name} {signal.kind.width.text} "
+        width = "" if signal.kind.width is None else f"{_expression(signal.kind.width)} "
+        kind = f"{signal.kind.name} {width}"
     return f"@{signal.name}{address}{bits}: {kind}{signal.access}"
 
 

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, NamedTuple
 from unity_link.errors import ArgumentError
 from unity_link.spec.arguments import ACCESS, Binder, Bound
 from unity_link.spec.diagnostics import did_you_mean, listed
-from unity_link.spec.expressions import Evaluator, GroupReference, Result, describe, parse_number
+from unity_link.spec.expressions import LEFT_OUT, Evaluator, GroupReference, LeftOut, Result, describe, parse_number
 from unity_link.spec.kinds import FLOAT_BITS, MOST_BITS, WITHOUT_SCALE, Enumeration, Kind, KindName
 from unity_link.spec.model import Access
+from unity_link.spec.syntax import Name, Number
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -59,7 +60,7 @@ class SignalReader:
     def read(self, node: SignalDeclaration, scope: Mapping[str, Result]) -> SignalParts | None:
         """Return what a declaration says; None if its kind or access cannot be told."""
         bits = self._bits(node, scope)
-        kind = self._kind(node, bits)
+        kind = self._kind(node, bits, scope)
         access = self._access(node)
         binder = Binder(self._evaluator, scope)
         arguments = binder.bind(node.access, node.access.place, node.arguments, ACCESS) if access is not None else {}
@@ -95,20 +96,16 @@ class SignalReader:
             return None
         return BitRange(low, high - low + 1)
 
-    def _kind(self, node: SignalDeclaration, bits: BitRange | None) -> Kind | None:
+    def _kind(self, node: SignalDeclaration, bits: BitRange | None, scope: Mapping[str, Result]) -> Kind | None:
         if node.kind is None:
             return self._sized(node, KindName.UNSIGNED, None, bits)
         word, width = node.kind.name, node.kind.width
         if str(word) in {KindName.FIXED.value, KindName.UFIXED.value}:
             return self._fixed(node, bits)
-        number: int | None = None
-        if width is not None:
-            parsed = parse_number(width.text)
-            if not isinstance(parsed, int) or not 1 <= parsed <= MOST_BITS:
-                message = f"a width is 1 to {MOST_BITS} bits, not {width.text[:40]}"
-                self._fault(width.place, "bad-width", message)
-                return None
-            number = parsed
+        number = LEFT_OUT if width is None else self._width(width, scope)
+        if number is None:
+            return None
+        number = None if number is LEFT_OUT else number
         if word in self._enumerations:
             kind = self._sized(node, KindName.ENUM, number, bits)
             return None if kind is None else self._enumerated(node, kind, self._enumerations[word])
@@ -119,10 +116,21 @@ class SignalReader:
             return None
         return self._sized(node, KindName(word), number, bits)
 
+    def _width(self, width: Number | Name, scope: Mapping[str, Result]) -> int | LeftOut | None:
+        """Return a width that is written, or that of a parameter; None where there is none, which is reported."""
+        value = parse_number(width.text) if isinstance(width, Number) else self._evaluator.evaluate(width, scope)
+        if value is LEFT_OUT or (value is None and isinstance(width, Name)):
+            return value
+        if isinstance(value, bool) or not isinstance(value, int) or not 1 <= value <= MOST_BITS:
+            written = width.text[:40] if isinstance(width, Number) else describe(value)
+            self._fault(width.place, "bad-width", f"a width is 1 to {MOST_BITS} bits, not {written}")
+            return None
+        return value
+
     def _fixed(self, node: SignalDeclaration, bits: BitRange | None) -> Kind | None:
         assert node.kind is not None
         word, width = node.kind.name, node.kind.width
-        match = _FIXED.fullmatch(width.text) if width is not None else None
+        match = _FIXED.fullmatch(width.text) if isinstance(width, Number) else None
         if match is None:
             place = word.place if width is None else width.place
             message = f"{word} needs the bits before and behind the point"

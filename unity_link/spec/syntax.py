@@ -197,10 +197,10 @@ class Bits:
 
 @dataclass(slots=True)
 class KindSpecifier:
-    """The word for a kind, and its width."""
+    """The word for a kind, and its width, which a parameter may have."""
 
     name: Word
-    width: Number | None = None
+    width: Number | Name | None = None
 
 
 @dataclass(slots=True)
