@@ -52,7 +52,7 @@ def _console_class() -> type[Console]:
 
 
 def quote_logs() -> None:
-    """Have warnings and errors that are logged on stderr shown by a terminal, and not obeyed."""
+    """Make the warnings and errors that are logged on stderr such that a terminal shows and does not obey them."""
     import logging
 
     class Quoting(logging.Formatter):
