@@ -608,6 +608,25 @@ async def test_samples_and_batches_can_be_called_back_with() -> None:
 
 
 @on_simulated_time
+@pytest.mark.parametrize("info", [INFO, WITHOUT_GROUPS], ids=["published", "polled"])
+async def test_a_loop_that_is_slower_than_its_group_gets_the_latest_sample_alone(info: GatewayInfo) -> None:
+    gateway = VirtualGateway(info)
+    async with unity_link.connect(gateway) as link:
+        robot = ROBOT(link)
+        async with robot.groups["state"].subscribe(latest=True) as samples:
+            await anext(samples)
+            for value in range(1, 6):
+                gateway.memory[0x10] = value - 1
+                await asyncio.sleep(0.3)
+                gateway.memory[0x10] = value
+                await asyncio.sleep(0.03)
+                assert (await anext(samples)).values[robot.count] == value
+            # What was not polled has not arrived.
+            assert samples.received - (samples.lost if info is INFO else 0) == 6
+            assert samples.lost > 100
+
+
+@on_simulated_time
 async def test_a_group_of_two_gateways_gets_samples_of_each() -> None:
     async with unity_link.connect(counting()) as left, unity_link.connect(counting(WITHOUT_GROUPS)) as right:
         a, b = ROBOT(left), ROBOT(right)

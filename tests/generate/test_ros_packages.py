@@ -25,6 +25,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from generate.every_kind import WORD_BITS, every_kind
+from generate.peers import serve as served_by_tcp
 from generate.ros_on_paper import Paper
 from support.bridge_programs import PROGRAM, Noted, wait_until
 from support.spec_examples import FIGURE_1
@@ -266,6 +267,34 @@ def test_a_gateway_may_go_and_come_back_and_nothing_is_kept_for_it(tmp_path: Pat
     bridge.close()
     assert any("W21" in text and "the bus refused the access" in text for text in paper.warnings)
     assert any("waiting for the gateway" in text for text in paper.warnings)
+
+
+@pytest.mark.slow
+def test_samples_go_on_when_the_gateway_behind_the_server_was_reset(tmp_path: Path) -> None:
+    package = loaded(packages(tmp_path / "package", "ros1", compile_file(EXAMPLES / "scara.ul")))
+    gateway, paper = VirtualGateway(), Paper("unix:" + str(tmp_path / "gateway"), poll_hz=0.0)
+    with served_by_tcp(gateway) as url, served(tmp_path, url):
+        bridge = package["bridge"].Bridge(paper, package["robot"])
+        bridge.start()
+        wait_until(lambda: bridge.published > 100)
+        gateway.reset()
+        wait_until(lambda: bridge._link.connections == 2)
+        before = bridge.published
+        wait_until(lambda: bridge.published > before + 100)
+        assert any(text.endswith(": the gateway was reset") for text in paper.warnings)
+        bridge.close()
+
+
+def test_a_gateway_that_is_away_from_its_server_was_not_reset(tmp_path: Path) -> None:
+    package = loaded(packages(tmp_path, "ros1", compile_file(EXAMPLES / "scara.ul")))
+    link = package["client"].Link("unix:/nowhere", 32, [], print, print)
+    link.configuration = package["client"].Configuration(GatewayInfo().to_hex().decode())
+    answers = package["client"].Answers(1)
+    link._pending.append(("h001", answers))
+    link._take_line("x00105")
+    assert answers.wait() == []
+    with pytest.raises(package["client"].LinkError, match="the gateway was reset"):
+        link._take_line("x0010A")
 
 
 def test_velocities_of_which_the_gateway_gives_the_magnitude_have_the_sign_of_the_last_move(tmp_path: Path) -> None:

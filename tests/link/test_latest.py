@@ -19,10 +19,11 @@ from unity_link import GatewayInfo, Sample
 from unity_link.link.subscription import GatewayClock, LatestIntake, Publishing, Schedule
 from unity_link.protocol.messages import SAMPLE_HEAD, TIMESTAMP_DIGITS, GroupFlag
 from unity_link.virtual import VirtualGateway
-from unity_link.virtual.serving import serve_pty
+from unity_link.virtual.serving import serve_pty, serve_tcp
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
+    from contextlib import AbstractAsyncContextManager
 
 CLOCK_HZ = 50_000_000
 BASE_HZ = 1000
@@ -176,12 +177,15 @@ def test_of_samples_on_a_change_the_last_is_given_however_old_it_is() -> None:
     assert host.given() == [2]
 
 
-def test_a_loop_that_was_blocked_gets_a_sample_that_was_taken_when_it_had_ended() -> None:
+@pytest.mark.parametrize("serve_on", [serve_pty, serve_tcp])
+def test_a_loop_that_was_blocked_gets_a_sample_that_was_taken_when_it_had_ended(
+    serve_on: Callable[[VirtualGateway], AbstractAsyncContextManager[str]],
+) -> None:
     gateway, changed, over = VirtualGateway(), threading.Event(), threading.Event()
     found: list[str] = []
 
     async def serve() -> None:
-        async with serve_pty(gateway) as url:
+        async with serve_on(gateway) as url:
             found.append(url)
             changed.set()
             await asyncio.to_thread(over.wait)
