@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gateware.tools.synth import CONFIGURATIONS, Configuration, map_only
-from unity_link.boards.build import synthesise, top_text
+from unity_link.boards.build import design_of, generated_ports, synthesise, top_text
 from unity_link.boards.families import FAMILIES
 from unity_link.boards.loading import board_names, load_board
 from unity_link.errors import UnityLinkError
@@ -48,8 +48,10 @@ def designs() -> dict[str, Callable[[], None]]:
         _, board = load_board(name)
         if board.family in FAMILIES:
             passes = FAMILIES[board.family].synthesis(board)
-            alike.setdefault((top_text("", board), passes, board.core_hz, board.baud), {})[name] = board
-    boards = {", ".join(names): _board(next(iter(names.values()))) for names in alike.values()}
+            alike.setdefault((top_text("", board, generated_ports(board)), passes, board.core_hz, board.baud), {})[
+                name
+            ] = board
+    boards = {", ".join(names): _board(*next(iter(names.items()))) for names in alike.values()}
     return {name: _top(configuration) for name, configuration in CONFIGURATIONS.items()} | boards
 
 
@@ -57,11 +59,11 @@ def _top(configuration: Configuration) -> Callable[[], None]:
     return lambda: map_only(configuration)
 
 
-def _board(board: Board) -> Callable[[], None]:
+def _board(name: str, board: Board) -> Callable[[], None]:
     def attempt() -> None:
         spec = compile_text(_SPEC)
         with tempfile.TemporaryDirectory() as work:
-            synthesise(spec, spec.interface(), board, Path(work))
+            synthesise(design_of(spec, spec.interface(), name, board, Path(work)), board, Path(work))
 
     return attempt
 

@@ -17,7 +17,7 @@ import pytest
 
 from unity_link.boards import build as building
 from unity_link.boards.board import PINS, Board
-from unity_link.boards.build import BuildError, Built, build, program, refusal, top_text
+from unity_link.boards.build import BuildError, Built, build, generated_ports, program, refusal, top_text
 from unity_link.boards.clocks import pll
 from unity_link.boards.families import FAMILIES, YOSYS
 from unity_link.boards.loading import board_names, load_board
@@ -26,6 +26,7 @@ from unity_link.errors import ArgumentError, UnsupportedError
 from unity_link.files import digest_of
 from unity_link.gateware.cache import ToolMissingError
 from unity_link.gateware.convert import ConversionError
+from unity_link.gateware.own_vhdl import Converted, Own, OwnFile, Port
 from unity_link.gateware.yowasp import RefusedError
 from unity_link.generate import generate
 from unity_link.spec import compile_text
@@ -64,6 +65,10 @@ def changed(board: Board, **changes: object) -> Board:
 
 def with_core(board: Board, hz: int) -> Board:
     return changed(board, clock={"hz": board.clock.hz, "core_hz": hz})
+
+
+def generated_top(board: Board) -> str:
+    return top_text("lamp", board, generated_ports(board))
 
 
 def board_file(folder: Path, text: str, *, replace: tuple[str, str] = ("", "")) -> Path:
@@ -315,12 +320,12 @@ def test_a_pll_of_a_gatemate_is_asked_for_what_its_dividers_make(mhz: float) -> 
 @pytest.mark.parametrize("name", ["hx8k_breakout", "ulx3s", "tang_nano_9k", "gatemate_evb"])
 def test_a_clock_that_cannot_be_made_is_refused_with_the_nearest_one(name: str) -> None:
     with pytest.raises(ArgumentError, match=r"cannot make 37\.000001 MHz of \d+ MHz; the nearest is 3[67]\.\d+ MHz"):
-        top_text("lamp", with_core(load_board(name)[1], 37_000_001))
+        generated_top(with_core(load_board(name)[1], 37_000_001))
 
 
 def test_a_pll_holds_the_design_in_reset_until_it_is_stable() -> None:
-    assert ".LOCK(ready)" in top_text("lamp", with_core(HX8K, 48_000_000))
-    assert "assign ready = 1'b1;" in top_text("lamp", HX8K)
+    assert ".LOCK(ready)" in generated_top(with_core(HX8K, 48_000_000))
+    assert "assign ready = 1'b1;" in generated_top(HX8K)
 
 
 # What a spec names, and no gateware is behind
@@ -335,7 +340,9 @@ def test_what_a_bitstream_would_leave_out_is_refused_before_anything_is_done(
     spec = compile_text(f"public robot() {{ {declared}; }}")
     _, board = load_board(name)
     make = make_project if board.family in VENDORS else build
-    with pytest.raises(UnsupportedError, match=r"stands behind (PWM motors|the FIFO port log); take robot_gateway"):
+    with pytest.raises(
+        UnsupportedError, match=r"stands behind (PWM motors|the FIFO port log); take robot_gateway .* --top"
+    ):
         make(spec, name, board, tmp_path / "out")
     assert not (tmp_path / "out").exists()
 
@@ -364,7 +371,7 @@ def test_what_a_bitstream_would_leave_out_is_refused_before_anything_is_done(
 )
 def test_what_nextpnr_refuses_becomes_a_sentence(output: str, sentence: str) -> None:
     reason = next(line for line in output.splitlines() if "ERROR" in line)
-    assert refusal(RefusedError(reason, output), "lamp", "mine", HX8K, FAMILIES["ice40"]) == sentence
+    assert refusal(RefusedError(reason, output), "lamp", "mine", HX8K, HX8K.medium_pins) == sentence
 
 
 # All or nothing
@@ -410,6 +417,33 @@ def test_a_build_leaves_a_bitstream_and_a_report_of_size_speed_and_pins(
     assert f"build identifier: {LAMP.interface().fingerprint:08X}" in report
     for row in ("| logic cells | 3015 | 7680 |", "| clk | 12.000 | 80.0 |", "| uart_rxd | input | B10 |"):
         assert row in report
+
+
+def test_a_build_takes_a_users_top_and_its_report_lists_files_and_the_pins_that_they_use(
+    tools: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    spec = compile_text("public lamp() { motors: PWM(BASE=0x20, CHANNELS=2); @log = 3: unsigned 8 READ(FIFO(16)); }")
+    own = Own("top", (OwnFile(Path("own/p_q.vhd"), b"package"), OwnFile(Path("top.vhd"), b"entity")), {})
+    led = Port("led", "Led", "output", 8, tuple(range(8)))
+    ports = (*(port for port in generated_ports(HX8K) if not port.name.startswith("chain_")), led)
+    tools.setattr(building, "convert_own", lambda *_: Converted("", "Top", {}, ports, ("top.vhd:3:1: a remark",)))
+    said: list[str] = []
+    report = build(spec, "mine", HX8K, tmp_path / "out", own=own, note=said.append).report.read_text()
+    for name, data in (("p\\_q.vhd", b"package"), ("top.vhd", b"entity")):
+        assert f"- VHDL: {name}, SHA-256 {digest_of(data)}\n" in report
+    assert "| led[7] | output | C3 |" in report
+    assert "chain_" not in report
+    assert said == ["top.vhd:3:1: a remark"]
+
+
+def test_a_top_that_does_not_wait_for_its_pll_is_told(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    ports = tuple(port for port in generated_ports(HX8K) if not port.name.startswith("chain_"))
+    said: dict[bool, list[str]] = {True: [], False: []}
+    for waits, told in said.items():
+        given = ports if waits else ports[:-1]
+        tools.setattr(building, "convert_own", lambda *_, given=given: Converted("", "top", {}, given, ()))
+        build(LAMP, "mine", with_core(HX8K, 48_000_000), tmp_path, own=Own("top", (), {}), note=told.append)
+    assert said == {True: [], False: ["top has no port clk_ready: it starts before the PLL of mine is stable"]}
 
 
 @pytest.mark.parametrize("failing", ["yosys", "nextpnr", "icepack"])

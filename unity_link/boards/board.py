@@ -108,6 +108,11 @@ class Board(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=Tru
         return {"clk": self.clock.hz, **other}
 
     @property
+    def generics(self) -> dict[str, int]:
+        """Values of the generics of a whole design."""
+        return {"clock_hz": self.core_hz} | ({"baud": self.baud} if self.medium == "uart" and self.baud else {})
+
+    @property
     def medium_pins(self) -> dict[str, Pin]:
         """The pins of a whole generated design."""
         pulls: dict[str, Pull] = dict.fromkeys(_IDLE_HIGH, "up")

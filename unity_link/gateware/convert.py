@@ -20,9 +20,9 @@ from unity_link.gateware.ghdl import converting_ghdl
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-_STD = "--std=08"
+STD = "--std=08"
 # Only the vendors' primitives are components, and bound to nothing: they go as they are into the result.
-_UNBOUND = "-Wno-binding"
+UNBOUND = "-Wno-binding"
 # VHDL does not tell small letters from capitals, Verilog does: these names, and all of their ports, are capitals.
 _PRIMITIVES = re.compile(r"^  (?:delayg|ifs1p3bx|ofs1p3bx|dffp|fdpe)\b.*?\);$", re.MULTILINE | re.DOTALL)
 _THEIR_NAMES = re.compile(r"^  \w+|\.\w+\(", re.MULTILINE)
@@ -55,7 +55,7 @@ def to_verilog(
     """
     libraries = {LIBRARY: vhdl_sources(pads), "work": [Path(source).resolve() for source in extra_sources]}
     sources = itertools.chain(*libraries.values())
-    options = [f"-g{name}={_as_vhdl(value)}" for name, value in sorted((generics or {}).items())]
+    options = as_options(generics or {})
     ghdl = converting_ghdl()
     name = hash_of([ghdl.version(), _PRIMITIVES.pattern, top, *options, *(source.read_bytes() for source in sources)])
     result = cache_folder("verilog") / f"{top}-{name}.v"
@@ -64,7 +64,7 @@ def to_verilog(
     with tempfile.TemporaryDirectory() as scratch:
         try:
             # Imported first, so that GHDL itself finds the order in which the sources depend on each other.
-            anywhere = [_STD, _UNBOUND, f"--workdir={scratch}"]
+            anywhere = [STD, UNBOUND, f"--workdir={scratch}"]
             work = [*anywhere, f"--work={library_of(top)}"]
             steps = (
                 *(
@@ -84,11 +84,19 @@ def to_verilog(
     warnings += re.findall(r"^ *assign \w+ = [^?\n]*'b[01X]*X[^?\n]*;.*$", steps[-1].stdout, re.MULTILINE)
     if warnings:
         raise ConversionError(f"{top} with {dict(generics or {})}: " + "\n".join(warnings[:_ERROR_LINES]))
-    # The remarks name files of this machine.
-    text = re.sub(r"^ */\*.*?\*/\n", "", steps[-1].stdout, flags=re.MULTILINE)
-    text = _PRIMITIVES.sub(lambda cell: _THEIR_NAMES.sub(lambda name: name[0].upper(), cell[0]), text)
-    write_file(result, text.encode(), overwrite=True)
+    write_file(result, cleaned(steps[-1].stdout).encode(), overwrite=True)
     return result
+
+
+def as_options(generics: Mapping[str, object]) -> list[str]:
+    """Return the options that give generics to GHDL."""
+    return [f"-g{name}={_as_vhdl(value)}" for name, value in sorted(generics.items())]
+
+
+def cleaned(verilog: str) -> str:
+    """Return GHDL's Verilog with primitives as vendors spell them, and without the remarks, which name files."""
+    text = re.sub(r"^ */\*.*?\*/\n", "", verilog, flags=re.MULTILINE)
+    return _PRIMITIVES.sub(lambda cell: _THEIR_NAMES.sub(lambda name: name[0].upper(), cell[0]), text)
 
 
 def _as_vhdl(value: object) -> str:

@@ -47,7 +47,9 @@ class Ghdl:
             cwd=cwd,
             check=True,
             capture_output=True,
-            text=True,
+            # It shows lines of the sources, whose bytes may be any.
+            encoding="utf-8",
+            errors="replace",
         )
 
     def version(self) -> str:

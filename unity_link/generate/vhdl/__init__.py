@@ -43,13 +43,16 @@ the spec.
 _MEDIA = ("uart", "ft245", "ft245_sync")
 
 
-def files(interface: Interface, templates: Templates, *, clk_ready: bool = False) -> Iterator[GeneratedFile]:
+def files(
+    interface: Interface, templates: Templates, *, clk_ready: bool = False, whole: bool = True
+) -> Iterator[GeneratedFile]:
     """Make the files of an interface; without whole designs, where `left_open` says that they would not be whole.
 
     Args:
         interface: of a spec.
         templates: of this target.
         clk_ready: whether the whole designs have a port for a PLL's lock; it is no pin.
+        whole: whether whole designs are made at all.
 
     Raises:
         UnsupportedError: where addresses belong to two modules alike.
@@ -67,7 +70,7 @@ def files(interface: Interface, templates: Templates, *, clk_ready: bool = False
         "vhdl": types,
         "clk_ready": clk_ready,
     }
-    media = () if bank.open_ends else _MEDIA
+    media = _MEDIA if whole and not bank.open_ends else ()
     texts = {
         f"{name}_map": ("map", values),
         f"{name}_registers": ("registers", values),
@@ -90,7 +93,8 @@ def left_open(interface: Interface) -> str:
         return ""
     return (
         f"{interface.name} is no whole design by itself: no gateware stands behind {', '.join(lacking)}; take "
-        f"{name}_gateway of generate vhdl into a design of your own, and connect its ports for them to VHDL of yours"
+        f"{name}_gateway of generate vhdl into a top of your own, connect its ports for them to VHDL of yours, and "
+        "give the top to unity-link build by --top"
     )
 
 
