@@ -7,11 +7,12 @@
 static char flood[64];
 static size_t flood_size, given;
 static unsigned long waits, taken_now, most_taken;
+static bool takes_nothing;
 
 static ptrdiff_t send_nowhere(void *context, const void *bytes, size_t size)
 {
     (void)context, (void)bytes;
-    return (ptrdiff_t)size;
+    return takes_nothing ? 0 : (ptrdiff_t)size;
 }
 
 static ptrdiff_t receive_flood(void *context, void *bytes, size_t size)
@@ -59,6 +60,9 @@ int main(int count, char **arguments)
     for (uint64_t byte; take_number(&digits, 2, &byte);) flood[flood_size++] = (char)byte;
 
     print_call("open", ul_open(&link, &medium, -1, 0.1));
+    takes_nothing = true;
+    print_call("stuck", ul_open(&link, &medium, -1, 0.1));
+    takes_nothing = false;
 
     /* As behind an opening. */
     link.transport = medium;

@@ -124,10 +124,11 @@ static void end_output(ul_link *link)
     if (link->send_size > 0 && !is_half_duplex(link)) link->send[link->send_size++] = CHECKED_END;
 }
 
+/* Send all that waits. Before the link is open, no longer than opening may last; then it does not open. */
 static void flush(ul_link *link)
 {
     size_t sent = 0;
-    double stuck_since = now_of(link);
+    double now, stuck_since = now_of(link), until = link->open ? FOR_EVER : link->open_until;
     if (link->loses) end_output(link);
     while (sent < link->send_size && !link->gone) {
         ptrdiff_t taken = link->transport.send(link->transport.context, link->send + sent, link->send_size - sent);
@@ -136,10 +137,12 @@ static void flush(ul_link *link)
         } else if (taken > 0) {
             sent += (size_t)taken;
             stuck_since = now_of(link);
-        } else if (now_of(link) - stuck_since >= LONGEST_SILENCE) {
+        } else if ((now = now_of(link)) >= until) {
+            break;
+        } else if (now - stuck_since >= LONGEST_SILENCE) {
             lose(link, SILENT);
         } else {
-            link->transport.wait(link->transport.context, true, LONGEST_TIMEOUT);
+            link->transport.wait(link->transport.context, true, until - now < LONGEST_TIMEOUT ? until - now : LONGEST_TIMEOUT);
             /* Before the link is open, who asks looks for the answer. */
             if (link->open) receive_bytes(link);
             else fill(link);

@@ -15,7 +15,7 @@ static const char ECHO_BEFORE_ANSWERS[] =
 
 typedef struct opening {
     ul_link *link;
-    double until, asked, patience;
+    double asked, patience;
     size_t heard;
     unsigned questions, answers, echoes;
     bool believes;                      /* the gateway has said what it is */
@@ -92,10 +92,11 @@ static bool ask(opening *opens, const char *question, bool plain, double tries)
 {
     ul_link *link = opens->link;
     if (opens->patience > FIRST_TRY) opens->patience = FIRST_TRY;
-    while (tries > 0 && now_of(link) < opens->until && !link->gone && !echoes(opens)) {
+    while (tries > 0 && now_of(link) < link->open_until && !link->gone && !echoes(opens)) {
         bool damaged = false, shortened = false;
         send_question(opens, question, plain);
-        double end = opens->asked + opens->patience < opens->until ? opens->asked + opens->patience : opens->until;
+        double end = opens->asked + opens->patience;
+        if (end > link->open_until) end = link->open_until;
         for (double now; (now = now_of(link)) < end && !link->gone;) {
             if (find_answer(opens, question, plain, &damaged)) return true;
             if (damaged && !shortened) shortened = shorten(opens, now, &end);
@@ -312,7 +313,8 @@ ul_status ul_open(ul_link *link, const ul_transport *transport, int node, double
     if (!(transport->shortest_timeout > 0)) link->transport.shortest_timeout = SHORTEST_TIMEOUT;
     link->node = node;
     link->posts = UL_BATCH;
-    opening opens = {.link = link, .until = now_of(link) + timeout, .patience = FIRST_TRY};
+    link->open_until = now_of(link) + timeout;
+    opening opens = {.link = link, .patience = FIRST_TRY};
     ul_status status =
         node > 0xFE ? fail(link, UL_BAD_ARGUMENT, "node", "0 to 254 was expected") : learn(&opens);
     if (status == UL_OK) status = start_session(&opens);
