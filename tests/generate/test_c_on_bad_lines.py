@@ -11,9 +11,8 @@ import pytest
 from generate.peers import simulate
 from generate.programs import HERE, PATIENCE, SANITIZED, C, Driven, Simulated, output
 from support.changed_ports import make_sane
+from support.floods import FLOODS
 from unity_link.protocol.constants import ECHO_PATIENCE
-from unity_link.protocol.crc import Crc
-from unity_link.protocol.frames import Framing
 from unity_link.protocol.handshake import ECHO, ECHO_BEFORE_ANSWERS
 from unity_link.protocol.session import FLOODED
 from unity_link.virtual import VirtualGateway
@@ -24,13 +23,6 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 LOST, NO_CONNECTION = "32 ", "36 "
-FLOODS = {
-    "damaged lines": b"a\n" * 200,
-    "empty lines": b"\n" * 200,
-    "empty plain lines": b"\r\n" * 200,
-    "errors about damage": Framing(Crc()).checked(b"X01") * 200,
-    "one line without an end": b"U" * 4000,
-}
 
 
 class Replaced:

@@ -5,11 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from support.floods import FLOODS
 from unity_link.errors import ConnectError, LinkLostError, Outcome, UnansweredError, UnsupportedError
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.constants import LONGEST_SILENCE
-from unity_link.protocol.crc import Crc
-from unity_link.protocol.frames import Framing
 from unity_link.protocol.messages import GroupFlag
 from unity_link.protocol.requests import Request, WordBatch, common_outcome
 from unity_link.protocol.session import Interrupted, Opened, Session, Unusable
@@ -263,15 +262,6 @@ def test_a_gateway_of_which_all_arrives_damaged_is_not_silent(answer: bytes, *, 
         told = session.expire(now)
         session.take_output()
     assert [type(event) for event in told] == ([] if is_heard else [Unusable])
-
-
-FLOODS = {
-    "damaged lines": b"a\n" * 200,
-    "empty lines": b"\n" * 200,
-    "empty plain lines": b"\r\n" * 200,
-    "errors about damage": Framing(Crc()).checked(b"X01") * 200,
-    "one line without an end": b"U" * 20_000,
-}
 
 
 def read_until_unusable(session: Session, heard: bytes, pause: float = 0.01) -> tuple[float, list[object]]:

@@ -1,0 +1,15 @@
+"""What may fill a line in place of answers."""
+
+from __future__ import annotations
+
+from unity_link.protocol.crc import Crc
+from unity_link.protocol.frames import Framing
+
+FLOODS = {
+    "damaged lines": b"a\n" * 200,
+    "empty lines": b"\n" * 200,
+    "empty plain lines": b"\r\n" * 200,
+    "errors about damage": Framing(Crc()).checked(b"X01") * 200,
+    "one line without an end": b"U" * 4000,
+}
+"""Bytes of each kind, which come again and again."""
