@@ -454,6 +454,17 @@ def test_a_tool_that_fails_leaves_nothing(failing: str, tools: pytest.MonkeyPatc
     assert not (tmp_path / "out").exists()
 
 
+def test_a_component_without_an_entity_is_named(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    said = "ERROR: Module `\\ramp' referenced in module `\\top' in cell `\\u' is not part of the design."
+
+    def refuse(*_: object, **__: object) -> str:
+        raise RefusedError(said, said)
+
+    tools.setattr(building, "run", refuse)
+    with pytest.raises(BuildError, match=r"^top has the component ramp, of which no file has the entity$"):
+        build(LAMP, "mine", HX8K, tmp_path / "out")
+
+
 def test_a_design_that_misses_its_clock_leaves_nothing(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
     tools.setattr(building, "run", stand_in(mhz=11.9))
     with pytest.raises(BuildError, match=r"^lamp is too slow on mine: clk reaches 11\.9 MHz of 12\.0$"):

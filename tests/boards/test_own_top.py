@@ -271,6 +271,16 @@ def test_a_unit_with_the_name_of_one_that_is_made_from_the_spec_or_of_the_gatewa
 
 
 @pytest.mark.rtl
+@pytest.mark.parametrize("name", ["a b", "x; endmodule", "\xb5", "led0;"])
+def test_an_extended_identifier_is_refused_and_a_word_of_verilog_is_none(name: str, tmp_path: Path) -> None:
+    text = SMALL.replace("unused", "reg")
+    assert convert_own(own(tmp_path, text), {"baud": 1}).module == "small"
+    (tmp_path / "small.vhd").write_bytes(text.replace("reg", f"\\{name}\\").encode("latin-1"))
+    with pytest.raises(ConversionError, match=r"^small has the extended identifier \\.*\\, which does not go through"):
+        convert_own(read_own(tmp_path / "small.vhd"), {"baud": 1})
+
+
+@pytest.mark.rtl
 def test_latin_letters_in_a_file_are_no_fault(tmp_path: Path) -> None:
     (tmp_path / "small.vhd").write_bytes(b"-- \xb5s\n" + SMALL.encode())
     assert convert_own(read_own(tmp_path / "small.vhd"), {"baud": 1}).module == "small"
@@ -300,6 +310,18 @@ def test_a_project_has_copies_of_the_users_files_and_the_pins_that_they_use(name
     assert "sw0" in pins
     assert "chain_" not in pins
     assert not list(opened.parent.glob("*_on_*"))
+
+
+@pytest.mark.rtl
+def test_the_command_makes_a_project_of_a_top_and_prints_the_warnings_about_it(tmp_path: Path) -> None:
+    files(tmp_path, PAGE["panel.ul"], "panel.ul")
+    files(tmp_path, SMALL.replace("Led", "led").replace("0 to width", "work.p.high downto 0"), "small.vhd")
+    files(tmp_path, "package p is constant high : natural := 2; end package;", "p.vhd")
+    command = ["build", "panel.ul", "--board", "arty_a7", "--vhdl", "p.vhd", "--top", "small.vhd"]
+    done = subprocess.run([PROGRAM, *command], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert done.stdout == "panel_arty_a7/panel_arty_a7.tcl\n"
+    assert done.stderr.startswith('warning: small.vhd:10:10: signal "unused" is never assigned')
 
 
 @pytest.mark.rtl

@@ -38,6 +38,7 @@ if TYPE_CHECKING:
 _SEED = "1"
 _TOP = "unity_link_board"
 _USED = re.compile(r"^Info:\s+(\w+):\s+(\d+)\s*/\s*(\d+)", re.MULTILINE)
+_UNBOUND = re.compile(r"Module `\\(\S+)' referenced in module `\\(\S+)' in cell")
 _GATEWARES_MEMORIES = "setattr -set no_rw_check 1 ul_*/m:*"
 """No memory of the gateware uses a word that it reads while that is being written; one of a user's may."""
 _MHZ = 1e6
@@ -160,13 +161,20 @@ def synthesise(design: Design, board: Board, work: Path) -> None:
 
     Raises:
         ArgumentError: where the board's clock cannot be made.
-        ConversionError: where a tool refuses the design.
+        BuildError: where nothing stands behind a component.
+        ConversionError: where a tool refuses the design for another reason.
         ToolMissingError: where a tool is not there.
     """
     (work / "design.v").write_text(design.verilog)
     (work / "top.v").write_text(top_text(design.module, board, design.ports))
     passes = f"{FAMILIES[board.family].synthesis(board)} -top {_TOP} -json mapped.json"
-    run(work, YOSYS, "-q", "-p", f"read_verilog design.v top.v; {_GATEWARES_MEMORIES}; {passes}", explained=_ANY)
+    try:
+        run(work, YOSYS, "-q", "-p", f"read_verilog design.v top.v; {_GATEWARES_MEMORIES}; {passes}", explained=_ANY)
+    except RefusedError as error:
+        if found := _UNBOUND.search(error.output):
+            lacking, inside = found.groups()
+            raise BuildError(f"{inside} has the component {lacking}, of which no file has the entity") from error
+        raise
 
 
 def top_text(module: str, board: Board, ports: Sequence[Port]) -> str:

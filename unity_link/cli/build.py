@@ -76,16 +76,20 @@ def build(  # noqa: PLR0913  (each is an option)
         if program:
             raise ArgumentError(f"--program needs a bitstream, and that of {name} is made by {vendor.tool}")
         opened = make_project(
-            compile_or_exit(spec), name, chosen, output, interface, own=own, overwrite=replaces, note=print_note
+            compile_or_exit(spec), name, chosen, output, interface, own=own, overwrite=replaces, note=_warn
         )
         print_result("file", opened, json=json)
         print_note(f"for {vendor.tool}: {vendor.opens} {opened}")
         return
     if program:
         loader()
-    built = make(compile_or_exit(spec), name, chosen, output, interface, own=own, overwrite=replaces, note=print_note)
+    built = make(compile_or_exit(spec), name, chosen, output, interface, own=own, overwrite=replaces, note=_warn)
     for path in built:
         print_result("file", path, json=json)
     if program:
         put(chosen, built.bitstream)
         print_note(f"{chosen.title} is programmed")
+
+
+def _warn(remark: str) -> None:
+    print_note(f"warning: {remark}")

@@ -27,6 +27,9 @@ _UNIT = re.compile(r"^(entity|package) (?!body )(\w+)", re.MULTILINE)
 _SAID = re.compile(r"^(?P<place>(?P<file>.+?):\d+:\d+):(?P<kind>error|warning): *(?P<words>.+)$")
 _PORT = re.compile(r"^ *\(? *(input|output|inout) +(?:\[(\d+):0\] *)?(\\\S+ |\w+)[,)]", re.MULTILINE)
 
+# GHDL writes no blank behind an extended identifier, and there Verilog's would end.
+_EXTENDED = re.compile(r"\\([^\\\n]+)\\(?=[\s,;:)\]}])")
+
 
 class OwnFile(NamedTuple):
     """A file of a user's."""
@@ -153,6 +156,11 @@ def convert_own(
                 )
         verilog = run("synth", *anywhere, "--out=verilog", *as_options(given), own.top)
     of_own = [words for words in said if any(words.startswith(f"{file.path}:") for file in own.files)]
+    if extended := _EXTENDED.search(verilog):
+        raise ConversionError(
+            f"{own.top} has the extended identifier \\{extended[1]}\\, which does not go through GHDL into Verilog: "
+            "a name of letters, digits and '_' was expected"
+        )
     module, ports = _ports(verilog, own.top, described)
     return Converted(cleaned(verilog), module, given, ports, tuple(dict.fromkeys(of_own)))
 
