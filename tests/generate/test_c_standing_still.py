@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from generate.programs import HERE, PATIENCE, SANITIZED, C, generated
 from support.searching import examples
 from support.spec_examples import FIGURE_1
-from support.taken_samples import BASE_HZ, BEGAN, CLOCKS, READS, are_decidable, arrivals_of, of_group
+from support.taken_samples import BASE_HZ, STORIES, are_decidable, arrivals_of, of_group
 from unity_link.spec import compile_text
 
 if TYPE_CHECKING:
@@ -30,11 +30,8 @@ def program(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @given(
-    reads=READS,
-    clock_hz=st.sampled_from(CLOCKS),
+    **STORIES,
     divisor=st.integers(100, 3000),
-    began=BEGAN,
-    seed=st.integers(0, 1000),
 )
 @settings(max_examples=examples(30), deadline=None)
 def test_samples_are_counted_and_dated_as_they_were_taken_however_long_the_host_stood_still(

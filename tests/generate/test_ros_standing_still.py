@@ -13,7 +13,7 @@ from generate.ros_on_paper import Paper
 from generate.test_ros_packages import EXAMPLES, loaded, packages
 from support.searching import examples
 from support.spec_examples import FIGURE_1
-from support.taken_samples import BASE_HZ, BEGAN, CLOCKS, READS, TURN, are_decidable, arrivals_of, of_group
+from support.taken_samples import BASE_HZ, STORIES, TURN, are_decidable, arrivals_of, of_group
 from unity_link import GatewayInfo
 from unity_link.spec import compile_file, compile_text
 
@@ -32,11 +32,8 @@ def bridge(tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
 
 
 @given(
-    reads=READS,
-    clock_hz=st.sampled_from(CLOCKS),
+    **STORIES,
     divisors=st.lists(st.integers(100, 3000), min_size=1, max_size=2),
-    began=BEGAN,
-    seed=st.integers(0, 1000),
 )
 @settings(max_examples=examples(30), deadline=None)
 def test_samples_are_counted_and_dated_as_they_were_taken_however_long_the_bridge_stood_still(

@@ -15,7 +15,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from support.searching import examples
-from support.taken_samples import BASE_HZ, BEGAN, CLOCKS, READS, Taken, are_decidable, arrivals_of, of_group
+from support.taken_samples import BASE_HZ, STORIES, Taken, are_decidable, arrivals_of, of_group
 from unity_link import GatewayInfo, Sample
 from unity_link.link.samples_together import SamplesTogether
 from unity_link.link.subscription import GatewayClock, Intake, Publishing, Schedule
@@ -67,11 +67,8 @@ class Host:
 
 
 @given(
-    reads=READS,
-    clock_hz=st.sampled_from(CLOCKS),
+    **STORIES,
     divisors=st.lists(st.integers(100, 3000), min_size=1, max_size=2),
-    began=BEGAN,
-    seed=st.integers(0, 1000),
 )
 @settings(max_examples=examples(30), deadline=None)
 def test_samples_are_counted_and_dated_as_they_were_taken_however_long_the_host_stood_still(

@@ -1,4 +1,4 @@
-"""What another program may do to a serial port that a link uses."""
+"""Settings that another program gives to a serial port while a link uses it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What may fill a line in place of answers."""
+"""Bytes that fill a line in place of answers."""
 
 from __future__ import annotations
 

@@ -57,6 +57,8 @@ _LATE = 95e-6
 """Seconds that a busy bus keeps a sample waiting."""
 BEGAN = st.integers(0, TURN - 1 - round(_LATE * max(CLOCKS)))
 """Timestamps at first; the first sample has no wrap before it, though it may be late, as nobody could see that."""
+STORIES = {"reads": READS, "clock_hz": st.sampled_from(CLOCKS), "began": BEGAN, "seed": st.integers(0, 1000)}
+"""Arguments of `arrivals_of` but for the divisors."""
 
 
 class Arrival(NamedTuple):

@@ -221,12 +221,13 @@ class Binder:
 
     def _flag(self, argument: Argument, slot: ArgumentSlot, known: Mapping[str, ArgumentSlot]) -> bool | LeftOut | None:
         """Return True for a flag that stands by itself, and what one is set to; one that is not set is left out."""
-        if argument.name is None and isinstance(argument.value, Name):
-            return True
-        value = None if argument.name is None else self._computed(argument.value, slot, known)
         if argument.name is None:
+            if isinstance(argument.value, Name):
+                return True
             message = f"{slot.name} takes no parentheses: it stands by itself, or has a truth, as in {slot.name}=true"
             self._evaluator.fault(argument.place, "bad-argument", message)
+            return None
+        value = self._computed(argument.value, slot, known)
         return LEFT_OUT if value is False else value  # type: ignore[return-value]  # `_checked` saw to it
 
     def _computed(self, expression: Expression, slot: ArgumentSlot, known: Mapping[str, ArgumentSlot]) -> Result:
