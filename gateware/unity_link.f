@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # VHDL-2008, library unity_link, in compile order; made by `make lists`.
-rtl/cores/ul_math_pkg.vhd
-rtl/cores/ul_reset_synchroniser.vhd
-rtl/cores/ul_stream_register.vhd
-rtl/cores/ul_synchroniser.vhd
+rtl/base/ul_math_pkg.vhd
+rtl/base/ul_reset_synchroniser.vhd
+rtl/base/ul_stream_register.vhd
+rtl/base/ul_synchroniser.vhd
 rtl/datalink/ul_crc_pkg.vhd
 rtl/physical/ul_fifo_port.vhd
 rtl/physical/ul_pad_input.vhd
@@ -15,22 +15,23 @@ rtl/application/ul_group_timer.vhd
 rtl/application/ul_request_decoder.vhd
 rtl/application/ul_request_executor.vhd
 rtl/application/ul_send_immediate.vhd
+rtl/base/ul_fifo_async.vhd
+rtl/base/ul_fifo_sync.vhd
+rtl/base/ul_word_memory.vhd
+rtl/base/ul_word_ring.vhd
 rtl/bus/ul_axi4_lite_master.vhd
 rtl/bus/ul_bus_master.vhd
 rtl/bus/ul_wishbone_master.vhd
-rtl/cores/ul_fifo_async.vhd
-rtl/cores/ul_fifo_sync.vhd
-rtl/cores/ul_word_memory.vhd
-rtl/cores/ul_word_ring.vhd
 rtl/datalink/ul_datalink_rx.vhd
 rtl/datalink/ul_datalink_tx.vhd
 rtl/datalink/ul_plain_rx.vhd
 rtl/datalink/ul_plain_tx.vhd
 rtl/physical/ul_ft245_pads.vhd
-rtl/application/ul_subscription_manager.vhd
+rtl/application/ul_gateway_clock.vhd
 rtl/physical/ul_ft245_async.vhd
 rtl/physical/ul_ft245_sync.vhd
 rtl/physical/ul_uart.vhd
+rtl/application/ul_subscription_manager.vhd
 rtl/unity_link_core.vhd
 rtl/unity_link.vhd
 rtl/unity_link_fifo.vhd

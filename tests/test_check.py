@@ -23,7 +23,7 @@ ROOT = Path(__file__).parent.parent
             "tests/support/counting_device.py",
             {"tests/cli/test_full_screen.py", "tests/data/test_samples.py", "tests/link/test_subscriptions.py"},
         ),
-        ("gateware/rtl/cores/ul_fifo_sync.vhd", {"gateware/bench/fifo_sync", "gateware/bench/test_lists.py"}),
+        ("gateware/rtl/base/ul_fifo_sync.vhd", {"gateware/bench/fifo_sync", "gateware/bench/test_lists.py"}),
         ("gateware/bench/runner.py", {"gateware/bench"}),
         ("gateware/tools/lists.py", {"gateware/bench/test_lists.py"}),
         ("benchmarks/posts.py", {"tests/benchmarks"}),

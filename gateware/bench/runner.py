@@ -1,6 +1,6 @@
 """Runs a cocotb bench in GHDL from pytest: the only place that knows how a simulation is built and started.
 
-The sources are analysed once for each entity and state of `gateware/rtl` (the directory under `gateware/build/` is
+The sources are analysed once for each entity and state of the gateware (the directory under `gateware/build/` is
 named after a hash of them), so a second run starts at once and a changed source is never run stale. Generics are given
 when the simulation starts, so all configurations share one build.
 
@@ -19,7 +19,7 @@ import uuid
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from unity_link.gateware.cache import LIBRARY, library_of
+from unity_link.gateware.cache import LIBRARY, library_of, sources_for
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
@@ -47,11 +47,6 @@ def simulator_available() -> bool:
     return shutil.which("ghdl") is not None
 
 
-def rtl_sources() -> list[Path]:
-    """Return every VHDL source of the gateware, sorted by path; GHDL finds the order of analysis itself."""
-    return sorted((GATEWARE / "rtl").rglob("*.vhd"))
-
-
 def run_bench(  # noqa: PLR0913 - each says one thing of the run, by its name
     toplevel: str,
     module: str,
@@ -70,7 +65,7 @@ def run_bench(  # noqa: PLR0913 - each says one thing of the run, by its name
         toplevel: name of the entity, in lower case.
         module: dotted name of the Python module with the cocotb tests (`gateware.bench.uart.bench_uart`).
         generics: generics of the top entity; booleans may be Python's.
-        extra_sources: VHDL files beside those in `gateware/rtl` (a wrapper made for the bench), in the library `work`.
+        extra_sources: VHDL files beside those of the gateware (a wrapper made for the bench), in the library `work`.
         testcase: run only the test or tests whose name ends so.
         seed: of cocotb's random numbers; by default 1, so that a run can be repeated. The environment variable
             COCOTB_RANDOM_SEED overrides it.
@@ -85,7 +80,11 @@ def run_bench(  # noqa: PLR0913 - each says one thing of the run, by its name
     from cocotb_tools.check_results import get_results
     from cocotb_tools.runner import get_runner
 
-    libraries = {LIBRARY: rtl_sources(), "work": [Path(source).resolve() for source in extra_sources]}
+    libraries = {
+        # GHDL finds the order of analysis itself.
+        LIBRARY: sources_for(toplevel, extra_sources),
+        "work": [Path(source).resolve() for source in extra_sources],
+    }
     build_dir = _BUILD / f"{toplevel}-{_hash_of(itertools.chain(*libraries.values()))}"
     run_dir = build_dir / f"run-{uuid.uuid4().hex[:12]}"
     run_dir.mkdir(parents=True)

@@ -6,8 +6,8 @@ import re
 import subprocess
 from typing import TYPE_CHECKING
 
-from gateware.bench.runner import GATEWARE, rtl_sources, run_bench
-from unity_link.gateware.cache import LIBRARY
+from gateware.bench.runner import GATEWARE, run_bench
+from unity_link.gateware.cache import LIBRARY, vhdl_sources
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -23,7 +23,7 @@ def test_the_design_in_the_documentation_works(tmp_path: Path) -> None:
 
 def test_the_boards_elaborate(tmp_path: Path) -> None:
     boards = sorted((GATEWARE / "boards").rglob("*.vhd"))
-    ghdl(tmp_path, "-i", f"--work={LIBRARY}", *map(str, rtl_sources()))
+    ghdl(tmp_path, "-i", f"--work={LIBRARY}", *map(str, vhdl_sources()))
     ghdl(tmp_path, "-i", *map(str, boards))
     for board in (path for path in boards if path.stem == path.parent.name):
         ghdl(tmp_path, "-m", board.stem)

@@ -1,4 +1,4 @@
-"""The proofs of `gateware/formal`, and that they can fail: each finds a fault that is put in for it."""
+"""The proofs of `gateware/formal` and of the cores, and that they can fail: each finds a fault that is put in."""
 
 from __future__ import annotations
 
@@ -84,6 +84,7 @@ FAULTS = {
     "an access is made again": ("at_most_once", "access_request", "r[57]"),
 }
 """The proof, a signal of it (a regular expression), and what drives it in place of what should."""
+FAULTS |= {f"{proof.name}: {name}": (proof.name, *fault) for proof in PROOFS for name, fault in proof.faults.items()}
 
 
 def _prove(proof: Proof, fault: tuple[str, str] | None = None) -> str | None:

@@ -13,7 +13,7 @@ from gateware.tools.constraints import constraints
 from gateware.tools.lists import TOP, in_compile_order, lists
 from unity_link.gateware.cache import GATEWARE, LIBRARY, vhdl_sources
 
-_PATH = re.compile(r"rtl/[\w/]+\.vhd")
+_PATH = re.compile(r"(?:rtl|cores)/[\w/]+\.vhd")
 
 
 def test_the_order_has_every_file_once_behind_what_it_uses() -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from gateware.tools.datasheets import PAGES, pages
+from gateware.tools.datasheets import PAGES, filled
 from gateware.tools.mapped import MAPPED, RAM_BLOCKS, TARGETS, cells_of, counted, results
 from gateware.tools.synth import CONFIGURATIONS
 
@@ -47,7 +47,7 @@ def test_what_was_written_has_each_target_configuration_and_kind() -> None:
 
 
 def test_what_was_written_stands_on_the_pages() -> None:
-    text = pages()["ul_fifo_async.md"]
+    text = filled("ul_fifo_async")
     assert (PAGES / "ul_fifo_async.md").read_text() == text
     for name, target in TARGETS.items():
         registers = results()[name]["ul_fifo_async"]["registers"]

@@ -8,18 +8,17 @@ from __future__ import annotations
 
 import dataclasses
 import re
-import tomllib
 from typing import TYPE_CHECKING
 
 import pytest
 
-from gateware.tools.synth import BUDGET, CONFIGURATIONS, DEVICES, RESULTS, Result, check, over_budget, synthesise
+from gateware.tools.synth import CONFIGURATIONS, DEVICES, RESULTS, Result, budget, check, over_budget, synthesise
 from unity_link.gateware.convert import ConversionError, to_verilog
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-LIMITS = tomllib.loads(BUDGET.read_text())
+LIMITS = budget()
 IN_CI = [("default", "ice40"), ("minimal", "ice40"), ("default", "ecp5"), ("wide", "ecp5")]
 PROMISED = {
     ("default", "ice40", "fmax_mhz"): 60,

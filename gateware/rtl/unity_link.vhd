@@ -184,7 +184,12 @@ entity unity_link is
     -- '1' in the one cycle of which a sample's timestamp tells: modules latch their values at its end.
     sample_strobe : out   std_logic;
     -- '1' from the next cycle on, until the last word of the sample is read.
-    sample_access : out   std_logic
+    sample_access : out   std_logic;
+    -- '1' for one cycle at each base tick, of which periodic groups publish at integer divisions. Nothing holds it up,
+    -- and it is there without groups.
+    base_tick : out   std_logic;
+    -- Cycles since the reset; its lower half is what timestamps of samples tell.
+    timestamp : out   std_logic_vector(63 downto 0)
   );
 end entity unity_link;
 
@@ -275,7 +280,9 @@ begin
       bus_done       => bus_done,
       bus_error      => bus_error,
       sample_strobe  => sample_strobe,
-      sample_access  => sample_access
+      sample_access  => sample_access,
+      base_tick      => base_tick,
+      timestamp      => timestamp
     );
 
   with_wishbone : if bus_standard = "wishbone" generate

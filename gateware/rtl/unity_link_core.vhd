@@ -126,7 +126,12 @@ entity unity_link_core is
     -- '1' in the one cycle of which a sample's timestamp tells: modules latch their values at its end.
     sample_strobe : out   std_logic;
     -- '1' from the next cycle on, until the last word of the sample is read.
-    sample_access : out   std_logic
+    sample_access : out   std_logic;
+    -- '1' for one cycle at each base tick, of which periodic groups publish at integer divisions. Nothing holds it up,
+    -- and it is there without groups.
+    base_tick : out   std_logic;
+    -- Cycles since the reset; its lower half is what timestamps of samples tell.
+    timestamp : out   std_logic_vector(63 downto 0)
   );
 end entity unity_link_core;
 
@@ -671,7 +676,9 @@ begin
         ring_data        => ring_data,
         ring_commit      => ring_commit,
         ring_rollback    => ring_rollback,
-        ring_room        => ring_room
+        ring_room        => ring_room,
+        base_tick        => base_tick,
+        timestamp        => timestamp
       );
 
     sample_ring_inst : entity work.ul_word_ring
@@ -703,6 +710,18 @@ begin
     sample_address   <= (others => '0');
     sample_available <= '0';
     sample_word      <= (others => '0');
+
+    clock_inst : entity work.ul_gateway_clock
+      generic map (
+        clock_hz                  => clock_hz,
+        base_frequency_millihertz => base_frequency_millihertz
+      )
+      port map (
+        clk       => clk,
+        rst       => rst,
+        base_tick => base_tick,
+        timestamp => timestamp
+      );
 
   end generate without_groups;
 

@@ -84,7 +84,10 @@ entity unity_link_fifo is
     wb_stall : in    std_logic := '0';
     -- '1' in the cycle of which a group's sample tells, and while its words are read.
     sample_strobe : out   std_logic;
-    sample_access : out   std_logic
+    sample_access : out   std_logic;
+    -- '1' for one cycle at each base tick; cycles since the reset.
+    base_tick : out   std_logic;
+    timestamp : out   std_logic_vector(63 downto 0)
   );
 end entity unity_link_fifo;
 
@@ -146,7 +149,9 @@ begin
       wb_rty        => wb_rty,
       wb_stall      => wb_stall,
       sample_strobe => sample_strobe,
-      sample_access => sample_access
+      sample_access => sample_access,
+      base_tick     => base_tick,
+      timestamp     => timestamp
     );
 
 end architecture rtl;

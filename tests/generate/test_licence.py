@@ -15,6 +15,7 @@ COPIED = sorted(
     path
     for folder, pattern in (
         ("gateware/rtl", "*.vhd"),
+        ("gateware/cores", "ul_*.*"),
         ("gateware/boards", "*.*"),
         ("gateware/constraints", "*"),
         ("gateware/import", "*"),

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, TypeVar
 import pytest
 from hypothesis import given, settings
 
-from gateware.bench.runner import GATEWARE, rtl_sources, run_bench, simulator_available
+from gateware.bench.runner import GATEWARE, run_bench, simulator_available
 from generate.bench_boards import ECHO, WALKER
 from generate.bench_nodes import LAMP, PAIR
 from generate.bench_watchdog import LISTINGS, MOTOR, PAGE, PATIENCE
@@ -22,7 +22,7 @@ from support.searching import examples
 from support.spec_examples import FIGURE_1, specs
 from unity_link.errors import UnsupportedError
 from unity_link.gateware import yowasp
-from unity_link.gateware.cache import LIBRARY, cache_folder, hash_of, kept
+from unity_link.gateware.cache import LIBRARY, cache_folder, hash_of, kept, vhdl_sources
 from unity_link.gateware.convert import to_verilog
 from unity_link.generate import generate, write
 from unity_link.generate.verilog.flat import flat_ports
@@ -274,7 +274,7 @@ def test_the_bench_finds_a_fault(name: str, tmp_path: Path) -> None:
 )
 def test_gateway_and_boards_elaborate_with_the_gateware(name: str, tmp_path: Path) -> None:
     paths = write(generate("vhdl", SPECS[name]), tmp_path)
-    assert ghdl(tmp_path, "-i", f"--work={LIBRARY}", *map(str, rtl_sources())).returncode == 0
+    assert ghdl(tmp_path, "-i", f"--work={LIBRARY}", *map(str, vhdl_sources())).returncode == 0
     assert ghdl(tmp_path, "-i", *map(str, (*BOARDS.glob("*.vhd"), *paths))).returncode == 0
     tops = [path.stem for path in paths if path.stem.endswith(("_gateway", "_on_uart", "_on_ft245", "_on_ft245_sync"))]
     # What has FIFO ports or modules is no whole design by itself.
@@ -332,7 +332,7 @@ def test_a_fifo_that_is_published_gives_each_word_once_and_in_order(tmp_path: Pa
     bench = Path(__file__).with_name("fifo_bench.vhd")
     paths = [path for path in write(generate("vhdl", spec), tmp_path) if "_on_" not in path.name]
     sources = ("-i", *map(str, (*paths, bench)))
-    for arguments in (("-i", f"--work={LIBRARY}", *map(str, rtl_sources())), sources, ("-m", "fifo_bench")):
+    for arguments in (("-i", f"--work={LIBRARY}", *map(str, vhdl_sources())), sources, ("-m", "fifo_bench")):
         done = ghdl(tmp_path, *arguments)
         assert (done.returncode, done.stderr) == (0, "")
     lines = ghdl(tmp_path, "-r", "fifo_bench", "--ieee-asserts=disable").stdout.split()
@@ -469,7 +469,7 @@ def test_the_design_of_the_documentation_elaborates(tmp_path: Path) -> None:
     paths = write(generate("vhdl", compile_text(listings["lamp.ul"])), tmp_path)
     (tmp_path / "lamp_board.vhd").write_text(listings["lamp_board.vhd"])
     sources = (*BOARDS.glob("*.vhd"), *paths, tmp_path / "lamp_board.vhd")
-    assert ghdl(tmp_path, "-i", f"--work={LIBRARY}", *map(str, rtl_sources())).returncode == 0
+    assert ghdl(tmp_path, "-i", f"--work={LIBRARY}", *map(str, vhdl_sources())).returncode == 0
     assert ghdl(tmp_path, "-i", *map(str, sources)).returncode == 0
     done = ghdl(tmp_path, "-m", "lamp_board")
     assert (done.returncode, done.stderr) == (0, "")

@@ -14,7 +14,8 @@ from pathlib import Path
 ROOT = Path(__file__).parents[2]
 ALWAYS = ("tests/test_check.py", "tests/test_project.py", "tests/test_structure.py")
 QUICK = "not slow and not campaign and not usb"
-_TOPS = ("tests", "gateware/bench")
+_LISTS = "gateware/bench/test_lists.py"
+_TOPS = ("tests", "gateware/bench", "gateware/cores")
 
 
 def changed_files(base: str | None = None) -> list[str]:
@@ -55,12 +56,8 @@ def _tests_of(file: str) -> list[str]:
             found = [file]
         case ("tests", room, *_):
             found = [file if path.name.startswith("test_") else f"tests/{room}"]
-        case ("gateware", "bench", room, *_):
-            found = [f"gateware/bench/{room}" if len(path.parts) > 3 else "gateware/bench"]
-        case ("gateware", "rtl", *_) if (ROOT / "gateware/bench" / path.stem.removeprefix("ul_")).is_dir():
-            found = [f"gateware/bench/{path.stem.removeprefix('ul_')}", "gateware/bench/test_lists.py"]
-        case ("gateware", "tools", name):
-            found = _users(rf"gateware\.tools(\.| import .*){Path(name).stem}\b")
+        case ("gateware", *inside):
+            found = _tests_of_gateware(inside)
         case ("benchmarks", *_):
             found = ["tests/benchmarks"]
         case ("unity_link", *inside):
@@ -70,6 +67,22 @@ def _tests_of(file: str) -> list[str]:
         case _:
             found = _naming(path.name)
     return found
+
+
+def _tests_of_gateware(inside: list[str]) -> list[str]:
+    """Return the tests of a file of the gateware."""
+    path = Path(*inside)
+    entity = path.stem.removeprefix("ul_")
+    match inside:
+        case ("bench", room, *rest):
+            return [f"gateware/bench/{room}" if rest else "gateware/bench"]
+        case ("cores", core, _):
+            return [f"gateware/cores/{core}", *([_LISTS] if path.suffix == ".vhd" else [])]
+        case ("rtl", *_) if (ROOT / "gateware/bench" / entity).is_dir():
+            return [f"gateware/bench/{entity}", _LISTS]
+        case ("tools", _):
+            return _users(rf"gateware\.tools(\.| import .*){path.stem}\b")
+    return _naming(path.name)
 
 
 def _tests_of_package(inside: list[str]) -> list[str]:

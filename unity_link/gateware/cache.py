@@ -5,6 +5,7 @@ from __future__ import annotations
 import contextlib
 import hashlib
 import os
+import re
 import stat
 import tempfile
 from pathlib import Path
@@ -77,7 +78,7 @@ def pads_of(vendor: str | None) -> dict[str, Path]:
 
 
 def vhdl_sources(pads: str | None = None) -> list[Path]:
-    """Return every VHDL source of the gateware, sorted by path.
+    """Return every VHDL source of the gateware, those of its cores last, sorted by path.
 
     Args:
         pads: the vendor whose registers the FT245 has at its pins, a folder of `gateware/pads`; None: portable ones.
@@ -89,7 +90,36 @@ def vhdl_sources(pads: str | None = None) -> list[Path]:
     found = [theirs.get(source.name, source) for source in sorted((GATEWARE / "rtl").rglob("*.vhd"))]
     if not found:
         raise ToolMissingError(f"the gateware's VHDL is not in {GATEWARE / 'rtl'}: install unity-link anew")
-    return found
+    return found + core_sources()
+
+
+def core_folders() -> list[Path]:
+    """Return the folder of each core of the gateware, sorted by name."""
+    return sorted(path.parent for path in (GATEWARE / "cores").glob("*/core.toml"))
+
+
+def core_sources() -> list[Path]:
+    """Return the VHDL sources of the cores of the gateware, sorted by path."""
+    return [source for folder in core_folders() for source in sorted(folder.glob("ul_*.vhd"))]
+
+
+def sources_for(top: str, sources: Iterable[Path] = (), pads: str | None = None) -> list[Path]:
+    """Return what a design needs of `vhdl_sources`: of the cores only those that it names.
+
+    So a change of a core leaves alone what is kept of a design without it.
+
+    Args:
+        top: name of the entity.
+        sources: VHDL files of the design beside those of the gateware.
+        pads: as in `vhdl_sources`.
+
+    Raises:
+        ToolMissingError: where an installation has none.
+    """
+    cores = {folder: [source.stem for source in sorted(folder.glob("ul_*.vhd"))] for folder in core_folders()}
+    named = set(re.findall(r"\bul_\w+", "\n".join([top, *(source.read_text().lower() for source in sources)])))
+    needed = {folder for folder, entities in cores.items() if named & set(entities)}
+    return [source for source in vhdl_sources(pads) if source.parent not in cores or source.parent in needed]
 
 
 def library_of(entity: str) -> str:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from unity_link.errors import UnityLinkError
 from unity_link.files import write_file
-from unity_link.gateware.cache import LIBRARY, cache_folder, hash_of, library_of, vhdl_sources
+from unity_link.gateware.cache import LIBRARY, cache_folder, hash_of, library_of, sources_for
 from unity_link.gateware.ghdl import converting_ghdl
 
 if TYPE_CHECKING:
@@ -44,16 +44,19 @@ def to_verilog(
     """Return a Verilog file of the entity `top`, converted unless that was done before.
 
     Args:
-        top: name of the entity in `gateware/rtl` or `extra_sources`.
+        top: name of the entity in the gateware or `extra_sources`.
         generics: values for its generics; what is not named keeps its default. Booleans may be Python's.
-        extra_sources: VHDL files beside those in `gateware/rtl`, of the library `work`.
+        extra_sources: VHDL files beside those of the gateware, of the library `work`.
         pads: whose registers are at the pins, as in `vhdl_sources`.
 
     Raises:
         ConversionError: if GHDL refuses the sources, or warns of something in them.
         ToolMissingError: if there is no GHDL that can be used.
     """
-    libraries = {LIBRARY: vhdl_sources(pads), "work": [Path(source).resolve() for source in extra_sources]}
+    libraries = {
+        LIBRARY: sources_for(top, extra_sources, pads),
+        "work": [Path(source).resolve() for source in extra_sources],
+    }
     sources = itertools.chain(*libraries.values())
     options = as_options(generics or {})
     ghdl = converting_ghdl()

@@ -14,7 +14,10 @@ if TYPE_CHECKING:
 
     from unity_link.files import Overwrite
 
-_TAKEN = ("rtl/**/*.vhd", "pads/**/*.vhd", "constraints/**/*", "import/*", "unity_link.f", "unity_link.core")
+_TAKEN = (
+    *("rtl/**/*.vhd", "cores/*/ul_*.vhd", "pads/**/*.vhd"),
+    *("constraints/**/*", "import/*", "unity_link.f", "unity_link.core"),
+)
 _LICENCES = (GATEWARE / "LICENSE", GATEWARE.parent / "LICENSE")
 """Paths of the licence, in an installed package and in the project."""
 

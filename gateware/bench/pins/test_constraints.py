@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 from gateware.bench.ft245_sync.chip import CHIPS, PERIOD_PS
-from gateware.bench.runner import GATEWARE, rtl_sources
+from gateware.bench.runner import GATEWARE
+from unity_link.gateware.cache import vhdl_sources
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -17,7 +18,7 @@ _FILES = sorted(
     path for path in (GATEWARE / "constraints").rglob("*") if path.suffix in (".xdc", ".sdc", ".lpf", ".pdc")
 )
 _WITH_PINS = [path for path in _FILES if "set_input_delay" in path.read_text()]
-_SOURCES = {path.stem: path.read_text() for path in rtl_sources()}
+_SOURCES = {path.stem: path.read_text() for path in vhdl_sources()}
 
 
 def _id(path: Path) -> str:

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from gateware.bench.runner import rtl_sources, run_bench
+from gateware.bench.runner import run_bench
+from unity_link.gateware.cache import vhdl_sources
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -34,7 +35,7 @@ def ports_of(source: Path) -> tuple[list[str], list[str]]:
     return [name for name, way in found if way == "in"], [name for name, way in found if way == "out"]
 
 
-PORTS = {source.stem: ports_of(source) for source in rtl_sources()}
+PORTS = {source.stem: ports_of(source) for source in vhdl_sources()}
 WITH_RESET = [name for name, (inputs, _) in PORTS.items() if {"rst", "in_rst"} & {*inputs}]
 
 

@@ -85,6 +85,11 @@ def test_groups_are_published_as_the_protocol_says_and_their_jitter_is_that_of_t
         assert row + f"| one access: {3 + wait_states} cycles | {ours} | {20 * ours} ns | |" in stated
 
 
+@pytest.mark.parametrize("groups", [0, 2])
+def test_base_tick_and_timestamp_run_freely_with_groups_and_without(groups: int) -> None:
+    _run("bench_clock", groups=groups, base_frequency_millihertz=250_000_000)
+
+
 def test_a_gateway_without_a_datalink_layer_answers_a_terminal() -> None:
     _run("bench_plain", checked_frames=False)
 

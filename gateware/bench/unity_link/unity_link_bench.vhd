@@ -155,7 +155,9 @@ entity unity_link_bench is
     -- An access is taken, and the samples that it may be of.
     wb_taken      : out   std_logic;
     sample_strobe : out   std_logic;
-    sample_access : out   std_logic
+    sample_access : out   std_logic;
+    base_tick     : out   std_logic;
+    timestamp     : out   std_logic_vector(63 downto 0)
   );
 end entity unity_link_bench;
 
@@ -308,7 +310,9 @@ begin
       wb_stall  => wb_stall,
 
       sample_strobe => sample_strobe,
-      sample_access => sample_access
+      sample_access => sample_access,
+      base_tick     => base_tick,
+      timestamp     => timestamp
     );
 
 end architecture bench;

@@ -70,7 +70,10 @@ entity ul_subscription_manager is
     ring_data     : out   std_logic_vector(maximum(4 * digits_of(data_bits), 32) - 1 downto 0);
     ring_commit   : out   std_logic;
     ring_rollback : out   std_logic;
-    ring_room     : in    unsigned(room_bits - 1 downto 0)
+    ring_room     : in    unsigned(room_bits - 1 downto 0);
+    -- As those of `ul_gateway_clock`.
+    base_tick : out   std_logic;
+    timestamp : out   std_logic_vector(63 downto 0)
   );
 end entity ul_subscription_manager;
 
@@ -156,7 +159,7 @@ architecture rtl of ul_subscription_manager is
   signal timer_divisor  : std_logic_vector(15 downto 0);
   signal lost           : unsigned(7 downto 0);
   signal lost_kept      : unsigned(7 downto 0);
-  signal stamp          : unsigned(31 downto 0);
+  signal stamp          : std_logic_vector(63 downto 0);
 
   -- The sample being taken: its sequence number, words asked for and words read.
   signal own_sequence : unsigned(7 downto 0);
@@ -235,16 +238,20 @@ begin
            & integer'image(groups + round_cycles) & " clock cycles, which " & integer'image(groups) & " groups take"
     severity failure;
 
-  tick_inst : entity work.ul_base_tick
+  clock_inst : entity work.ul_gateway_clock
     generic map (
       clock_hz                  => clock_hz,
       base_frequency_millihertz => base_frequency_millihertz
     )
     port map (
-      clk  => clk,
-      rst  => rst,
-      tick => tick
+      clk       => clk,
+      rst       => rst,
+      base_tick => tick,
+      timestamp => stamp
     );
+
+  base_tick <= tick;
+  timestamp <= stamp;
 
   timer_inst : entity work.ul_group_timer
     generic map (
@@ -427,19 +434,6 @@ begin
 
   end process measure;
 
-  stamps : process (clk) is
-  begin
-
-    if rising_edge(clk) then
-      stamp <= stamp + 1;
-
-      if rst = '1' or not timestamps then
-        stamp <= (others => '0');
-      end if;
-    end if;
-
-  end process stamps;
-
   word_done      <= access_done and to_std_logic(state = state_sample);
   is_wanted      <= changed or is_first or not flags(flag_on_change) or to_std_logic(reason = reason_request);
   accepted       <= is_wanted and not failed;
@@ -450,12 +444,12 @@ begin
   access_more    <= to_std_logic(asked + 1 /= count);
 
   write_header  <= to_std_logic(state = state_prepare) and enough_room;
-  write_stamp   <= access_granted and to_std_logic(asked = 0) and flags(flag_timestamp);
+  write_stamp   <= access_granted and to_std_logic(asked = 0) and flags(flag_timestamp) and to_std_logic(timestamps);
   header        <= std_logic_vector(number_byte & own_sequence & total) & flags(flag_timestamp) & flags(flag_plain) &
                    flags(flag_immediate) & epoch & "000";
   ring_write    <= write_header or write_stamp or word_done;
   ring_data     <= aligned(header, 32) when write_header = '1' else
-                   aligned(std_logic_vector(stamp), 32) when write_stamp = '1' else
+                   aligned(stamp(31 downto 0), 32) when write_stamp = '1' else
                    aligned(access_read_data, digit_bits);
   ring_commit   <= to_std_logic(state = state_finish) and accepted;
   ring_rollback <= to_std_logic(state = state_finish) and not accepted;

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 from unity_link.errors import UnityLinkError
 from unity_link.files import write_file
-from unity_link.gateware.cache import hash_of, vhdl_sources
+from unity_link.gateware.cache import hash_of, sources_for
 from unity_link.gateware.convert import ConversionError, to_verilog
 from unity_link.gateware.yowasp import run, version
 
@@ -35,7 +35,6 @@ _REGISTERS = {
 }
 _REGISTERS_OF_GROUPS = {
     "subscription_manager_inst.running": "UL_RUNNING",
-    "subscription_manager_inst.stamp": "UL_STAMP",
     "subscription_manager_inst.number": "UL_GROUP",
     "subscription_manager_inst.own_sequence": "UL_SEQUENCE",
     "subscription_manager_inst.asked": "UL_ASKED",
@@ -60,7 +59,7 @@ _PASSES = (
 def origin(generics: Mapping[str, int]) -> str:
     """Return the name of everything that a configuration is made from: the sources, its generics and the passes."""
     given = [f"{key}={value}" for key, value in sorted(generics.items())]
-    return hash_of([TOP, _PASSES, _FORM, *given, *(source.read_bytes() for source in vhdl_sources())])
+    return hash_of([TOP, _PASSES, _FORM, *given, *(source.read_bytes() for source in sources_for(TOP))])
 
 
 def make(name: str, generics: Mapping[str, int]) -> bytes:
@@ -109,10 +108,9 @@ def _names(verilog: str, text: str) -> str:
     has_groups = any("subscription_manager_inst" in name for name in signals)
     for register, macro in {**_REGISTERS, **(_REGISTERS_OF_GROUPS if has_groups else {})}.items():
         members = [member for name, member in signals.items() if name.endswith(register)]
-        # Without timestamps the clock's register never changes, and is none any more.
-        if len(members) != 1 and not (macro == "UL_STAMP" and not members):
+        if len(members) != 1:
             raise ConversionError(f"{register} is {members} in C++: one was expected")
-        lines += [f"#define {macro} {member}" for member in members]
+        lines.append(f"#define {macro} {members[0]}")
     return "\n" + "\n".join(lines) + "\n"
 
 

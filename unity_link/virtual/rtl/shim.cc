@@ -330,11 +330,9 @@ public:
 	// Does what `run` does, at no cost, for a gateway that is quiet and not ticking: nothing changes then but
 	// its clock, and the phase of the base tick unless `count` is a multiple of that.
 	void skip(uint64_t count) {
-#ifdef UL_STAMP
-		auto &stamp = top_.UL_STAMP;
-		set(stamp.curr, static_cast<uint32_t>(get(stamp.curr) + count));
-		stamp.next = stamp.curr;
-#endif
+		auto &timestamp = top_.p_timestamp;
+		set(timestamp.curr, get(timestamp.curr) + count);
+		timestamp.next = timestamp.curr;
 		cycles += count;
 	}
 
