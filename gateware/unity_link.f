@@ -9,6 +9,7 @@ rtl/physical/ul_fifo_port.vhd
 rtl/physical/ul_pad_input.vhd
 rtl/physical/ul_pad_output.vhd
 rtl/unity_link_pkg.vhd
+cores/lease/ul_lease.vhd
 rtl/application/ul_base_tick.vhd
 rtl/application/ul_frame_writer.vhd
 rtl/application/ul_group_timer.vhd

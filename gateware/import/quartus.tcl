@@ -11,6 +11,7 @@ set_global_assignment -name VHDL_FILE [file join $gateware rtl/physical/ul_fifo_
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/physical/ul_pad_input.vhd] -library unity_link -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/physical/ul_pad_output.vhd] -library unity_link -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/unity_link_pkg.vhd] -library unity_link -hdl_version VHDL_2008
+set_global_assignment -name VHDL_FILE [file join $gateware cores/lease/ul_lease.vhd] -library unity_link -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/application/ul_base_tick.vhd] -library unity_link -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/application/ul_frame_writer.vhd] -library unity_link -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/application/ul_group_timer.vhd] -library unity_link -hdl_version VHDL_2008

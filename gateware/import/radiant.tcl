@@ -11,6 +11,7 @@ prj_add_source -work unity_link [file join $gateware rtl/physical/ul_fifo_port.v
 prj_add_source -work unity_link [file join $gateware rtl/physical/ul_pad_input.vhd]
 prj_add_source -work unity_link [file join $gateware rtl/physical/ul_pad_output.vhd]
 prj_add_source -work unity_link [file join $gateware rtl/unity_link_pkg.vhd]
+prj_add_source -work unity_link [file join $gateware cores/lease/ul_lease.vhd]
 prj_add_source -work unity_link [file join $gateware rtl/application/ul_base_tick.vhd]
 prj_add_source -work unity_link [file join $gateware rtl/application/ul_frame_writer.vhd]
 prj_add_source -work unity_link [file join $gateware rtl/application/ul_group_timer.vhd]

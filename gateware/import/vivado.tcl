@@ -11,6 +11,7 @@ read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/physical/ul_fif
 read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/physical/ul_pad_input.vhd]
 read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/physical/ul_pad_output.vhd]
 read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/unity_link_pkg.vhd]
+read_vhdl -vhdl2008 -library unity_link [file join $gateware cores/lease/ul_lease.vhd]
 read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/application/ul_base_tick.vhd]
 read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/application/ul_frame_writer.vhd]
 read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/application/ul_group_timer.vhd]

@@ -48,7 +48,7 @@ class Limits(msgspec.Struct, forbid_unknown_fields=True):
 
     logic: int
     memory: int
-    fmax_mhz: float
+    fmax_mhz: int
 
 
 class Size(msgspec.Struct, forbid_unknown_fields=True):

@@ -1,0 +1,32 @@
+"""ul_lease against its model, at the limits of what an end may be ahead, with and without an e-stop."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from gateware.bench.runner import BenchError, run_bench
+
+_BENCH = "gateware.cores.lease.bench_lease"
+VARIANTS = {
+    "20 cycles": {"clock_hz": 1_000_000, "most_us": 20},
+    "three axes, 1000 cycles": {"axes": 3, "most_us": 20},
+    "three axes, no e-stop": {"axes": 3, "clock_hz": 3_300_000, "most_us": 33, "estop_used": False},
+    "the least": {"clock_hz": 1_000_000, "most_us": 3},
+    "nearly the most": {"most_us": 21_474_836},
+}
+
+
+@pytest.mark.parametrize("generics", VARIANTS.values(), ids=VARIANTS)
+@pytest.mark.parametrize("cycles", [20_000, pytest.param(1_000_000, marks=pytest.mark.campaign)])
+def test_it_is_as_the_model_in_every_cycle(generics: dict[str, object], cycles: int) -> None:
+    env = {"CYCLES": str(cycles), "GENERICS": json.dumps(generics)}
+    run_bench("ul_lease", _BENCH, generics=generics, extra_env=env)
+
+
+@pytest.mark.parametrize("generics", [{"clock_hz": 1_000_000, "most_us": 2}, {"most_us": 21_474_837}], ids=str)
+def test_a_lease_that_nobody_could_take_or_that_never_ends_is_refused(generics: dict[str, object]) -> None:
+    env = {"CYCLES": "1", "GENERICS": json.dumps(generics)}
+    with pytest.raises(BenchError, match=f"most_us is {generics['most_us']}: what takes 3 to"):
+        run_bench("ul_lease", _BENCH, generics=generics, extra_env=env)

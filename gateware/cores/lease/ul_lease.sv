@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What ul_lease promises, for all words, e-stops and resets, and from any instant on: `armed` is '1' in those cycles,
+// and in no others, that lie behind an arm and before the end that the owner named last, until disarmed or stopped.
+// `end_at` and all beside it are a model in absolute time: the entity counts down.
+// NO_ESTOP is one without an e-stop.
+//
+// Besides: a lease lasts for less than MOST cycles behind the last word that was taken; a word of another, or with an end
+// that is past or too far ahead, changes nothing; the end of a lease never comes nearer; what falls does so in the next
+// cycle, and rises by an arm alone that was written since. The last part is what makes the proof hold without a bound.
+
+module ul_lease_properties (
+	input clk,
+	input rst,
+	input [63:0] now,
+	input [63:0] arm,
+	input arm_written,
+	input [63:0] kick,
+	input kick_written,
+	input disarm,
+	input disarm_written,
+	input estop
+);
+	localparam MOST = 6;
+	localparam DISARMED = 0, ARMED = 1, FAULT = 2;
+	localparam NONE = 0, BY_DISARM = 1, SILENCE = 2, ESTOP = 3;
+
+	wire [63:0] clock, fault_time;
+	wire armed, estop_open, enable;
+	wire [1:0] state;
+	wire [2:0] reason;
+
+	ul_lease dut (.*);
+
+	// The cycle before.
+	reg begun = 0;
+	reg was_reset, was_armed, was_open, was_disarmed;
+	reg [1:0] was_state;
+	reg [2:0] was_reason;
+	reg [63:0] was_now, was_fault_time;
+
+	// The pin in the cycle before, and in the one before that.
+	reg was_estop, estop_before, was_reset_before;
+
+	// The word that was written in the cycle before, and whether its end was near enough then.
+	reg asked, is_arm, in_reach;
+	reg [23:0] token_asked;
+	reg [39:0] end_asked;
+
+	// Of the lease: its owner and its end, as the promise has them.
+	reg [23:0] owner;
+	reg [39:0] end_at;
+
+	wire [63:0] word = arm_written ? arm : kick;
+	wire [39:0] ahead = word[39:0] - now[39:0];
+
+	// In this cycle the word before takes effect: from the next one on, if the end is behind that.
+	wire [39:0] left_asked = end_asked - now[39:0], left = end_at - now[39:0];
+	wire is_owner = token_asked == owner;
+	wire takes = asked && in_reach && !rst && !estop_open && !disarm_written &&
+		(armed ? is_owner && left_asked > left : is_arm && left_asked > 1 && left_asked <= MOST);
+	reg took, did_end;
+
+	// Cycles since the last word was written that took effect.
+	reg [3:0] since = 15;
+
+	always @(posedge clk) begin
+		begun <= 1;
+		assume (begun || rst);
+		{was_reset, was_armed, was_open, was_disarmed} <= {rst, armed, estop_open, disarm_written};
+		{was_state, was_reason, was_fault_time, was_now} <= {state, reason, fault_time, now};
+		{was_estop, estop_before, was_reset_before} <= {estop, was_estop, was_reset};
+		// A reset begins the time again, from anywhere.
+		if (begun && !was_reset)
+			assume (now == was_now + 1);
+
+		asked <= (arm_written || kick_written) && !disarm_written && !rst;
+		is_arm <= arm_written;
+		token_asked <= word[63:40];
+		end_asked <= word[39:0];
+		in_reach <= ahead > 0 && ahead <= MOST;
+
+		took <= takes;
+		did_end <= left == 1;
+		if (takes) begin
+			owner <= token_asked;
+			end_at <= end_asked;
+		end
+		// The word was written a cycle ago, and stands in the next.
+		since <= takes ? 2 : since + (since != 15);
+	end
+
+	wire fell = was_armed && !armed;
+
+	always @(posedge clk) if (begun) begin
+		assert (enable == armed);
+		assert (clock == now);
+		assert (state == (armed ? ARMED : was_reset ? DISARMED : took ? ARMED : fell && (was_open || !was_disarmed) ? FAULT :
+			fell ? DISARMED : was_state));
+
+		// In a lease, and nowhere else.
+		if (was_reset)
+			assert (!armed && reason == NONE && fault_time == 0);
+		else begin
+			assert (armed == (took || (was_armed && !was_open && !was_disarmed && !did_end)));
+			assert (reason == (!fell ? was_reason : was_open ? ESTOP : was_disarmed ? BY_DISARM : SILENCE));
+			assert (fault_time == (state == FAULT && fell ? was_now : was_fault_time));
+		end
+
+		// An end is never passed, and never more than MOST cycles behind the word that named it.
+		if (armed)
+			assert (left > 0 && left + since <= MOST);
+		if (was_open || was_disarmed)
+			assert (!armed);
+`ifdef NO_ESTOP
+		assert (!estop_open);
+`else
+		// The pin, two cycles ago; a reset stops.
+		assert (estop_open == (was_reset || !estop_before || was_reset_before));
+`endif
+		// Where it falls by itself, in the very cycle of the end.
+		if (fell && state == FAULT && reason == SILENCE && !was_reset)
+			assert (now[39:0] == end_at);
+
+		cover (armed && left == MOST - 2);
+		cover (fell && reason == SILENCE && since == MOST);
+`ifndef NO_ESTOP
+		cover (fell && reason == ESTOP);
+`endif
+		cover (fell && state == DISARMED && !was_reset);
+		// A kick moves the end, in the last cycle in which it can.
+		cover (took && was_armed && did_end && armed);
+		// A word of another, one that would shorten, one that is too late.
+		cover (asked && armed && in_reach && !is_owner && left_asked > left && !takes);
+		cover (asked && armed && in_reach && is_owner && left_asked < left);
+		cover (asked && !armed && is_arm && in_reach && left_asked == 1 && !estop_open && !disarm_written);
+		// A lease across the end of the 40 bits.
+		cover (armed && now[39:0] == 0 && !took);
+		cover (took && was_state == FAULT);
+	end
+
+	(* hierconn *) wire [2:0] \dut.all_axes_n1_left ;
+	(* hierconn *) wire [23:0] \dut.all_axes_n1_token ;
+
+	always @(posedge clk) if (begun) begin
+		assert (state != 3);
+		assert (\dut.all_axes_n1_left == (armed ? left + 1 : 2));
+		if (armed)
+			assert (\dut.all_axes_n1_token == owner);
+	end
+endmodule

@@ -1,0 +1,245 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
+-- A lease: outputs may be on for as long as one owner says so, and no longer than to the end that it named last.
+--
+-- The owner arms with a token and an end, an instant of the gateway, and moves the end by kicks with the same token.
+-- An end is absolute, so a word that waited or is sent again prolongs nothing. Time counts modulo 2 ** 40: an end in
+-- the past is far ahead, and refused as what is further ahead than `most` cycles is.
+--
+-- A word takes two cycles, which make no lease longer: the first subtracts, so that `ahead` is the time from the cycle
+-- in which it stands to the end; in the second it is compared and goes into `left`, which counts down. While armed,
+-- `left` is one more than the cycles to the end; where it is `least`, the next cycle is the end. It is `least` while
+-- nothing is armed, too, so that one comparison refuses a kick that would shorten a lease, and an arm whose end comes
+-- before it takes effect. No wrong bit in `left` or `now` makes a lease longer than the range of `left`.
+
+library ieee;
+  use ieee.std_logic_1164.all;
+  use ieee.numeric_std.all;
+
+library work;
+  use work.ul_math_pkg.all;
+
+entity ul_lease is
+  generic (
+    -- At least 1: leases, which know nothing of each other.
+    axes : positive := 1;
+    -- At least 1: Hz of clk.
+    clock_hz : positive := 50_000_000;
+    -- What takes 3 to 2 ** 30 cycles, a part of one counted as one: us that an end may be ahead.
+    most_us : positive := 100_000;
+    -- False: there is no e-stop, and `estop` is not looked at.
+    estop_used : boolean := true
+  );
+  port (
+    -- Rising edges count.
+    clk : in    std_logic;
+    -- Synchronous, active high, for one cycle or more; it disarms.
+    rst : in    std_logic;
+    -- Cycles of clk, as the gateway counts them.
+    now : in    std_logic_vector(63 downto 0);
+    -- Token of the owner (bits 63 to 40), and the end of the lease (bits 39 to 0): an instant of now, modulo 2 ** 40.
+    arm : in    std_logic_vector(axes * 64 - 1 downto 0);
+    -- '1' for one cycle: arm is meant.
+    arm_written : in    std_logic_vector(axes - 1 downto 0);
+    -- The same for a lease that has begun.
+    kick : in    std_logic_vector(axes * 64 - 1 downto 0);
+    -- '1' for one cycle: kick is meant, unless an arm is in the same one.
+    kick_written : in    std_logic_vector(axes - 1 downto 0);
+    -- Now, for who reads the registers.
+    clock : out   std_logic_vector(axes * 64 - 1 downto 0);
+    -- Of the last fault: now in the last cycle in which armed was '1'.
+    fault_time : out   std_logic_vector(axes * 64 - 1 downto 0);
+    -- '1' while the lease lasts.
+    armed : out   std_logic_vector(axes - 1 downto 0);
+    -- 0: disarmed; 1: armed; 2: fault, until an arm.
+    state : out   std_logic_vector(axes * 2 - 1 downto 0);
+    -- Of the last time that armed fell. 0: none since the reset; 1: disarmed; 2: silence, the end came; 3: e-stop.
+    reason : out   std_logic_vector(axes * 3 - 1 downto 0);
+    -- '1': the e-stop stops.
+    estop_open : out   std_logic_vector(axes - 1 downto 0);
+    -- Not needed: any write disarms.
+    disarm : in    std_logic_vector(axes - 1 downto 0) := (others => '0');
+    -- '1' for one cycle: armed is '0' from the next one on, and an arm or a kick of this cycle or before is void.
+    disarm_written : in    std_logic_vector(axes - 1 downto 0);
+    -- '1' in the same cycles as armed.
+    enable : out   std_logic_vector(axes - 1 downto 0);
+    -- '0' stops, '1' lets run. Clock: none.
+    estop : in    std_logic_vector(axes - 1 downto 0) := (others => '1')
+  );
+end entity ul_lease;
+
+architecture rtl of ul_lease is
+
+  -- Nearest number, for what is allowed; what is not ends with the sentence of its assertion, not before.
+  function cycles_of (cycles : real) return positive is
+  begin
+
+    if cycles < 3.0 or cycles > 2.0 ** 30 then
+      return 3;
+    end if;
+    return integer(cycles);
+
+  end function cycles_of;
+
+  constant time_bits  : positive := 40;
+  constant token_bits : positive := 64 - time_bits;
+
+  -- Cycles that an end may be ahead, rounded up.
+  constant cycles : real     := real(most_us) * real(clock_hz) / 1.0e6;
+  constant most   : positive := cycles_of(cycles + 0.499_999);
+  constant least  : positive := 2;
+
+  constant reason_none     : std_logic_vector(1 downto 0) := "00";
+  constant reason_disarmed : std_logic_vector(1 downto 0) := "01";
+  constant reason_silence  : std_logic_vector(1 downto 0) := "10";
+  constant reason_estop    : std_logic_vector(1 downto 0) := "11";
+
+  subtype instant_t is unsigned(time_bits - 1 downto 0);
+
+  subtype token_t is std_logic_vector(token_bits - 1 downto 0);
+
+  subtype left_t is unsigned(log2_ceil(most) - 1 downto 0);
+
+  signal stops : std_logic_vector(axes - 1 downto 0);
+
+begin
+
+  assert cycles > 2.0 and cycles <= 2.0 ** 30
+    report "ul_lease: most_us is " & integer'image(most_us) & ": what takes 3 to 2 ** 30 cycles of a clock of "
+           & integer'image(clock_hz) & " Hz was expected"
+    severity failure;
+
+  with_estop : if estop_used generate
+
+    signal is_cut : std_logic_vector(axes - 1 downto 0);
+
+  begin
+
+    is_cut <= not estop;
+
+    estop_crossing : entity work.ul_synchroniser
+      generic map (
+        width => axes,
+        idle  => '1'
+      )
+      port map (
+        clk => clk,
+        rst => rst,
+        d   => is_cut,
+        q   => stops
+      );
+
+  end generate with_estop;
+
+  without_estop : if not estop_used generate
+
+    stops <= (others => '0');
+
+  end generate without_estop;
+
+  estop_open <= stops;
+
+  all_axes : for axis in 0 to axes - 1 generate
+
+    signal given       : std_logic_vector(63 downto 0);
+    signal is_asked    : std_logic;
+    signal is_arm      : std_logic;
+    signal token_asked : token_t;
+    signal ahead       : instant_t;
+    signal token       : token_t;
+    signal left        : left_t;
+    signal is_near     : std_logic;
+    signal is_later    : std_logic;
+    signal may_ask     : std_logic;
+    signal takes       : std_logic;
+    signal falls       : std_logic;
+
+    signal is_fault : std_logic;
+    signal why      : std_logic_vector(1 downto 0);
+    signal fell_at  : std_logic_vector(63 downto 0);
+
+    -- Nothing is armed between configuration and reset, either.
+    -- vsg_off signal_007
+    signal is_armed : std_logic := '0';
+  -- vsg_on signal_007
+
+  begin
+
+    given <= arm(64 * axis + 63 downto 64 * axis) when arm_written(axis) = '1' else
+             kick(64 * axis + 63 downto 64 * axis);
+
+    -- From the next cycle on to the end: one less than from this one on.
+    subtract : process (clk) is
+    begin
+
+      if rising_edge(clk) then
+        is_asked    <= (arm_written(axis) or kick_written(axis)) and not disarm_written(axis);
+        is_arm      <= arm_written(axis);
+        token_asked <= given(63 downto time_bits);
+        ahead       <= unsigned(given(time_bits - 1 downto 0)) + not unsigned(now(time_bits - 1 downto 0));
+        if rst = '1' then
+          is_asked <= '0';
+        end if;
+      end if;
+
+    end process subtract;
+
+    is_near  <= '1' when ahead < most else
+                '0';
+    is_later <= '1' when ahead(left'range) >= left else
+                '0';
+    may_ask  <= is_arm when is_armed = '0' else
+                '1' when token_asked = token else
+                '0';
+    takes    <= is_asked and may_ask and is_near and is_later and not stops(axis) and not disarm_written(axis);
+    falls    <= '1' when stops(axis) = '1' or disarm_written(axis) = '1' or left <= least else
+                '0';
+
+    lease : process (clk) is
+    begin
+
+      if rising_edge(clk) then
+        left <= to_unsigned(least, left'length);
+        if takes = '1' then
+          is_armed <= '1';
+          is_fault <= '0';
+          token    <= token_asked;
+          left     <= ahead(left'range);
+        elsif is_armed = '1' and falls = '0' then
+          left <= left - 1;
+        elsif is_armed = '1' then
+          is_armed <= '0';
+          if stops(axis) = '1' then
+            is_fault <= '1';
+            why      <= reason_estop;
+            fell_at  <= now;
+          elsif disarm_written(axis) = '1' then
+            why <= reason_disarmed;
+          else
+            is_fault <= '1';
+            why      <= reason_silence;
+            fell_at  <= now;
+          end if;
+        end if;
+
+        if rst = '1' then
+          is_armed <= '0';
+          is_fault <= '0';
+          why      <= reason_none;
+          fell_at  <= (others => '0');
+          left     <= to_unsigned(least, left'length);
+        end if;
+      end if;
+
+    end process lease;
+
+    armed(axis)                                 <= is_armed;
+    enable(axis)                                <= is_armed;
+    state(2 * axis + 1 downto 2 * axis)         <= is_fault & is_armed;
+    reason(3 * axis + 2 downto 3 * axis)        <= '0' & why;
+    fault_time(64 * axis + 63 downto 64 * axis) <= fell_at;
+    clock(64 * axis + 63 downto 64 * axis)      <= now;
+
+  end generate all_axes;
+
+end architecture rtl;
