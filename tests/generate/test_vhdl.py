@@ -25,7 +25,7 @@ from unity_link.gateware import yowasp
 from unity_link.gateware.cache import LIBRARY, cache_folder, hash_of, kept, vhdl_sources
 from unity_link.gateware.convert import to_verilog
 from unity_link.generate import generate, write
-from unity_link.generate.verilog.flat import flat_ports
+from unity_link.generate.verilog.flat import MEDIA, flat_ports
 from unity_link.generate.vhdl import check_whole, gateway_generics, left_open
 from unity_link.generate.vhdl.bank import Bank
 from unity_link.generate.vhdl.layout import align
@@ -318,7 +318,7 @@ def test_who_gets_no_whole_design_is_told_why(tmp_path: Path) -> None:
 
 
 def test_no_port_of_a_netlist_hides_a_function_of_the_package_or_a_library() -> None:
-    ports = {port.name for port in flat_ports(Bank(SPECS["hidden names"].interface()))}
+    ports = {port.name for port in flat_ports(Bank(SPECS["hidden names"].interface()), MEDIA)}
     assert {"to_bits_2", "to_mode_2", "work_2", "ieee_2"} <= ports
     assert ports.isdisjoint({"to_bits", "to_mode", "work", "ieee"})
 

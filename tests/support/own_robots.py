@@ -1,6 +1,6 @@
 """Robots of the examples as a user would simulate them, and where they are: for what is to run on a robot of one's own.
 
-Their joints begin to move by themselves. The gateware of the walker comes with the package.
+Their joints begin to move by themselves, as far as nobody has told them where to.
 """
 
 from __future__ import annotations
@@ -42,15 +42,17 @@ class Jointed(SimulatedRobot):
         raise NotImplementedError
 
     def start(self) -> None:
-        for joint in self.joints():
-            joint.pos_sp = 1
-            joint.spd_sp = 2
+        self.told = False
 
     def step(self, dt: float) -> None:
         for joint in self.joints():
-            rest = joint.pos_sp - joint.cpos
-            joint.cpos += max(-joint.spd_sp * dt, min(joint.spd_sp * dt, rest))
-            joint.spd = joint.spd_sp if rest else 0
+            rest = (joint.pos_sp if self.told else 1) - joint.cpos
+            speed = joint.spd_sp or 2
+            joint.cpos += max(-speed * dt, min(speed * dt, rest))
+            joint.spd = speed if rest else 0
+
+    def written(self, path: str, value: float) -> None:
+        self.told = True
 
 
 class Scara(Jointed):

@@ -1,4 +1,4 @@
-"""The compiled gateware of a spec: its configuration is that of the generated VHDL, and so is what it refuses."""
+"""The compiled gateware of a spec: it is the generated VHDL, registers and all, with a model behind its ports."""
 
 from __future__ import annotations
 
@@ -17,10 +17,12 @@ from support.bridge_programs import PROGRAM
 from support.simulated_time import on_simulated_time
 from unity_link.errors import ArgumentError, UnsupportedError
 from unity_link.protocol.configuration import Feature
+from unity_link.protocol.messages import GroupFlag
 from unity_link.spec import compile_file, compile_text
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.build import simulate
 from unity_link.virtual.rtl import configurations
+from unity_link.virtual.rtl.making import origin
 from unity_link.virtual.rtl.specs import configuration_of, configuration_of_node
 from unity_link.virtual.shared_line import build_shared_line
 from unity_link.virtual.simulated import SimulatedRobot
@@ -28,6 +30,7 @@ from unity_link.virtual.simulated import SimulatedRobot
 EXAMPLES = Path(__file__).parents[2] / "examples"
 ROVER, WALKER = EXAMPLES / "rover.ul", EXAMPLES / "walker.ul"
 MODEL = f"{EXAMPLES / 'rover.py'}:Rover"
+Rover = unity_link.load(ROVER)
 Walker = unity_link.load(WALKER)
 
 pytestmark = pytest.mark.rtl
@@ -58,10 +61,18 @@ def test_that_of_a_node_is_what_the_model_of_one_is() -> None:
     assert Feature.HALF_DUPLEX in build.info.features
 
 
-def test_that_of_the_walker_comes_with_the_package() -> None:
+def test_that_of_the_walker_is_the_gateway_that_comes_with_the_package_with_its_registers() -> None:
     build = configuration_of(compile_file(WALKER).interface(), {}, None)
-    assert build is configurations()["walker"]
-    assert build.info.group_words == 36
+    assert build.info == configurations()["walker"].info
+    assert build.design is not None
+    assert build.design.top == "walker_flat"
+    assert build.design.masters == (("elsewhere", 0),)
+
+
+def test_doc_comments_and_places_of_a_spec_are_no_reason_to_build_it_anew(tmp_path: Path) -> None:
+    (tmp_path / "moved.ul").write_text("// Something else.\n" + ROVER.read_text())
+    built = [configuration_of(compile_file(path).interface(), {}, None) for path in (ROVER, tmp_path / "moved.ul")]
+    assert origin({}, built[0].design) == origin({}, built[1].design)
 
 
 @pytest.mark.parametrize(
@@ -69,7 +80,8 @@ def test_that_of_the_walker_comes_with_the_package() -> None:
     [
         ({"clock_hz": 1_000_000}, "leaves 10 cycles of a clock of 1000000 Hz, and 16 groups take 24: at most 41666 Hz"),
         ({"group_words": 255}, "sample_depth is 256, and one sample of a group of 255 words takes 257: at least 512"),
-        ({"data_bits": 65}, "data_bits is 65: 8 to 64 was expected"),
+        ({"data_bits": 64}, r"data_bits is 64: the register bank of rover has the 32 of its spec; GATEWAY"),
+        ({"address_bits": 9}, "address_bits is 9: the register bank of rover has the 8 of its spec"),
         ({"receive_fifo_bytes": 100}, "rx_fifo_depth is 100: a power of two was expected"),
         ({"transmit_fifo_bytes": 0x10000}, "tx_fifo_depth is 65536: at most 32768 was expected"),
         ({"crc_bits": 8, "crc_polynomial": 0x1021}, "crc_polynomial is 0x1021: that of a CRC of 8 bits was expected"),
@@ -200,7 +212,206 @@ async def test_no_memory_stands_for_logic_that_the_gateware_does_not_have(kind: 
         assert await link.read(0x20) == 5
 
 
-@pytest.mark.parametrize("declared", ["pool: MEMORY(BASE=0, SIZE=4)", "queue: FIFO(BASE=0)", "TOSNET(BASE=0)"])
-def test_memory_and_queues_are_behind_the_gateware(declared: str, tmp_path: Path) -> None:
-    (tmp_path / "robot.ul").write_text(f"public robot() {{ {declared}; }}\n")
-    simulate(tmp_path / "robot.ul", rtl=True)
+@on_simulated_time
+async def test_memory_and_queues_are_behind_the_ports_of_the_gateware(tmp_path: Path) -> None:
+    spec = tmp_path / "robot.ul"
+    spec.write_text(
+        "public robot() { @a = 0x30: READWRITE(); pool: MEMORY(BASE=0x10, SIZE=4); queue: FIFO(BASE=0x20, WORDS=2);\n"
+        "node: TOSNET(BASE=0x80); }\n"
+    )
+    gateway = simulate(spec, rtl=True)
+    async with unity_link.connect(gateway) as link:
+        await link.write_block(0x10, [1, 2, 3, 4])
+        assert (await link.read_block(0x10, 4)).tolist() == [1, 2, 3, 4]
+        await link.write_queue(0x20, [5, 6])
+        with pytest.raises(unity_link.BusError):
+            await link.write(0x20, 7)
+        assert (await link.read_queue(0x20, 2)).tolist() == [5, 6]
+        await link.write(0x85, 9)
+        assert await link.read(0x85) == 9
+        with pytest.raises(unity_link.BusError):
+            await link.read(0x40)
+        gateway.attach(Counting(), [0x40, 0x41])
+        assert [await link.read(0x41), await link.read(0x41), await link.read(0x40)] == [1, 2, 3]
+        with pytest.raises(unity_link.BusError):
+            await link.read(0x42)
+        with pytest.raises(ArgumentError, match="0x30, where the register bank of robot has a: an address without"):
+            gateway.attach(Counting(), [0x30])
+
+
+class Counting:
+    """Counts its reads."""
+
+    def __init__(self) -> None:
+        self.count = 0
+
+    def read(self, offset: int, now: float) -> int:
+        self.count += 1
+        return self.count
+
+    def write(self, offset: int, value: int, now: float) -> None:
+        raise NotImplementedError
+
+
+class Told(SimulatedRobot):
+    """Keeps what it is told, and when; what it sees of the left wheel is as old as its last step."""
+
+    left: Any
+    log: Any
+
+    def start(self) -> None:
+        self.told: list[tuple[str, Any, float]] = []
+        self.battery = 12.5
+
+    def step(self, dt: float) -> None:
+        self.left.position += dt
+        self.hits = round(self.now * 1000)
+        if self.hits == 20:
+            self.trigger("bump")
+
+    def written(self, path: str, value: Any) -> None:
+        self.told.append((path, value, self.now))
+        if path == "lamps":
+            self.log.put(value)
+
+
+@on_simulated_time
+async def test_a_program_and_a_model_meet_at_the_ports_of_the_register_bank() -> None:
+    gateway = simulate(ROVER, Told, rtl=True)
+    async with unity_link.connect(gateway) as link:
+        rover, model = Rover(link), gateway.robot
+        assert await rover.battery.get() == 12.5
+        await rover.left.duty.set(-0.5)
+        # The gateware has no limits.
+        await link.write(0x31, 200)
+        assert [(path, value) for path, value, _ in model.told] == [("left.duty", -1024 / 2047), ("lamps", 200)]
+        assert (model.left.duty, model.lamps, model.right.duty) == (-1024 / 2047, 200, 0)
+        assert await rover.log.get() == 200
+        with pytest.raises(unity_link.BusError):
+            await rover.log.get()
+        async with rover.groups["bump"].subscribe() as samples:
+            await asyncio.sleep(0.1)
+            batch = await samples.take()
+        # The group is as it was in the step that fired its trigger, although time was skipped.
+        assert batch["hits"].tolist() == [20]
+        assert await rover.left.position.get() == pytest.approx(model.now, abs=0.002)
+        async with rover.groups["motion"].subscribe() as samples:
+            await asyncio.sleep(0.1)
+            moved = (await samples.take())["left.position"].tolist()
+        assert [round(step, 3) for step in map(float.__sub__, moved[1:], moved)] == [0.01] * (len(moved) - 1)
+        gateway.reset()
+        assert (model.left.duty, model.lamps) == (0, 0)
+
+
+@on_simulated_time
+async def test_faults_of_signals_are_those_that_gateware_can_have() -> None:
+    gateway = simulate(ROVER, Told, rtl=True)
+    async with unity_link.connect(gateway) as link:
+        rover, model = Rover(link), gateway.robot
+        model.set_fault("left.position", "frozen")
+        before = await rover.left.position.get()
+        await asyncio.sleep(1)
+        assert await rover.left.position.get() == before
+        model.set_fault("left.position", on=False)
+        assert await rover.left.position.get() > before + 0.9
+        for path, how in (("battery", "error"), ("battery", "timeout"), ("lamps", "frozen"), ("log", "error")):
+            with pytest.raises(ArgumentError, match=f"^{path} cannot have the fault {how}, as the compiled"):
+                model.set_fault(path, how)  # type: ignore[arg-type]
+    with pytest.raises(ArgumentError, match="battery cannot have the fault timeout"):
+        await unity_link.connect(f"rtl:{ROVER}?fault=battery:timeout")
+
+
+class Presumptuous(SimulatedRobot):
+    """Sets what only programs write."""
+
+    def start(self) -> None:
+        self.lamps = 3
+
+
+class Later(Presumptuous):
+    """Does so in a step."""
+
+    def start(self) -> None:
+        pass
+
+    def step(self, dt: float) -> None:
+        self.lamps = 3
+
+
+@on_simulated_time
+async def test_a_model_does_not_set_what_programs_write(caplog: pytest.LogCaptureFixture) -> None:
+    words = "lamps is READWRITE, and its register in the gateware changes with the writes of programs alone"
+    with pytest.raises(ArgumentError, match=words):
+        simulate(ROVER, Presumptuous, rtl=True)
+    async with unity_link.connect(simulate(ROVER, Later, rtl=True)) as link:
+        await asyncio.sleep(0.1)
+        assert await Rover(link).lamps.get() == 0
+    assert "failed 0.001 s after its start: nothing moves from now on" in caplog.text
+    assert words in str(caplog.records[-1].exc_info)
+
+
+class Faulty(Told):
+    """Has a bug."""
+
+    def written(self, path: str, value: Any) -> None:
+        raise ZeroDivisionError
+
+
+@on_simulated_time
+async def test_a_bug_in_a_model_is_in_the_log_and_registers_go_on(caplog: pytest.LogCaptureFixture) -> None:
+    async with unity_link.connect(simulate(ROVER, Faulty, rtl=True)) as link:
+        for lamps in (1, 2):
+            await Rover(link).lamps.set(lamps)
+            assert await Rover(link).lamps.get() == lamps
+    assert [record.getMessage() for record in caplog.records if "failed in written" in record.getMessage()] == [
+        "<Faulty of rover> failed in written('lamps'), which changes nothing in the gateware (told once)"
+    ]
+
+
+@on_simulated_time
+async def test_ports_are_looked_at_driven_and_counted_in_each_clock_cycle() -> None:
+    gateway = simulate(ROVER, rtl=True)
+    bare: Any = gateway._gateway
+    ports = gateway.ports
+    assert {name: (port.is_input, port.width) for name, port in ports.items() if name.startswith("left")} == {
+        "left_duty": (False, 12),
+        "left_duty_written": (False, 1),
+        "left_position": (True, 32),
+        "left_speed": (True, 32),
+    }
+    with pytest.raises(ArgumentError, match="left_duty is an output of the gateware"):
+        ports["left_duty"].drive(0)
+    with pytest.raises(ArgumentError, match="left_speed is driven to 0x100000000: 32 bits were expected"):
+        ports["left_speed"].drive(1 << 32)
+    duty, written = ports["left_duty"], ports["left_duty_written"]
+    assert set(duty.take_counts() + written.take_counts()) == {(0, 0)}
+    async with unity_link.connect(gateway) as link:
+        for word in (0x001, 0x801, 0x801):
+            await link.write(0x12, word)
+        assert duty.value == 0x801
+        assert written.take_counts() == [(3, 6)]
+        counts = duty.take_counts()
+        assert [count.edges for count in counts] == [1, *[0] * 10, 1]
+        assert counts[0].high > counts[11].high > counts[1].high == 0
+        # Inputs that are set for a cycle to come are set in that.
+        seen = []
+        bare.watch(lambda: seen.append((bare.cycles, ports["left_speed"].value)), ports["right_speed"])
+        begin = bare.cycles + 100
+        for step in range(5):
+            ports["left_speed"].drive(step, begin + step)
+        ports["right_speed"].drive(1, begin)
+        ports["right_speed"].drive(0, begin + 5)
+        bare.run(200)
+        assert seen == [(begin + step, step) for step in range(5)]
+        assert await link.read(0x10) == 4
+
+
+def test_time_in_which_nothing_happens_is_skipped_and_counts() -> None:
+    gateway = simulate(ROVER, rtl=True)
+    gateway.receive(f"GS01{int(GroupFlag.TIMESTAMP):02X}00010110\r".encode(), 0.0)
+    stamps = [int(gateway.receive(b"GP01\r", now).partition(b"P01")[2][2:10], 16) for now in (1.0, 3600.0)]
+    assert stamps[1] - stamps[0] == pytest.approx(3599 * gateway.info.clock_hz % (1 << 32), abs=1000)
+
+
+def test_a_model_of_a_gateway_has_no_ports() -> None:
+    assert simulate(ROVER).ports == {}

@@ -103,21 +103,22 @@ def core_sources() -> list[Path]:
     return [source for folder in core_folders() for source in sorted(folder.glob("ul_*.vhd"))]
 
 
-def sources_for(top: str, sources: Iterable[Path] = (), pads: str | None = None) -> list[Path]:
+def sources_for(top: str, sources: Iterable[Path | str] = (), pads: str | None = None) -> list[Path]:
     """Return what a design needs of `vhdl_sources`: of the cores only those that it names.
 
     So a change of a core leaves alone what is kept of a design without it.
 
     Args:
         top: name of the entity.
-        sources: VHDL files of the design beside those of the gateware.
+        sources: VHDL files of the design beside those of the gateware, or their texts.
         pads: as in `vhdl_sources`.
 
     Raises:
         ToolMissingError: where an installation has none.
     """
     cores = {folder: [source.stem for source in sorted(folder.glob("ul_*.vhd"))] for folder in core_folders()}
-    named = set(re.findall(r"\bul_\w+", "\n".join([top, *(source.read_text().lower() for source in sources)])))
+    texts = (source if isinstance(source, str) else source.read_text() for source in sources)
+    named = set(re.findall(r"\bul_\w+", "\n".join([top, *texts]).lower()))
     needed = {folder for folder, entities in cores.items() if named & set(entities)}
     return [source for source in vhdl_sources(pads) if source.parent not in cores or source.parent in needed]
 

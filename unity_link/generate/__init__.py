@@ -95,12 +95,18 @@ def _environment(target: str, filters: tuple[tuple[str, Callable[..., Any]], ...
 
 
 class Templates:
-    """The templates of a target, ``NAME.jinja`` in its folder."""
+    """The templates of a target, ``NAME.jinja`` in its folder.
 
-    def __init__(self, target: str, spec: Spec, filters: Mapping[str, Callable[..., Any]]) -> None:
+    Args:
+        target: one of `TARGETS`.
+        spec: that the files name as their origin; None: they name none.
+        filters: of the target.
+    """
+
+    def __init__(self, target: str, spec: Spec | None, filters: Mapping[str, Callable[..., Any]]) -> None:
         self._environment = _environment(target, tuple(filters.items()))
         self._spec = spec
-        self.origin = _origin(target, spec)
+        self.origin = () if spec is None else _origin(target, spec)
         """Lines that name the sources, for the comment at the top of each file."""
 
     def render(self, name: str, **values: Any) -> str:

@@ -234,7 +234,7 @@ def simulated(
     wanted = Wanted() if wanted is None else wanted
     robot = make_robot(interface, model)
     if wanted.rtl:
-        bare = _compiled(wanted)
+        bare = _compiled_of(interface, wanted)
     else:
         bare = VirtualGateway(_info(wanted.configuration, info_of(generics_of(interface))), node=wanted.node)
     gateway = SimulatedGateway(bare, robot)
@@ -316,6 +316,20 @@ def _compiled(wanted: Wanted) -> BareGateway:
     return RtlGateway(made(_build_of(wanted)))
 
 
+def _compiled_of(interface: Interface, wanted: Wanted) -> BareGateway:
+    from unity_link.virtual.rtl.spec_gateway import SpecGateway
+    from unity_link.virtual.rtl.specs import made
+
+    return SpecGateway(made(_build_of_spec(interface, wanted)), interface)
+
+
+def _build_of_spec(interface: Interface, wanted: Wanted) -> Configuration:
+    from unity_link.virtual.rtl.specs import configuration_of
+
+    _check_modules(interface)
+    return configuration_of(interface, wanted.configuration, wanted.node)
+
+
 def _compiled_default() -> GatewayInfo:
     from unity_link.virtual.rtl.configurations import DEFAULT, find
 
@@ -340,11 +354,7 @@ def _build_of(wanted: Wanted) -> Configuration:
     from unity_link.virtual.rtl.configurations import choose, configurations
 
     if wanted.has_spec:
-        from unity_link.virtual.rtl.specs import configuration_of
-
-        interface = find_interface(wanted.robot, wanted.interface)
-        _check_modules(interface)
-        return configuration_of(interface, dict(wanted.configuration), wanted.node)
+        return _build_of_spec(find_interface(wanted.robot, wanted.interface), wanted)
     own = configurations().get(wanted.robot)
     if own is not None and not wanted.configuration and wanted.node is None:
         return own

@@ -10,13 +10,15 @@ from __future__ import annotations
 
 import logging
 from collections import deque
-from typing import TYPE_CHECKING, Literal, get_args
+from typing import TYPE_CHECKING, Literal, Protocol, get_args
 
 from unity_link.errors import ArgumentError
 from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual.bus import AccessError
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from unity_link.spec import Interface, ModuleSpec, Signal, Value
 
 SignalFault = Literal["error", "timeout", "frozen"]
@@ -25,6 +27,24 @@ SIGNAL_FAULTS: tuple[str, ...] = get_args(SignalFault)
 DEFAULT_DEPTH = 1024
 """Words of a queue whose depth the spec does not tell."""
 _LOG = logging.getLogger("unity_link.virtual")
+
+
+class Wire(Protocol):
+    """Port of a signal in compiled gateware, which a model drives."""
+
+    def drive(self, cell: Cell, raw: int) -> None:
+        """Take the bits of a value of the model.
+
+        Raises:
+            ArgumentError: for a signal that hardware does not give.
+        """
+
+    def set_fault(self, cell: Cell, fault: SignalFault | None) -> None:
+        """Begin or end a fault.
+
+        Raises:
+            ArgumentError: for one that gateware cannot have.
+        """
 
 
 class Queue:
@@ -40,6 +60,8 @@ class Queue:
         self.depth = signal.fifo_words or DEFAULT_DEPTH
         self.to_program: deque[int] = deque()
         self.from_program = self.to_program if loops_back else deque[int]()
+        self.changed: Callable[[], object] | None = None
+        """Called when the model has put or taken a value."""
 
     def __len__(self) -> int:
         """Return how many values of the program wait."""
@@ -51,17 +73,27 @@ class Queue:
         if len(self.to_program) >= self.depth:
             return False
         self.to_program.append(word)
+        if self.changed is not None:
+            self.changed()
         return True
 
     def take(self) -> Value | None:
         """Take the oldest value that the program has written; None where there is none."""
-        return self._signal.kind.decode(self.from_program.popleft()) if self.from_program else None
+        if not self.from_program:
+            return None
+        taken = self._signal.kind.decode(self.from_program.popleft())
+        if self.changed is not None:
+            self.changed()
+        return taken
 
 
 class Cell:
     """A signal: its value, as a model sees it, and the bits that stand on the bus."""
 
-    __slots__ = ("_bounds", "_gathered", "_kept", "_next_part", "fault", "frozen", "queue", "raw", "signal", "value")
+    __slots__ = (
+        *("_bounds", "_gathered", "_kept", "_next_part"),
+        *("fault", "frozen", "queue", "raw", "signal", "value", "wire"),
+    )
 
     def __init__(self, signal: Signal, *, loops_back: bool) -> None:
         self.signal = signal
@@ -70,22 +102,34 @@ class Cell:
         self.queue = Queue(signal, loops_back=loops_back and signal.access.reads) if signal.fifo else None
         self.fault: SignalFault | None = None
         self.frozen = 0
+        self.wire: Wire | None = None
         self._gathered = [0] * signal.words
-        self._kept, self._next_part = 0, 0
+        self._kept, self._next_part = 0, (0, 0.0)
         self._bounds = _bound(signal, signal.minimum), _bound(signal, signal.maximum)
 
     def set(self, value: Value | str) -> None:
         """Set its value; the rest of a float between two values of the register is kept.
 
         Raises:
-            ArgumentError: for a value that its kind cannot say.
+            ArgumentError: for a value that its kind cannot say, and in gateware for what hardware does not give.
         """
-        self.raw = _encoded(self.signal, value)
+        raw = _encoded(self.signal, value)
+        if self.wire is not None:
+            self.wire.drive(self, raw)
         kind = self.signal.kind
-        self.value = float(value) if kind.is_float else kind.decode(self.raw)
+        self.raw, self.value = raw, float(value) if kind.is_float else kind.decode(raw)
 
-    def read(self, part: int) -> int:
+    def take(self, raw: int) -> None:
+        """Take the bits that stand on the bus."""
+        self.raw = raw
+        self.value = self.signal.kind.decode(raw)
+
+    def read(self, part: int, now: float) -> int:
         """Return what one of its words has of it, at its place in the word.
+
+        Args:
+            part: which of its words.
+            now: the time of the access, which all words of a transaction have in common.
 
         Raises:
             AccessError: of a fault, and where its queue is empty.
@@ -98,8 +142,8 @@ class Cell:
         raw = self.frozen if self.fault == "frozen" else self.raw
         if self.signal.words > 1:
             # The other words follow the first in the same transaction.
-            self._kept = self._kept if part and part == self._next_part else raw
-            self._next_part = part + 1
+            self._kept = self._kept if part and (part, now) == self._next_part else raw
+            self._next_part = part + 1, now
             raw = self._kept
         return raw << self.signal.lowest_bit >> part * self.signal.word_bits & self.signal.mask_at(
             self.signal.address + part
@@ -129,8 +173,7 @@ class Cell:
         if part < self.signal.words - 1:
             self._gathered[part] = word
             return False
-        self.raw = self._raw_with(part, word)
-        self.value = self.signal.kind.decode(self.raw)
+        self.take(self._raw_with(part, word))
         return True
 
     def _raw_with(self, part: int, word: int) -> int:
@@ -187,10 +230,12 @@ class Registers:
         if fault is not None and fault not in SIGNAL_FAULTS:
             raise ArgumentError(f"{fault!r} is no fault of a signal: one of {', '.join(SIGNAL_FAULTS)} was expected")
         cell = self.cells[path]
+        if cell.wire is not None:
+            cell.wire.set_fault(cell, fault)
         cell.fault, cell.frozen = fault, cell.raw
 
-    def read(self, address: int) -> int:
-        """Read the word at an address.
+    def read(self, address: int, now: float = 0.0) -> int:
+        """Read the word at an address, at a time.
 
         Raises:
             AccessError: where it can't be read.
@@ -200,7 +245,7 @@ class Registers:
             return self._read_module(address)
         word = 0
         for cell, part in cells:
-            word |= cell.read(part)
+            word |= cell.read(part, now)
         return word
 
     def write(self, address: int, word: int) -> list[Cell]:

@@ -31,6 +31,8 @@ from unity_link.virtual.bus import AccessError
 from unity_link.virtual.registers import SIGNAL_FAULTS, Registers
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
+
     from unity_link.spec import ComponentSpec, Interface, Value
     from unity_link.virtual.registers import Cell, SignalFault
 
@@ -39,6 +41,8 @@ MOST_AT_ONCE = 10.0
 """Seconds of the robot's time that pass in one access at most; what is more is left out."""
 LONGEST_TURN = 0.25
 """Seconds that a robot which is slower than time may take for one access."""
+LONGEST_UNSEEN = 0.001
+"""Seconds between two steps of a robot without a step size of which hardware sees each instant."""
 _SLACK = 1e-9
 
 
@@ -146,6 +150,8 @@ class SimulatedRobot(Part):
     _steps: int
     refusal: str
     """The reason why it refuses each access, which is that `step` has failed; empty while it has not."""
+    is_wired: bool
+    """True if compiled gateware answers the bus: then a program does not see that `step` has failed."""
     _told_late: bool
 
     def __new__(cls, interface: Interface, *_: Any) -> Self:
@@ -160,6 +166,7 @@ class SimulatedRobot(Part):
         robot._began = None
         robot._steps = 0
         robot.refusal = ""
+        robot.is_wired = False
         robot._told_late = False
         robot._fill(robot, interface.root)
         return robot
@@ -259,17 +266,34 @@ class SimulatedRobot(Part):
             return None
         return self._last + max(self.step_seconds, 0.01)
 
+    @property
+    def due(self) -> float | None:
+        """Instant of the next step; None where no step is to come."""
+        if self.refusal or self._began is None or not self._moves:
+            return None
+        if self.step_seconds is None:
+            return self._last + LONGEST_UNSEEN
+        return self._began + (self._steps + 1) * self.step_seconds
+
+    @property
+    def cells(self) -> Mapping[str, Cell]:
+        """Its signals by their paths in the spec."""
+        return self._registers.cells
+
     def read(self, offset: int, now: float) -> int:
         """Read the word at an address."""
         self.pass_time(now)
-        return self._registers.read(offset)
+        return self._registers.read(offset, now)
 
     def write(self, offset: int, value: int, now: float) -> None:
         """Write the word at an address."""
         self.pass_time(now)
         for cell in self._registers.write(offset, value):
-            queue = cell.queue
-            self.written(cell.signal.path, cell.value if queue is None else self._last_of(cell))
+            self.tell_written(cell)
+
+    def tell_written(self, cell: Cell) -> None:
+        """Call `written` for a signal that has got a value of a program."""
+        self.written(cell.signal.path, cell.value if cell.queue is None else self._last_of(cell))
 
     def prepare(self) -> None:
         """Call `start`; from now on no attributes can be made."""
@@ -331,7 +355,8 @@ class SimulatedRobot(Part):
         except ANY_ERROR as error:
             after = f"{self.now:.3f} s after its start"
             self.refusal = f"the model {type(self).__name__} failed {after}: {type(error).__name__}: {error}"
-            _LOG.exception("%r failed %s: all accesses are bus errors from now on", self, after)
+            follows = "nothing moves" if self.is_wired else "all accesses are bus errors"
+            _LOG.exception("%r failed %s: %s from now on", self, after, follows)
             raise AccessError(ErrorCode.BUS_ERROR) from error
 
     def _leave_out(self, seconds: float) -> None:

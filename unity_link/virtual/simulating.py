@@ -18,10 +18,11 @@ from unity_link.virtual.bus import AccessError
 from unity_link.virtual.gateway import BareGateway
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, MutableMapping
+    from collections.abc import Callable, Iterable, Mapping, MutableMapping
 
     from unity_link.spec import Interface
     from unity_link.virtual.bus import Device
+    from unity_link.virtual.rtl.ports import Port
     from unity_link.virtual.simulated import SimulatedRobot
 
 R_co = TypeVar("R_co", bound="SimulatedRobot | None", default="SimulatedRobot", covariant=True)
@@ -44,9 +45,13 @@ class SimulatedGateway(BareGateway, Generic[R_co]):
         self._now = 0.0
         self._rates: dict[int, tuple[float, float | None]] = {}
         """Seconds between two edges of each group whose trigger fires by itself, and the instant of the next one."""
+        self._is_wired = False
+        """True if the bare gateway lets the robot's time pass."""
         gateway.wake = self._pass_on_wake
         if robot is not None:
-            gateway.attach_elsewhere(robot)
+            wire = getattr(gateway, "wire", None)
+            self._is_wired = wire is not None
+            (gateway.attach_elsewhere if wire is None else wire)(robot)
 
     def _pass_on_wake(self) -> None:
         self.wake()
@@ -55,6 +60,11 @@ class SimulatedGateway(BareGateway, Generic[R_co]):
     def memory(self) -> MutableMapping[int, int]:
         """The words of plain memory, by address."""
         return self._gateway.memory
+
+    @property
+    def ports(self) -> Mapping[str, Port]:
+        """Ports of the compiled design, by name; none where the gateway is a model."""
+        return getattr(self._gateway, "ports", {})
 
     # Triggers
 
@@ -108,7 +118,7 @@ class SimulatedGateway(BareGateway, Generic[R_co]):
     @property
     def refusal(self) -> str:
         """The reason why the robot refuses each access; empty where it does not."""
-        return "" if self.robot is None else self.robot.refusal
+        return "" if self.robot is None or self._is_wired else self.robot.refusal
 
     @property
     def leaves_time_out(self) -> bool:
@@ -144,7 +154,7 @@ class SimulatedGateway(BareGateway, Generic[R_co]):
         """Let time pass up to the next edge of a trigger, and apply it; None where there is none until `now`."""
         rate = min(((edge or now, group) for group, (_, edge) in self._rates.items()), default=None)
         until = now if rate is None else min(rate[0], now)
-        if self.robot is not None:
+        if self.robot is not None and not self._is_wired:
             # The next access tells the program.
             with contextlib.suppress(AccessError):
                 self.robot.pass_time(until, until_fired=True)

@@ -14,7 +14,7 @@ from unity_link.errors import ArgumentError
 from unity_link.gateware.limits import check_generics
 from unity_link.gateware.release import release
 from unity_link.generate import GeneratedFile, write
-from unity_link.generate.verilog.flat import flat_ports
+from unity_link.generate.verilog.flat import MEDIA, OtherPort, flat_ports, triggers
 from unity_link.generate.vhdl import FILTERS as VHDL_FILTERS
 from unity_link.generate.vhdl import files as vhdl_files
 from unity_link.generate.vhdl import gateway_generics
@@ -23,7 +23,7 @@ from unity_link.generate.vhdl.names import identifier
 from unity_link.quoting import hdl_comment
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping, Sequence
 
     from unity_link.generate import Templates
     from unity_link.spec import Interface
@@ -33,6 +33,11 @@ _MEDIA = {
     "uart": "a UART of {baud} baud",
     "ft245": "an FT245 (asynchronous)",
     "ft245_sync": "an FT245 (synchronous)",
+}
+_GENERICS = {
+    "physical": 'string := "uart"',
+    "clock_hz": "positive := 50_000_000",
+    "baud": "positive := 1_000_000",
 }
 
 
@@ -58,13 +63,10 @@ def files(interface: Interface, templates: Templates, options: Options) -> Itera
     if min(options) <= 0:
         raise ArgumentError(f"clock_hz is {options.clock_hz} and baud {options.baud}: more than 0 was expected of both")
     check_generics({**gateway_generics(interface), **options._asdict()})
-    bank = Bank(interface)
-    vhdl = list(vhdl_files(interface, templates.of("vhdl", VHDL_FILTERS)))
-    wanted = {f"{name}_{part}.vhd" for part in ("map", "registers", "gateway")}
-    flat = templates.render("flat.vhd", prefix=name, bank=bank, interface=interface, ports=list(flat_ports(bank)))
+    groups = int(gateway_generics(interface)["groups"])
+    sources = flat_design(interface, templates, _GENERICS, [*MEDIA, triggers(groups)])
     origin = list(map(hdl_comment, templates.origin))
     with tempfile.TemporaryDirectory() as scratch:
-        sources = [*(file for file in vhdl if file.name in wanted), GeneratedFile(f"{name}_flat.vhd", flat)]
         paths = write(sources, Path(scratch))
         for medium, described in _MEDIA.items():
             link = described.format(baud=options.baud)
@@ -76,3 +78,32 @@ def files(interface: Interface, templates: Templates, options: Options) -> Itera
             generics = {"physical": medium, **options._asdict()}
             text = release(f"{name}_on_{medium}", about, f"{name}_flat", generics, paths)
             yield GeneratedFile(f"{name}_on_{medium}.v", text)
+
+
+def flat_design(
+    interface: Interface, templates: Templates, generics: Mapping[str, str], others: Sequence[OtherPort]
+) -> list[GeneratedFile]:
+    """Return the VHDL of a gateway with its register bank behind the entity ``NAME_flat``, which has no records.
+
+    Args:
+        interface: of a spec.
+        templates: of this target.
+        generics: of the gateway that the entity has, with type and default.
+        others: ports of the gateway that the entity has beside those of the signals and of the Wishbone masters.
+
+    Raises:
+        UnsupportedError: where addresses belong to two modules alike.
+    """
+    name, bank = identifier(interface.name), Bank(interface)
+    wanted = {f"{name}_{part}.vhd" for part in ("map", "registers", "gateway")}
+    vhdl = vhdl_files(interface, templates.of("vhdl", VHDL_FILTERS), whole=False)
+    flat = templates.render(
+        "flat.vhd",
+        prefix=name,
+        bank=bank,
+        interface=interface,
+        generics=generics,
+        others=others,
+        ports=list(flat_ports(bank, others)),
+    )
+    return [*(file for file in vhdl if file.name in wanted), GeneratedFile(f"{name}_flat.vhd", flat)]

@@ -8,7 +8,7 @@ from unity_link.generate.vhdl.names import Scope
 from unity_link.generate.vhdl.types import to_bits
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
 
     from unity_link.generate.vhdl.bank import Bank, Register
 
@@ -23,23 +23,75 @@ class FlatPort(NamedTuple):
     """Target of the assignment: an element of the record of what hardware gives, or the port."""
     value: str
     is_input: bool
+    path: str
+    """Path of the signal in the spec."""
+    pin: str
+    """Part of the signal that it is, a field of `Pins`."""
 
 
-def flat_ports(bank: Bank) -> Iterator[FlatPort]:
-    """Return the ports of all signals of a bank."""
+class OtherPort(NamedTuple):
+    """A port of a flat design that is that of the gateway."""
+
+    name: str
+    type: str
+    """Direction, type, and default if there is one."""
+
+
+_BIT, _BYTE = "std_logic", "std_logic_vector(7 downto 0)"
+CLOCK = (OtherPort("clk", f"in {_BIT}"), OtherPort("rst", f"in {_BIT}"))
+MEDIA = (
+    *CLOCK,
+    OtherPort("uart_rxd", f"in {_BIT} := '1'"),
+    OtherPort("uart_txd", f"out {_BIT}"),
+    OtherPort("uart_rts_n", f"out {_BIT}"),
+    OtherPort("uart_cts_n", f"in {_BIT} := '0'"),
+    OtherPort("ft_clkout", f"in {_BIT} := '0'"),
+    OtherPort("ft_data_in", f"in {_BYTE} := (others => '0')"),
+    OtherPort("ft_data_out", f"out {_BYTE}"),
+    OtherPort("ft_data_oe", f"out {_BYTE}"),
+    OtherPort("ft_rxf_n", f"in {_BIT} := '1'"),
+    OtherPort("ft_txe_n", f"in {_BIT} := '1'"),
+    OtherPort("ft_rd_n", f"out {_BIT}"),
+    OtherPort("ft_wr_n", f"out {_BIT}"),
+    OtherPort("ft_oe_n", f"out {_BIT}"),
+    OtherPort("ft_siwu_n", f"out {_BIT}"),
+)
+"""Clock, reset, and the pins of all media."""
+FIFO = (
+    *CLOCK,
+    OtherPort("in_data", f"in {_BYTE}"),
+    OtherPort("in_lost", f"in {_BIT}"),
+    OtherPort("in_valid", f"in {_BIT}"),
+    OtherPort("in_ready", f"out {_BIT}"),
+    OtherPort("out_data", f"out {_BYTE}"),
+    OtherPort("out_valid", f"out {_BIT}"),
+    OtherPort("out_ready", f"in {_BIT}"),
+    OtherPort("out_flush", f"out {_BIT}"),
+)
+"""Clock, reset, and a FIFO as the medium."""
+
+
+def triggers(groups: int) -> OtherPort:
+    """Return the port of the triggers of so many groups."""
+    return OtherPort("trigger", f"in std_logic_vector({max(groups, 1) - 1} downto 0) := (others => '0')")
+
+
+def flat_ports(bank: Bank, others: Iterable[OtherPort]) -> Iterator[FlatPort]:
+    """Return the ports of all signals of a bank.
+
+    Args:
+        bank: of an interface.
+        others: ports that stand beside them, whose names are taken.
+    """
     decoders = (enumeration.decode for enumeration in bank.enumerations.values())
     pins = (f"{port.name}_{pin}" for port in bank.ports for pin in _MASTER_PINS)
-    scope = Scope(*_TAKEN, *decoders, *pins)
+    scope = Scope(*_TAKEN, *(port.name for port in others), *decoders, *pins)
     for register in bank.registers:
         yield from _of(register, bank, scope)
 
 
 _MASTER_PINS = ("cyc", "stb", "we", "adr", "dat_o", "dat_i", "ack", "err")
-_TAKEN = (
-    *("clk", "rst", "uart_rxd", "uart_txd", "uart_rts_n", "uart_cts_n", "trigger", "from_hardware", "to_hardware"),
-    *(f"ft_{pin}" for pin in ("clkout", "data_in", "data_out", "data_oe", "rxf_n", "txe_n", "rd_n", "wr_n", "oe_n")),
-    *("ft_siwu_n", "physical", "clock_hz", "baud", "to_bits", "work", "ieee"),
-)
+_TAKEN = ("from_hardware", "to_hardware", "physical", "clock_hz", "baud", "to_bits", "work", "ieee")
 
 
 def _of(register: Register, bank: Bank, scope: Scope) -> Iterator[FlatPort]:
@@ -48,17 +100,18 @@ def _of(register: Register, bank: Bank, scope: Scope) -> Iterator[FlatPort]:
     width = 0 if to_bits(kind, "x") == "x" and kind.width == 1 else kind.width
     if pins.given:
         name = scope.unique(f"{path}_in" if pins.got else path)
-        yield FlatPort(name, width, pins.given, bank.given(register, name), is_input=True)
+        yield FlatPort(name, width, pins.given, bank.given(register, name), is_input=True, path=path, pin="given")
     if pins.got:
         name = scope.unique(f"{path}_out" if pins.given else path)
-        yield FlatPort(name, width, name, register.got_bits, is_input=False)
+        yield FlatPort(name, width, name, register.got_bits, is_input=False, path=path, pin="got")
     for pin, ending, is_input in (
-        (pins.written, "written", False),
-        (pins.given_valid, "in_valid", True),
-        (pins.given_ready, "in_ready", False),
-        (pins.got_valid, "out_valid", False),
-        (pins.got_ready, "out_ready", True),
+        ("written", "written", False),
+        ("given_valid", "in_valid", True),
+        ("given_ready", "in_ready", False),
+        ("got_valid", "out_valid", False),
+        ("got_ready", "out_ready", True),
     ):
-        if pin:
+        if element := getattr(pins, pin):
             name = scope.unique(f"{path}_{ending}")
-            yield FlatPort(name, 0, *((pin, name) if is_input else (name, pin)), is_input=is_input)
+            target, value = (element, name) if is_input else (name, element)
+            yield FlatPort(name, 0, target, value, is_input, path, pin)

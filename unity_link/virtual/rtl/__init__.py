@@ -6,7 +6,9 @@
 - `archive`: reads and writes those
 - `configurations`: which of them there are, and which one a user means
 - `compiling`, `library`: compile the three at first use, and load them
-- `gateway`: `RtlGateway`, what everything else uses
+- `gateway`: `RtlGateway`, what everything else uses; `ports`: what a whole design has beside the gateway's own
+- `specs`, `making`: the whole design of a spec, made where it is wanted
+- `spec_gateway`, `wiring`: that design with a simulated robot at its ports
 - `snooped`, `retrace`: what a snoop has of a gateway, played into it
 """
 

@@ -22,6 +22,20 @@ if TYPE_CHECKING:
 DEFAULT = "default"
 
 
+class Design(msgspec.Struct, frozen=True):
+    """A whole design around a gateway, with a register bank."""
+
+    sources: tuple[tuple[str, str], ...]
+    """Names and texts of its VHDL; the last file has its top, which is called as the file is."""
+    masters: tuple[tuple[str, int], ...]
+    """Its Wishbone masters: what the names of their ports begin with, and where their addresses begin."""
+
+    @property
+    def top(self) -> str:
+        """Name of its top."""
+        return self.sources[-1][0].removesuffix(".vhd")
+
+
 class Configuration(msgspec.Struct, frozen=True):
     """One build of the gateware."""
 
@@ -35,6 +49,8 @@ class Configuration(msgspec.Struct, frozen=True):
     """Generics of a configuration that an installation does not have, as JSON: it is made of these."""
     path: str = ""
     """Path of its C++ then."""
+    design: Design | None = None
+    """The design around the gateway; None where it is the gateway alone."""
 
     def made(self, path: Path) -> Configuration:
         """Return the configuration with its C++, which is in a file."""

@@ -1,5 +1,7 @@
 """One gateway that is the gateware: bytes and the time go in, bytes come out, clock cycles pass in between.
 
+A whole design around a gateway has further ports, which are looked at, driven and watched here (`ports`).
+
 Time. The gateware knows only cycles of its clock, and its `Q` says truthfully how many there are in a second. A machine
 simulates about two million of them in a second, so a served gateway is clocked far slower than a board. Cycles in which
 nothing can happen, because no periodic group is running and no byte is under way, are skipped: the gateware's clock is
@@ -11,8 +13,9 @@ seconds, and cycles keep pace with the `now` that it is given. What a slow machi
 from __future__ import annotations
 
 import ctypes
+import functools
 import weakref
-from collections.abc import Iterable, Iterator, MutableMapping
+from collections.abc import Iterable, Iterator, Mapping, MutableMapping
 from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.errors import ArgumentError, ConnectError
@@ -21,7 +24,8 @@ from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual.bus import AccessError, Device, Devices, DevicesEverywhere
 from unity_link.virtual.gateway import BareGateway
 from unity_link.virtual.rtl.configurations import Configuration, find
-from unity_link.virtual.rtl.library import DeviceFunction, load
+from unity_link.virtual.rtl.library import DeviceFunction, EventFunction, load
+from unity_link.virtual.rtl.ports import Port
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -37,6 +41,7 @@ _UNLIMITED = ctypes.c_size_t(-1).value
 _BEHIND_MEMORY, _BEHIND_DEVICE = 0, 3
 _ANSWERS = {ErrorCode.BUS_ERROR: 1, ErrorCode.BUS_TIMEOUT: 2}
 _TRIGGER_CYCLES = 8
+_NO_PORT = -1
 
 
 class Passage(NamedTuple):
@@ -108,6 +113,10 @@ class RtlGateway(BareGateway):
         # The library keeps the address alone: the function must live as long as the gateway.
         self._device_function = DeviceFunction(_device_of(weakref.ref(self)))
         self._library.ul_set_device(self._handle, self._device_function, None)
+        self._event_function = EventFunction(_event_of(weakref.ref(self)))
+        self._library.ul_set_event(self._handle, self._event_function, None)
+        self._watchers: list[Callable[[], object]] = []
+        self._on_alarm: Callable[[], object] = _do_nothing
         self.info = self._ask_for_info(b"" if build.node is None else b"Z%02X" % build.node)
         self._devices = Devices(self.info.address_bits)
         # In cycles; those of a fraction don't come in whole ones.
@@ -156,6 +165,11 @@ class RtlGateway(BareGateway):
     def cycles(self) -> int:
         """Clock cycles since the last reset."""
         return int(self._library.ul_cycles(self._handle))
+
+    @property
+    def time(self) -> float:
+        """The gateware's time, in seconds of the caller's clock; 0 while that was never told."""
+        return self._time() if self._origin is not None else 0.0
 
     @property
     def flushes(self) -> int:
@@ -214,11 +228,45 @@ class RtlGateway(BareGateway):
         self._run_until_quiet()
         self.wake()
 
+    # The ports of a whole design
+
+    @functools.cached_property
+    def ports(self) -> Mapping[str, Port]:
+        """Ports of a whole design but for clock, reset, medium and triggers, by name; none of a gateway alone."""
+        ports = (
+            Port(self, self._library, self._handle, index) for index in range(self._library.ul_ports(self._handle))
+        )
+        return {port.name: port for port in ports}
+
+    def watch(self, function: Callable[[], object], first: Port, second: Port | None = None) -> None:
+        """Call a function in each clock cycle in which the lowest bits of a port, or of two, are '1'.
+
+        It sees all outputs of that cycle; inputs that it sets are seen by the next one.
+        """
+        self._watchers.append(function)
+        self._library.ul_watch(self._handle, first.index, _NO_PORT if second is None else second.index)
+
+    def call_before(self, cycle: int, function: Callable[[], object]) -> None:
+        """Call a function before a clock cycle that is worked out, or the first one behind it; the last call counts.
+
+        It sees the inputs that the function sets. Such a call alone is no reason to work out a cycle.
+        """
+        self._on_alarm = function
+        self._library.ul_set_alarm(self._handle, cycle)
+
+    def pulse(self, group: int) -> None:
+        """Apply a rising edge to the external trigger of a group in the next clock cycle that is worked out."""
+        self._library.ul_pulse(self._handle, group, _TRIGGER_CYCLES)
+
+    def keep_awake(self, *, on: bool) -> None:
+        """Make each clock cycle count although no byte is under way, as something moves by itself, or end that."""
+        self._library.ul_never_rests(self._handle, on)
+
     # At the pins
 
     @property
     def ticking(self) -> bool:
-        """Return whether periodic groups are running, so that time has to pass although no byte does."""
+        """Return whether something happens with time although no byte is under way, as periodic groups are running."""
         return bool(self._library.ul_ticking(self._handle))
 
     def set_pace(self, bytes_per_second: float) -> None:
@@ -312,7 +360,7 @@ class RtlGateway(BareGateway):
 
     def _instant(self) -> float:
         """Return the time of an access; all words of a sample are of the instant of its first."""
-        now = self._time() if self._origin is not None else 0.0
+        now = self.time
         word_of_sample = int(self._library.ul_sample_word(self._handle))
         if word_of_sample < 0:
             return now
@@ -325,6 +373,15 @@ class RtlGateway(BareGateway):
         fault, self._fault = self._fault, None
         if fault is not None:
             raise fault
+
+    def _answer_event(self, watch: int) -> None:
+        try:
+            if watch < 0:
+                self._on_alarm()
+            else:
+                self._watchers[watch]()
+        except BaseException as fault:  # noqa: BLE001  (kept, and raised where the call came from)
+            self._fault = fault
 
     def _answer_access(self, address: int, write: int, word: ctypes._Pointer[ctypes.c_uint64]) -> int:
         try:
@@ -347,6 +404,17 @@ def _device_of(
     def answer(_context: int | None, address: int, write: int, word: ctypes._Pointer[ctypes.c_uint64]) -> int:
         behind = gateway()
         return _ANSWERS[ErrorCode.BUS_TIMEOUT] if behind is None else behind._answer_access(address, write, word)  # noqa: SLF001
+
+    return answer
+
+
+def _event_of(gateway: weakref.ref[RtlGateway]) -> Callable[[int | None, int], None]:
+    """Return the function that the library calls in an event; it holds the gateway weakly, as `_device_of`."""
+
+    def answer(_context: int | None, watch: int) -> None:
+        behind = gateway()
+        if behind is not None:
+            behind._answer_event(watch)  # noqa: SLF001
 
     return answer
 

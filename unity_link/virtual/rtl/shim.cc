@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What stands around the gateware when it runs in a process: a clock, the medium, and a bus with memory and devices.
 //
-// The generated C++ (UL_MODEL names the file) is the entity `unity_link_fifo`, cycle for cycle. This file gives it, in
-// every cycle, what a medium and a Wishbone bus would, and shows the rest of the world a C interface for ctypes. Time is
-// the number of clock cycles and nothing else: it passes only in `ul_run` and `ul_run_until_quiet`.
+// The generated C++ (UL_MODEL names the file) is the entity `unity_link_fifo`, cycle for cycle, or a whole design around
+// a gateway (UL_TOP). This file gives it, in every cycle, what a medium and a Wishbone bus would, and shows the rest of
+// the world a C interface for ctypes. Time is the number of clock cycles and nothing else: it passes only in `ul_run` and
+// `ul_run_until_quiet`.
 //
 // Order within a cycle: inputs are set, then one evaluation with a rising clock settles the logic and computes what the
 // registers will hold. Both sides' signals are looked at before it is committed, which is as a register would see them
@@ -12,7 +13,11 @@
 //
 // The bus answers each access with the cycle after it, as block RAM does: `ack` is a register. In classic mode the
 // strobe that is still up beside `ack` belongs to the access just answered; in a pipeline it is the next access. A
-// `Slave` answers when it likes instead, and as often, whether that is allowed or not.
+// `Slave` answers when it likes instead, and as often, whether that is allowed or not. A whole design has a bus of its
+// own inside, and any number of classic Wishbone masters beside it (UL_MASTERS), each with the addresses that it says.
+//
+// All other ports of a whole design (UL_PORTS) are the caller's: it sets inputs, now or in a cycle to come, reads
+// outputs where they stand in memory, and is called in the cycles in which it wants to know of a pulse.
 
 #include UL_MODEL
 
@@ -27,16 +32,22 @@
 #include <memory>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace {
 
-using Top = cxxrtl_design::p_unity__link__fifo;
-
 // The registers that this file looks into are named by the generated file, which knows what GHDL calls them; a memory
 // keeps its name. Of each group: its divisor, 0 where it is not periodic.
+#ifdef UL_TOP
+using Top = cxxrtl_design::UL_TOP;
+#else
+using Top = cxxrtl_design::p_unity__link__fifo;
+#define UL_PORTS(input, output)
+#define UL_TIMESTAMP p_timestamp
 #define UL_DIVISORS                                                                                                    \
 	memory_p_unity__link__inst_2e_core__inst_2e_with__groups__subscription__manager__inst_2e_timer__inst_2e_divisors
+#endif
 
 // A bus access that the caller answers. `value` is the word written, or takes the word read. Gives an Answer.
 using Device = int (*)(void *context, uint64_t address, int write, uint64_t *value);
@@ -52,6 +63,9 @@ struct Reply {
 
 // A bus slave without manners. `value` is the word written. Gives how many replies it has written, of two at most.
 using Slave = int (*)(void *context, uint64_t address, int write, uint64_t value, Reply *replies);
+
+// Called in a cycle: a watch whose bits are '1' in it, by its number; or negative, the alarm is due, before the cycle.
+using Event = void (*)(void *context, int watch);
 
 // What is behind an address that is no plain memory: one of Answer, or the device.
 constexpr uint8_t BEHIND_MEMORY = 0;
@@ -99,6 +113,66 @@ const cxxrtl::chunk_t *chunks(const cxxrtl::value<Bits> &signal) { return signal
 
 template<size_t Bits>
 const cxxrtl::chunk_t *chunks(const cxxrtl::wire<Bits> &signal) { return signal.curr.data; }
+
+// A port of the design. What an input is set to stays until it is set again.
+struct Port {
+	const char *name;
+	bool is_input;
+	size_t bits;
+	cxxrtl::chunk_t *data;
+
+	size_t chunks() const { return (bits + 31) / 32; }
+	bool bit() const { return *data & 1; }
+};
+
+template<size_t Bits>
+Port input(const char *name, cxxrtl::value<Bits> &signal) { return {name, true, Bits, signal.data}; }
+
+template<typename Signal>
+Port output(const char *name, Signal &signal) {
+	return {name, false, width(signal), const_cast<cxxrtl::chunk_t *>(chunks(signal))};
+}
+
+// Of each bit of a port: in how many cycles it was '1', and how often it changed, as in the cycles before `cycles`.
+class Counter {
+public:
+	Counter(const Port &port, uint64_t cycles)
+		: port_(port), last_(port.data, port.data + port.chunks()), since_(cycles), high_(port.bits), edges_(port.bits) {}
+
+	void look(uint64_t cycles) {
+		if (!std::memcmp(port_.data, last_.data(), last_.size() * sizeof(cxxrtl::chunk_t)))
+			return;
+		settle(cycles);
+		for (size_t bit = 0; bit < port_.bits; ++bit)
+			edges_[bit] += (port_.data[bit / 32] ^ last_[bit / 32]) >> bit % 32 & 1;
+		std::copy(port_.data, port_.data + last_.size(), last_.begin());
+	}
+
+	// Writes both counts of each bit, and begins anew.
+	void take(uint64_t cycles, uint64_t *high, uint64_t *edges) {
+		settle(cycles);
+		std::copy(high_.begin(), high_.end(), high);
+		std::copy(edges_.begin(), edges_.end(), edges);
+		std::fill(high_.begin(), high_.end(), 0);
+		std::fill(edges_.begin(), edges_.end(), 0);
+	}
+
+private:
+	void settle(uint64_t cycles) {
+		for (size_t bit = 0; bit < port_.bits; ++bit)
+			if (last_[bit / 32] >> bit % 32 & 1)
+				high_[bit] += cycles - since_;
+		since_ = cycles;
+	}
+
+	Port port_;
+	std::vector<cxxrtl::chunk_t> last_;
+	uint64_t since_;
+	std::vector<uint64_t> high_;
+	std::vector<uint64_t> edges_;
+};
+
+constexpr uint64_t NEVER = std::numeric_limits<uint64_t>::max();
 
 // Signals over time in a file that waveform viewers open (VCD, IEEE 1364). Cycles in which nothing happens are left out.
 class Waveform {
@@ -276,12 +350,36 @@ private:
 };
 
 class Gateway {
-public:
-	Gateway() : memory(width(top_.p_wb__adr)) { reset(); }
+	// Before all that looks into it.
+	Top top_;
 
-	// Everything but memory and what is behind addresses goes back to power-up.
+public:
+#ifdef UL_TOP
+	Gateway() : memory(MOST_DIRECT_BITS + 1) {
+		// A design says of each master where its addresses begin, and its name.
+#define UL_MASTER(base, name) add_master(base, name);
+		UL_MASTERS(UL_MASTER)
+#undef UL_MASTER
+		reset();
+	}
+#else
+	Gateway() : memory(width(top_.p_wb__adr)) { reset(); }
+#endif
+
+	// Everything but memory, what is behind addresses, and inputs goes back to power-up.
 	void reset() {
+		std::vector<std::vector<cxxrtl::chunk_t>> inputs;
+		for (const Port &port : ports)
+			inputs.emplace_back(port.data, port.data + port.chunks());
 		top_.reset();
+		for (size_t index = 0; index < ports.size(); ++index)
+			if (ports[index].is_input)
+				std::copy(inputs[index].begin(), inputs[index].end(), ports[index].data);
+		for (Master &master : masters_)
+			master.asked = false;
+		later_.clear();
+		pulses_.clear();
+		alarm = NEVER;
 		to_gateway.clear();
 		from_gateway.clear();
 		lost_before_next = false;
@@ -293,6 +391,8 @@ public:
 		run(2);
 		set(top_.p_rst, 0);
 		cycles = 0;
+		for (auto &counter : counters_)
+			counter.second = Counter(ports[counter.first], 0);
 		flushes = 0;
 		quiet_ = 0;
 		stalled = false;
@@ -318,6 +418,8 @@ public:
 
 	// Whether a periodic group is running, so that something happens at base ticks.
 	bool ticking() {
+		if (never_rests || !later_.empty() || !pulses_.empty())
+			return true;
 #ifdef UL_RUNNING
 		const uint64_t running = get(top_.UL_RUNNING);
 		for (size_t group = 0; running >> group; ++group)
@@ -330,9 +432,12 @@ public:
 	// Does what `run` does, at no cost, for a gateway that is quiet and not ticking: nothing changes then but
 	// its clock, and the phase of the base tick unless `count` is a multiple of that.
 	void skip(uint64_t count) {
-		auto &timestamp = top_.p_timestamp;
-		set(timestamp.curr, get(timestamp.curr) + count);
+#ifdef UL_TIMESTAMP
+		auto &timestamp = top_.UL_TIMESTAMP;
+		const uint64_t all = std::numeric_limits<uint64_t>::max() >> (64 - width(timestamp));
+		set(timestamp.curr, (get(timestamp.curr) + count) & all);
 		timestamp.next = timestamp.curr;
+#endif
 		cycles += count;
 	}
 
@@ -372,6 +477,46 @@ public:
 	bool stalled = false;
 	// Whether every address is the device's.
 	bool only_device = false;
+	// Whether something happens in each cycle, so that none may be skipped.
+	bool never_rests = false;
+	// Ports of a whole design, in the order of their names.
+#define UL_INPUT(name, member) input(name, top_.member),
+#define UL_OUTPUT(name, member) output(name, top_.member),
+	const std::vector<Port> ports = {UL_PORTS(UL_INPUT, UL_OUTPUT)};
+#undef UL_INPUT
+#undef UL_OUTPUT
+	Event event = nullptr;
+	void *event_context = nullptr;
+	// The cycle before which the event comes; each is set anew.
+	uint64_t alarm = NEVER;
+
+	// Has the event come in each cycle in which the lowest bits of both ports are '1'; a negative one counts as '1'.
+	int watch(int first, int second) {
+		const Port &port = ports[first];
+		watches_.push_back({port.data, second < 0 ? port.data : ports[second].data});
+		return static_cast<int>(watches_.size()) - 1;
+	}
+
+	// Sets an input before a cycle, at once where that has passed.
+	void set_at(uint64_t cycle, size_t index, const cxxrtl::chunk_t *value) {
+		const Port &port = ports[index];
+		if (cycle <= cycles)
+			std::copy(value, value + port.chunks(), port.data);
+		else
+			later_.emplace(cycle, std::make_pair(index, std::vector<cxxrtl::chunk_t>(value, value + port.chunks())));
+	}
+
+	void count(size_t index) { counters_.emplace(index, Counter(ports[index], cycles)); }
+	void take_counts(size_t index, uint64_t *high, uint64_t *edges) { counters_.at(index).take(cycles, high, edges); }
+
+	// The external trigger of a group is '1' in so many cycles from the next one on.
+	void pulse(int group, uint64_t count) { pulses_[group] = cycles + count; }
+
+	// A master port of a whole design that nothing is connected to ends all accesses with an error at once.
+	void connect(size_t master) {
+		masters_.at(master).connected = true;
+		*masters_.at(master).err.data = 0;
+	}
 
 	// Of the bus access that the device is asked for: which word of which sample of which group it is, packed as number,
 	// sequence and word of a byte each; negative for that of a request.
@@ -400,21 +545,45 @@ public:
 	bool shows = false;
 
 private:
+	// A classic Wishbone master of a whole design.
+	struct Master {
+		uint64_t base;
+		Port cyc, stb, we, adr, dat_o, dat_i, ack, err;
+		bool connected;
+		// Whether the access that stands there was handed on.
+		bool asked;
+	};
+
 	void cycle() {
+		if (cycles >= alarm && event) {
+			alarm = NEVER;
+			event(event_context, -1);
+		}
+		while (!later_.empty() && later_.begin()->first <= cycles) {
+			const auto &set = later_.begin()->second;
+			std::copy(set.second.begin(), set.second.end(), ports[set.first].data);
+			later_.erase(later_.begin());
+		}
 		const bool offered = !to_gateway.empty() && cycles >= in_due_;
 		const bool room_left = from_gateway.size() < room && cycles >= out_due_;
 		set(top_.p_in__valid, offered);
 		set(top_.p_in__data, offered ? to_gateway.front() : 0);
 		set(top_.p_in__lost, offered && lost_before_next);
 		set(top_.p_out__ready, room_left);
+#ifndef UL_TOP
 		set(top_.p_wb__ack, ack_);
 		set(top_.p_wb__err, err_);
 		set(top_.p_wb__rty, rty_);
 		set(top_.p_wb__stall, stalls >> cycles % 64 & 1);
 		set(top_.p_wb__dat__i, read_data_);
+#endif
 		fill(top_.p_trigger, trigger && triggered_group < 0);
 		if (trigger && triggered_group >= 0)
 			set_bit(top_.p_trigger, triggered_group);
+		for (auto pulse = pulses_.begin(); pulse != pulses_.end();) {
+			set_bit(top_.p_trigger, pulse->first);
+			pulse = pulse->second <= cycles + 1 ? pulses_.erase(pulse) : std::next(pulse);
+		}
 		set(top_.prev_p_clk, 0);
 		set(top_.p_clk, 1);
 		top_.eval();
@@ -424,7 +593,6 @@ private:
 		const bool taken = offered && get(top_.p_in__ready);
 		const bool sent = room_left && get(top_.p_out__valid);
 		stalled = !room_left && get(top_.p_out__valid);
-		const bool on_bus = get(top_.p_wb__cyc);
 		if (taken) {
 			to_gateway.pop_front();
 			lost_before_next = false;
@@ -436,13 +604,12 @@ private:
 		}
 		if (get(top_.p_out__flush))
 			++flushes;
-		const bool answered = ack_ || err_ || rty_;
-		const bool strobe = on_bus && get(top_.p_wb__stb);
-		ack_ = err_ = rty_ = false;
-		if (slave)
-			pass_to_slave(strobe, answered);
-		else if (strobe && (UL_PIPELINED || !answered))
-			access();
+		const bool on_bus = pass_bus();
+		for (size_t index = 0; index < watches_.size(); ++index)
+			if (*watches_[index].first & *watches_[index].second & 1)
+				event(event_context, static_cast<int>(index));
+		for (auto &counter : counters_)
+			counter.second.look(cycles);
 		// It rests after a timeout, or reads a long request that its FIFO holds.
 		const uint64_t held = get(top_.UL_HELD);
 		const bool busy = get(top_.UL_RESTS) || held != held_;
@@ -461,29 +628,58 @@ private:
 	// When the byte behind one of this cycle may pass; parts of cycles add up while bytes follow each other.
 	double next_due(double due) const { return (cycles - due < 1 ? due : cycles) + pace; }
 
-	// One access of the bus; the answer stands in the registers from the next cycle on.
-	void access() {
-		const uint64_t address = get(top_.p_wb__adr);
-		const bool write = get(top_.p_wb__we);
-		uint64_t value = write ? get(top_.p_wb__dat__o) : 0;
-		int answer = ANSWER_ACK;
-		uint8_t kind = only_device ? BEHIND_DEVICE : BEHIND_MEMORY;
-		if (!behind.empty()) {
-			auto found = behind.find(address);
-			if (found != behind.end())
-				kind = found->second;
+#ifdef UL_TOP
+	// Answers the masters of a whole design; gives whether its own bus, or one of these, is busy.
+	bool pass_bus() {
+		bool busy = get(top_.UL_OWED);
+		for (Master &master : masters_) {
+			const bool strobe = master.cyc.bit() && master.stb.bit();
+			busy |= strobe;
+			if (!master.connected)
+				continue;
+			if (!strobe || *master.ack.data || *master.err.data) {
+				*master.ack.data = *master.err.data = 0;
+				master.asked = false;
+			} else if (!master.asked) {
+				master.asked = true;
+				access(master.base + word_of(master.adr), master.we.bit(), word_of(master.dat_o));
+				*master.ack.data = ack_;
+				*master.err.data = err_;
+				for (size_t chunk = 0; chunk < master.dat_i.chunks(); ++chunk)
+					master.dat_i.data[chunk] = read_data_ >> 32 * chunk;
+			}
 		}
-		if (kind == BEHIND_DEVICE && device)
-			answer = device(device_context, address, write, &value);
-		else if (kind != BEHIND_MEMORY)
-			answer = kind;
-		else if (write)
-			memory.write(address, value);
-		else
-			value = memory.read(address);
-		ack_ = answer == ANSWER_ACK;
-		err_ = answer == ANSWER_ERROR;
-		read_data_ = value;
+		return busy;
+	}
+
+	void add_master(uint64_t base, const std::string &name) {
+		const auto pin = [&](const char *ending) {
+			const std::string wanted = name + ending;
+			for (const Port &port : ports)
+				if (wanted == port.name)
+					return port;
+			std::abort();
+		};
+		masters_.push_back({base, pin("_cyc"), pin("_stb"), pin("_we"), pin("_adr"), pin("_dat_o"), pin("_dat_i"),
+				    pin("_ack"), pin("_err"), false, false});
+		*masters_.back().err.data = 1;
+	}
+
+	static uint64_t word_of(const Port &port) {
+		return port.data[0] | (port.bits > 32 ? uint64_t{port.data[1]} << 32 : 0);
+	}
+#else
+	// Answers the bus; gives whether it is busy.
+	bool pass_bus() {
+		const bool on_bus = get(top_.p_wb__cyc);
+		const bool answered = ack_ || err_ || rty_;
+		const bool strobe = on_bus && get(top_.p_wb__stb);
+		ack_ = err_ = rty_ = false;
+		if (slave)
+			pass_to_slave(strobe, answered);
+		else if (strobe && (UL_PIPELINED || !answered))
+			access(get(top_.p_wb__adr), get(top_.p_wb__we), get(top_.p_wb__dat__o));
+		return on_bus;
 	}
 
 	// One cycle of a slave: it sees each access once, and what it has said before stands in the registers from the next
@@ -508,8 +704,31 @@ private:
 			read_data_ = reply.word;
 		}
 	}
+#endif
 
-	Top top_;
+	// One access of a bus; the answer stands in the registers from the next cycle on.
+	void access(uint64_t address, bool write, uint64_t written) {
+		uint64_t value = write ? written : 0;
+		int answer = ANSWER_ACK;
+		uint8_t kind = only_device ? BEHIND_DEVICE : BEHIND_MEMORY;
+		if (!behind.empty()) {
+			auto found = behind.find(address);
+			if (found != behind.end())
+				kind = found->second;
+		}
+		if (kind == BEHIND_DEVICE && device)
+			answer = device(device_context, address, write, &value);
+		else if (kind != BEHIND_MEMORY)
+			answer = kind;
+		else if (write)
+			memory.write(address, value);
+		else
+			value = memory.read(address);
+		ack_ = answer == ANSWER_ACK;
+		err_ = answer == ANSWER_ERROR;
+		read_data_ = value;
+	}
+
 	bool ack_ = false;
 	bool err_ = false;
 	bool rty_ = false;
@@ -517,6 +736,12 @@ private:
 	bool is_slaves_ = false;
 	// By the cycle in which they stand on the bus.
 	std::multimap<uint64_t, Reply> replies_;
+	std::vector<Master> masters_;
+	std::vector<std::pair<const cxxrtl::chunk_t *, const cxxrtl::chunk_t *>> watches_;
+	std::map<size_t, Counter> counters_;
+	// Inputs to be set, by the cycle before which; and triggers that are '1', by the cycle in which they no longer are.
+	std::multimap<uint64_t, std::pair<size_t, std::vector<cxxrtl::chunk_t>>> later_;
+	std::map<int, uint64_t> pulses_;
 	uint64_t read_data_ = 0;
 	uint64_t held_ = 0;
 	uint64_t quiet_ = 0;
@@ -605,6 +830,31 @@ void ul_set_slave(Gateway *gateway, Slave slave, void *context) {
 void ul_set_stalls(Gateway *gateway, uint64_t pattern) { gateway->stalls = pattern; }
 void ul_set_only_device(Gateway *gateway) { gateway->only_device = true; }
 int ul_sample_word(Gateway *gateway) { return gateway->sample_word(); }
+
+// Ports of a whole design, by numbers from 0 on; their words of 32 bits, the lowest first, stand where they stay.
+size_t ul_ports(const Gateway *gateway) { return gateway->ports.size(); }
+const char *ul_port_name(const Gateway *gateway, size_t port) { return gateway->ports[port].name; }
+int ul_port_is_input(const Gateway *gateway, size_t port) { return gateway->ports[port].is_input; }
+size_t ul_port_bits(const Gateway *gateway, size_t port) { return gateway->ports[port].bits; }
+const uint32_t *ul_port_data(const Gateway *gateway, size_t port) { return gateway->ports[port].data; }
+void ul_set_at(Gateway *gateway, uint64_t cycle, size_t port, const uint32_t *value) {
+	gateway->set_at(cycle, port, value);
+}
+void ul_count(Gateway *gateway, size_t port) { gateway->count(port); }
+void ul_take_counts(Gateway *gateway, size_t port, uint64_t *high, uint64_t *edges) {
+	gateway->take_counts(port, high, edges);
+}
+void ul_connect(Gateway *gateway, size_t master) { gateway->connect(master); }
+
+// Events, and what makes them.
+void ul_set_event(Gateway *gateway, Event event, void *context) {
+	gateway->event = event;
+	gateway->event_context = context;
+}
+int ul_watch(Gateway *gateway, int first, int second) { return gateway->watch(first, second); }
+void ul_set_alarm(Gateway *gateway, uint64_t cycle) { gateway->alarm = cycle; }
+void ul_pulse(Gateway *gateway, int group, uint64_t cycles) { gateway->pulse(group, cycles); }
+void ul_never_rests(Gateway *gateway, int never) { gateway->never_rests = never != 0; }
 
 // A waveform: these give 0, or the error number of the system.
 int ul_open_waveform(Gateway *gateway, const char *path) { return gateway->open_waveform(path); }

@@ -1,7 +1,8 @@
-"""The gateware of a spec: which configuration follows from it, and where its C++ comes from.
+"""The gateware of a spec: the design and the configuration that follow from it, and where its C++ comes from.
 
-One that an installation has is taken. Any other one is made by GHDL and Yosys when it is wanted for the first time, and
-its C++ is kept in the user's cache, under a hash of all that it was made from.
+The design is what `generate vhdl` makes of the spec, the gateway with its register bank, behind a top without records.
+It is made by GHDL and Yosys when it is wanted for the first time, and its C++ is kept in the user's cache, under a hash
+of all that it was made from.
 """
 
 from __future__ import annotations
@@ -12,21 +13,28 @@ import json
 import logging
 import os
 import sys
+import tempfile
 import time
+from pathlib import Path
 from typing import TYPE_CHECKING
 
-from unity_link.errors import ConnectError
+import msgspec
+
+from unity_link.errors import ArgumentError, ConnectError
 from unity_link.gateware.limits import check_generics
+from unity_link.generate import Templates
+from unity_link.generate.verilog import flat_design
+from unity_link.generate.verilog.flat import FIFO, flat_ports, triggers
+from unity_link.generate.vhdl.bank import Bank
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.crc import USUAL_POLYNOMIALS
 from unity_link.virtual.generics import FEATURES, generics_of, info_of
 from unity_link.virtual.rtl.compiling import cache_folder, compiler, running
-from unity_link.virtual.rtl.configurations import Configuration, configurations
+from unity_link.virtual.rtl.configurations import Configuration, Design
 
 if TYPE_CHECKING:
     import subprocess
     from collections.abc import Iterator, Mapping
-    from pathlib import Path
 
     from unity_link.spec import Interface
 
@@ -41,6 +49,8 @@ _KINDS = {
     "fingerprint": Feature.FINGERPRINT,
     "half_duplex": Feature.HALF_DUPLEX,
 }
+_OF_THE_BANK = frozenset({"address_bits", "data_bits", "wb_pipelined", "fingerprint"})
+"""Generics that the gateway of a spec has of itself."""
 _FIFOS = {"receive_fifo_bytes": "rx_fifo_depth", "transmit_fifo_bytes": "tx_fifo_depth"}
 
 
@@ -52,7 +62,7 @@ def with_clock(generics: Mapping[str, int]) -> dict[str, int]:
 
 
 def configuration_of(interface: Interface, fields: Mapping[str, int], node: int | None) -> Configuration:
-    """Return the configuration of an interface: one that there is, or one that is to be made.
+    """Return the configuration of an interface, which is to be made: the gateway with the register bank.
 
     Args:
         interface: of a spec.
@@ -61,16 +71,52 @@ def configuration_of(interface: Interface, fields: Mapping[str, int], node: int 
 
     Raises:
         ArgumentError: for a configuration that the gateware does not have.
+        UnsupportedError: where addresses belong to two modules alike.
     """
+    for name in ("address_bits", "data_bits"):
+        if fields.get(name, getattr(interface, name)) != getattr(interface, name):
+            raise ArgumentError(
+                f"{name} is {fields[name]}: the register bank of {interface.name} has the {getattr(interface, name)} "
+                "of its spec; GATEWAY(...) in the spec changes it"
+            )
     generics = with_clock({**generics_of(interface), **_as_generics(fields), "node": -1 if node is None else node})
-    if node is None:
-        del generics["node"]
+    if not generics["fingerprint"] and "build_id" not in fields:
+        generics["build_id"] = 0
+    # As the generated gateway finds it.
+    generics["fingerprint"] = generics["build_id"] == interface.fingerprint
     check_generics(generics)
-    info = info_of(generics)
-    for known in configurations().values():
-        if (known.info, known.node) == (info, node):
-            return known
-    return Configuration(interface.name, info, "", node, json.dumps(generics, sort_keys=True))
+    design = _design_of(interface, generics)
+    return Configuration(
+        interface.name, info_of(generics), "", node, json.dumps(generics, sort_keys=True), design=design
+    )
+
+
+def _design_of(interface: Interface, generics: Mapping[str, int]) -> Design:
+    """Return the gateway of an interface with its register bank, on a FIFO, with these generics as defaults.
+
+    Raises:
+        UnsupportedError: where addresses belong to two modules alike.
+    """
+    given = {"physical": 'string := "fifo"', "flow_control": "boolean := true"}
+    given |= {name: _declared(name, value) for name, value in generics.items() if name not in _OF_THE_BANK}
+    files = flat_design(interface, Templates("verilog", None, {}), given, [*FIFO, triggers(generics["groups"])])
+    masters = tuple((port.name, port.first) for port in Bank(interface).ports)
+    return Design(tuple((file.name, file.text) for file in files), masters)
+
+
+def ports_of(interface: Interface) -> dict[str, dict[str, str]]:
+    """Return names of the ports of each signal in the design of an interface, by its path and their `Pins`."""
+    found: dict[str, dict[str, str]] = {}
+    for port in flat_ports(Bank(interface), [*FIFO, triggers(0)]):
+        found.setdefault(port.path, {})[port.pin] = port.name
+    return found
+
+
+def _declared(name: str, value: int) -> str:
+    """Write type and default of a generic."""
+    if name in ("crc_polynomial", "build_id"):
+        return f'std_logic_vector(31 downto 0) := x"{value:08X}"'
+    return f"boolean := {str(value).lower()}" if isinstance(value, bool) else f"integer := {value}"
 
 
 def configuration_of_node(info: GatewayInfo, node: int) -> Configuration:
@@ -132,7 +178,8 @@ def _path_of(configuration: Configuration) -> Path | None:
         return None
     from unity_link.virtual.rtl.making import origin
 
-    return cache_folder() / f"{configuration.name}-{origin(json.loads(configuration.generics))}.cc"
+    named = origin(json.loads(configuration.generics), configuration.design)
+    return cache_folder() / f"{configuration.name}-{named}.cc"
 
 
 @contextlib.contextmanager
@@ -149,10 +196,13 @@ def _making(configuration: Configuration, path: Path) -> Iterator[subprocess.Pop
             f"the gateware of {configuration.name} can't be kept in {path.parent} ({error.strerror}): name another "
             "folder in XDG_CACHE_HOME"
         ) from error
-    command = [sys.executable, "-m", "unity_link.virtual.rtl.making", configuration.name, configuration.generics]
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
-    with running([*command, str(path)], environment) as process:
-        yield process
+    with tempfile.TemporaryDirectory() as scratch:
+        wanted = Path(scratch, "configuration.json")
+        wanted.write_bytes(msgspec.json.encode(configuration))
+        command = [sys.executable, "-m", "unity_link.virtual.rtl.making", str(wanted), str(path)]
+        with running(command, environment) as process:
+            yield process
     log.warning("the gateware of %s was built in %.0f s", configuration.name, time.monotonic() - began)
 
 

@@ -1,0 +1,235 @@
+"""The compiled register bank and the registers of `sim:` are the same to a program, and to a model behind them.
+
+Two robots of one spec, one in each, get the same requests and the same acts of a model, in any order. Each answer has
+to be the same, byte for byte, and each model has to see the same.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import pytest
+from hypothesis import HealthCheck, Phase, example, given, settings
+from hypothesis import strategies as st
+
+from support.searching import examples
+from support.spec_examples import specs
+from unity_link.spec import Signal, compile_text
+from unity_link.spec.printer import print_file
+from unity_link.virtual.build import simulated
+from unity_link.virtual.rtl.spec_gateway import SpecGateway
+from unity_link.virtual.rtl.specs import configuration_of, made
+from unity_link.virtual.simulated import SimulatedRobot
+from unity_link.virtual.simulating import SimulatedGateway, make_robot
+
+if TYPE_CHECKING:
+    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.spec import Interface, ModuleSpec
+    from unity_link.spec.syntax import File
+    from unity_link.virtual.registers import Cell
+    from unity_link.virtual.rtl.configurations import Configuration
+
+pytestmark = [pytest.mark.rtl, pytest.mark.slow]
+
+SPEC = """
+/// Something of everything that a register bank has.
+public everything() {
+  GATEWAY(ADDRESS_BITS=12, DATA_BITS=16);
+  @wide = 0x00: signed 40 READWRITE(SCALE=0.5);
+  @silent = 0x04: unsigned 33 WRITE();
+  @counter = 0x08: unsigned 48 READ();
+  @mode = 0x10[1:0]: mode READWRITE();
+  @level = 0x10[9:4]: unsigned 6 WRITE();
+  @top = 0x10[15]: bool READWRITE();
+  @flag = 0x11[0]: bool READ();
+  @state = 0x11[9:2]: mode READ();
+  @number = 0x13: float 16 READWRITE();
+  @class = 0x14: READWRITE();
+  @fixed = 0x15: fixed 4.8 READ();
+  @both = 0x16: READWRITE(FIFO(3));
+  @events = 0x17: unsigned 8 READ(FIFO(2));
+  @orders = 0x18: unsigned 9 WRITE(FIFO(2));
+  joints[2]: joint() @(0x20 + 4 * i);
+  ram: MEMORY(BASE=0x100, SIZE=16);
+  tube: FIFO(BASE=0x200, WORDS=2);
+}
+joint(): @(base) {
+  @position = base: signed 24 READ();
+  @target = base + 2: signed 12 READWRITE();
+}
+enum mode { off, slow, fast }
+"""
+
+
+class Listening(SimulatedRobot):
+    """Keeps what it is told."""
+
+    def start(self) -> None:
+        self.told: list[tuple[str, Any]] = []
+
+    def written(self, path: str, value: Any) -> None:
+        self.told.append((path, self.cells[path].raw if self.cells[path].queue is None else value))
+
+
+class Both(NamedTuple):
+    """A robot in each kind of registers."""
+
+    interface: Interface
+    sim: SimulatedGateway
+    rtl: SimulatedGateway
+
+    def ask(self, now: float, *requests: str) -> None:
+        """Send plain frames to both."""
+        for request in requests:
+            frame = f"{request}\r".encode()
+            answers = [gateway.receive(frame, now) for gateway in (self.sim, self.rtl)]
+            assert answers[0] == answers[1], request
+            assert answers[0] or request.startswith("WS")
+
+    def act(self, path: str, what: str, raw: int) -> None:
+        """Have both models do something with a signal."""
+        results: list[Any] = []
+        for gateway in (self.sim, self.rtl):
+            cell = gateway.robot.cells[path]
+            value = cell.signal.kind.decode(raw)
+            if cell.queue is None:
+                cell.set(value)
+                results.append(None)
+            else:
+                results.append(cell.queue.put(value) if what == "put" else cell.queue.take())
+        assert results[0] == results[1], path
+
+    def compare(self) -> None:
+        """Compare what both models see."""
+        seen = [
+            {path: _seen(cell) for path, cell in gateway.robot.cells.items()} | {"": list(gateway.robot.told)}
+            for gateway in (self.sim, self.rtl)
+        ]
+        assert seen[0] == seen[1]
+
+
+def _seen(cell: Cell) -> Any:
+    if cell.queue is None:
+        return cell.raw
+    return list(cell.queue.to_program), list(cell.queue.from_program)
+
+
+def both_of(interface: Interface, build: Configuration) -> Both:
+    compiled = SimulatedGateway(SpecGateway(build, interface), make_robot(interface, Listening))
+    return Both(interface, simulated(interface, Listening), compiled)
+
+
+def raws(signal: Signal) -> st.SearchStrategy[int]:
+    """Return what hardware can say: of an enumeration, what has a name; of a float, a number."""
+    kind = signal.kind
+    if kind.enumeration is not None:
+        return st.sampled_from([value.value for value in kind.enumeration.values])
+    numbers = st.integers(0, (1 << kind.width) - 1)
+    return numbers.filter(lambda raw: kind.decode(raw) == kind.decode(raw)) if kind.is_float else numbers
+
+
+class Story:
+    """Draws what happens to a robot."""
+
+    def __init__(self, interface: Interface, info: GatewayInfo) -> None:
+        self._data_bits = info.data_bits
+        self._address, self._word = info.address_digits, info.data_digits
+        self._last = (1 << info.address_bits) - 1
+        self._subjects: list[Signal | ModuleSpec] = [*interface.signals.values(), *interface.modules]
+
+    @property
+    def all_steps(self) -> st.SearchStrategy[list[tuple[Any, ...]]]:
+        """Return stories, each of few signals, so that one thing has to do with another."""
+        some = st.lists(st.sampled_from(self._subjects), min_size=1, max_size=2)
+        return some.flatmap(lambda subjects: st.lists(self._steps(subjects), max_size=30))
+
+    def _steps(self, subjects: list[Signal | ModuleSpec]) -> st.SearchStrategy[tuple[Any, ...]]:
+        """Return what may happen next."""
+        words = st.integers(0, (1 << self._data_bits) - 1)
+        signals = [one for one in subjects if isinstance(one, Signal)]
+        within = {address for one in signals for address in one.addresses}
+        within |= {one.base for one in subjects if not isinstance(one, Signal)}
+        near = {address + step for address in within for step in (-1, 1)}
+        places = st.one_of(
+            st.sampled_from(sorted(within)),
+            st.sampled_from(sorted(address for address in near if 0 <= address <= self._last)),
+        )
+        given = [one for one in signals if (one.access.reads and not one.access.writes) or one.fifo]
+        reads = st.one_of(
+            st.tuples(st.just("R"), places),
+            st.tuples(st.just("RM"), places, st.integers(1, 6)),
+            st.tuples(st.just("RQ"), places, st.integers(1, 4)),
+            st.tuples(st.just("GP"), st.lists(places, min_size=1, max_size=8)),
+        )
+        writes = st.one_of(
+            st.tuples(st.just("W"), places, words),
+            st.tuples(st.just("WM"), places, st.lists(words, min_size=1, max_size=4)),
+            st.tuples(st.just("WQ"), places, st.lists(words, min_size=1, max_size=4)),
+            st.tuples(st.just("WK"), places, words, words),
+            st.tuples(st.just("WS"), places, words),
+        )
+        acts = [st.tuples(st.sampled_from(["put", "take"]), st.just(signal), raws(signal)) for signal in given]
+        return st.one_of(reads, writes, *([st.one_of(acts)] if acts else []))
+
+    def tell(self, both: Both, now: float, what: str, *rest: Any) -> None:
+        """Have a step happen in both."""
+        if what in ("put", "take"):
+            signal, raw = rest
+            both.act(signal.path, what, raw)
+            return
+        if what == "GP":
+            listed = "".join(self._at(address) for address in rest[0])
+            both.ask(now, f"GS03000001{len(rest[0]):02X}{listed}", "GP03")
+            return
+        address, *values = rest
+        text = self._at(address)
+        for value in values:
+            if what in ("RM", "RQ"):
+                text += f"{value:02X}"
+            else:
+                text += "".join(f"{word:0{self._word}X}" for word in (value if isinstance(value, list) else [value]))
+        if what in ("WM", "WQ"):
+            text = f"{self._at(address)}{len(values[0]):02X}{text[self._address :]}"
+        both.ask(now, what + text)
+
+    def _at(self, address: int) -> str:
+        return f"{address:0{self._address}X}"
+
+
+class Meeting:
+    """Robots of a spec in both kinds of registers, which a story is told to."""
+
+    def __init__(self, interface: Interface) -> None:
+        self._interface = interface
+        self._build = made(configuration_of(interface, {}, None))
+        self.story = Story(interface, self._build.info)
+
+    def tell(self, steps: list[tuple[Any, ...]]) -> None:
+        """Compare both behind each step."""
+        both = both_of(self._interface, self._build)
+        for number, step in enumerate(steps, 1):
+            self.story.tell(both, number / 1000, *step)
+            both.compare()
+
+
+def test_a_bank_with_everything_is_as_its_registers_without_hardware() -> None:
+    interface = compile_text(SPEC).interface()
+    meeting, counter = Meeting(interface), interface.signals["counter"]
+
+    @settings(max_examples=examples(200), deadline=None, suppress_health_check=list(HealthCheck))
+    @given(steps=meeting.story.all_steps)
+    # A value of several words in two transactions, of which each has its own instant.
+    @example(steps=[("put", counter, 0x111122223333), ("R", 8), ("put", counter, 0x444455556666), ("RM", 9, 2)])
+    def tell(steps: list[tuple[Any, ...]]) -> None:
+        meeting.tell(steps)
+
+    tell()
+
+
+@pytest.mark.campaign
+@settings(max_examples=10, deadline=None, phases=[Phase.generate], suppress_health_check=list(HealthCheck))
+@given(file=specs(), data=st.data())
+def test_the_bank_of_any_spec_is_as_its_registers_without_hardware(file: File, data: st.DataObject) -> None:
+    meeting = Meeting(compile_text(print_file(file)).interface())
+    for _ in range(50):
+        meeting.tell(data.draw(meeting.story.all_steps))

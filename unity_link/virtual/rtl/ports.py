@@ -1,0 +1,87 @@
+"""Ports of a whole design: what a model of the plant sees of it, and drives.
+
+What a port has stands in the memory of the compiled gateware, so a look at an output, and setting an input, take no
+call. An output is as of the last clock cycle; an input is what the next one sees, unless a later cycle is named.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from typing import TYPE_CHECKING, NamedTuple
+
+from unity_link.errors import ArgumentError
+
+if TYPE_CHECKING:
+    from unity_link.virtual.rtl.gateway import RtlGateway
+
+
+class Counts(NamedTuple):
+    """Counts of a bit of a port in the clock cycles since they were taken last."""
+
+    high: int
+    """Cycles in which it was '1'."""
+    edges: int
+    """Cycles in which it was not what it was in the one before."""
+
+
+class Port:
+    """A port at the top of a design.
+
+    Args:
+        gateway: that has it.
+        library: of the gateway.
+        handle: of the gateway.
+        index: of the port.
+    """
+
+    def __init__(self, gateway: RtlGateway, library: ctypes.CDLL, handle: int, index: int) -> None:
+        # The words are the gateway's.
+        self._gateway = gateway
+        self._library, self._handle, self.index = library, handle, index
+        self.name = str(library.ul_port_name(handle, index).decode())
+        self.is_input = bool(library.ul_port_is_input(handle, index))
+        self.width = int(library.ul_port_bits(handle, index))
+        """Bits."""
+        words = ctypes.c_uint32 * -(-self.width // 32)
+        self._words = memoryview(words.from_address(library.ul_port_data(handle, index))).cast("B")
+        self._is_counted = False
+
+    def __repr__(self) -> str:
+        """Return name and direction."""
+        return f"<port {self.name}: {'in' if self.is_input else 'out'}, {self.width} bits>"
+
+    @property
+    def value(self) -> int:
+        """The bits as an unsigned number."""
+        return int.from_bytes(self._words, "little")
+
+    def drive(self, value: int, cycle: int | None = None) -> None:
+        """Set an input, which stays so.
+
+        Args:
+            value: the bits as an unsigned number.
+            cycle: the first clock cycle that sees it, counted as `RtlGateway.cycles`; None, or one that has passed:
+                the next one.
+
+        Raises:
+            ArgumentError: for an output, and for a value that does not fit.
+        """
+        if not self.is_input:
+            raise ArgumentError(f"{self.name} is an output of the gateware: an input was expected")
+        if not 0 <= value < 1 << self.width:
+            raise ArgumentError(f"{self.name} is driven to {value:#x}: {self.width} bits were expected")
+        given = value.to_bytes(len(self._words), "little")
+        if cycle is None:
+            self._words[:] = given
+        else:
+            words = (ctypes.c_uint32 * (len(given) // 4)).from_buffer_copy(given)
+            self._library.ul_set_at(self._handle, max(0, cycle), self.index, words)
+
+    def take_counts(self) -> list[Counts]:
+        """Return the counts of each bit, the lowest first, since the last call; the first call begins to count."""
+        if not self._is_counted:
+            self._is_counted = True
+            self._library.ul_count(self._handle, self.index)
+        high, edges = (ctypes.c_uint64 * self.width)(), (ctypes.c_uint64 * self.width)()
+        self._library.ul_take_counts(self._handle, self.index, high, edges)
+        return [Counts(*counts) for counts in zip(high, edges, strict=True)]

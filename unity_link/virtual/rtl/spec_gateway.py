@@ -1,0 +1,136 @@
+"""The compiled gateway of a spec: its register bank answers the bus, and a robot is behind the ports of that.
+
+The robot's time is that of the gateware. It steps before the clock cycle in which a step is due, so that hardware sees
+new values in that cycle, and where cycles are skipped, before time goes on. A trigger that it fires is applied in the
+cycle of its step.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import math
+from typing import TYPE_CHECKING
+
+from unity_link.errors import ArgumentError
+from unity_link.generate.vhdl.bank import Bank
+from unity_link.protocol.messages import ErrorCode
+from unity_link.virtual.bus import AccessError
+from unity_link.virtual.faults import Failing
+from unity_link.virtual.rtl.gateway import RtlGateway
+from unity_link.virtual.rtl.specs import ports_of
+from unity_link.virtual.rtl.wiring import Wiring
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from unity_link.spec import Interface
+    from unity_link.virtual.bus import Device
+    from unity_link.virtual.rtl.configurations import Configuration
+    from unity_link.virtual.simulated import SimulatedRobot
+
+
+class SpecGateway(RtlGateway):
+    """The gateway of a spec with its register bank.
+
+    Args:
+        configuration: its build.
+        interface: of the spec.
+
+    Raises:
+        ConnectError: where no C++ compiler is installed.
+    """
+
+    def __init__(self, configuration: Configuration, interface: Interface) -> None:
+        self._interface = interface
+        self._bank = Bank(interface)
+        self._robot: SimulatedRobot | None = None
+        self._wiring: Wiring | None = None
+        super().__init__(configuration)
+        super().attach_elsewhere(Failing(ErrorCode.BUS_ERROR))
+
+    def reset(self) -> None:
+        """Go back to the state after power-up, which is that of the registers, too."""
+        super().reset()
+        if self._wiring is not None:
+            self._wiring.take_all()
+
+    # What is behind the ports
+
+    def attach(self, device: Device, addresses: Iterable[int]) -> None:
+        """Put a device behind addresses without a signal; the first is its offset 0.
+
+        Raises:
+            ArgumentError: for an address that does not fit, or has a signal or a device, and for what is no device.
+        """
+        places = list(addresses)
+        for word in self._bank.words:
+            if word.address in places:
+                raise ArgumentError(
+                    f"a device is attached to {word.address:#x}, where the register bank of {self._interface.name} has "
+                    f"{word.paths}: an address without a signal was expected"
+                )
+        super().attach(device, places)
+        for index, port in enumerate(self._bank.ports):
+            if any(port.first <= address <= port.last for address in places):
+                self._library.ul_connect(self._handle, index)
+
+    def attach_elsewhere(self, device: Device) -> None:
+        """Put a device behind every address that has neither a signal nor a device; its offsets are the addresses."""
+        super().attach_elsewhere(device)
+        for index, _ in enumerate(self._bank.ports):
+            self._library.ul_connect(self._handle, index)
+
+    def wire(self, robot: SimulatedRobot) -> None:
+        """Put a robot behind the ports of the signals, and its modules behind theirs.
+
+        Raises:
+            ArgumentError: where the robot has set what only programs write.
+        """
+        offered = {path for group in self._interface.groups if group.trigger for path in group.signals}
+        self._wiring = Wiring(self, robot, ports_of(self._interface), offered)
+        robot.is_wired = True
+        self._robot = robot
+        # Before anything at addresses of its own.
+        super().attach_elsewhere(robot)
+        for index, _ in enumerate(self._bank.windows):
+            self._library.ul_connect(self._handle, index)
+
+    # Time
+
+    def _pass_time(self, now: float) -> None:
+        """Let cycles and the robot's time pass up to `now`."""
+        robot = self._robot
+        if robot is None:
+            super()._pass_time(now)
+            return
+        while not (self.ticking or self._is_held_up):
+            # Nothing sees the robot on the way but what it triggers.
+            self._step_robot(max(now, self.time))
+            if not robot.fired:
+                break
+            edge, group = robot.fired.popleft()
+            super()._pass_time(min(edge, now))
+            self.pulse(group)
+            self._run_until_quiet()
+        self._set_alarm()
+        super()._pass_time(now)
+
+    def _step_robot(self, until: float) -> None:
+        assert self._robot is not None
+        # Its failure is in the log, and registers stay as they are.
+        with contextlib.suppress(AccessError):
+            self._robot.pass_time(until, until_fired=True)
+
+    def _set_alarm(self) -> None:
+        assert self._robot is not None
+        due = self._robot.due
+        if due is not None and self._origin is not None:
+            cycles = math.ceil((due - self._time()) * self.info.clock_hz)
+            self.call_before(self.cycles + max(1, cycles), self._step_in_time)
+
+    def _step_in_time(self) -> None:
+        assert self._robot is not None
+        self._step_robot(self._time())
+        while self._robot.fired:
+            self.pulse(self._robot.fired.popleft()[1])
+        self._set_alarm()

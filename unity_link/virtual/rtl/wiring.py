@@ -1,0 +1,175 @@
+"""The signals of a simulated robot, joined with the ports of the compiled register bank.
+
+A signal that hardware gives drives its port when the model sets it. One that a program writes takes the bits of its
+port when that is written, and `written` of the model is called in the clock cycle in which the new value stands there.
+FIFO ports are queues that offer and take a word at the edges at which the gateware does.
+"""
+
+from __future__ import annotations
+
+import logging
+from typing import TYPE_CHECKING
+
+from unity_link.errors import ANY_ERROR, ArgumentError
+from unity_link.virtual.bus import AccessError
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from unity_link.virtual.registers import Cell, Queue, SignalFault
+    from unity_link.virtual.rtl.gateway import RtlGateway
+    from unity_link.virtual.rtl.ports import Port
+    from unity_link.virtual.simulated import SimulatedRobot
+
+_LOG = logging.getLogger("unity_link.virtual")
+
+
+class Given:
+    """A signal that hardware gives."""
+
+    def __init__(self, port: Port) -> None:
+        self._port = port
+
+    def drive(self, cell: Cell, raw: int) -> None:
+        """Drive the port; while it is frozen, keep that as it is."""
+        if cell.fault is None:
+            self._port.drive(raw)
+
+    def set_fault(self, cell: Cell, fault: SignalFault | None) -> None:
+        """Begin to keep the port as it is, or end that.
+
+        Raises:
+            ArgumentError: for another fault.
+        """
+        if fault is None:
+            self._port.drive(cell.raw)
+        elif fault != "frozen":
+            raise _impossible(cell, fault)
+
+
+class Got:
+    """A signal that a program writes, or a FIFO port."""
+
+    def drive(self, cell: Cell, raw: int) -> None:  # noqa: ARG002  (none is taken)
+        """Refuse a value of the model.
+
+        Raises:
+            ArgumentError: always.
+        """
+        raise ArgumentError(
+            f"{cell.signal.path} is {cell.signal.access}, and its register in the gateware changes with the writes of "
+            "programs alone: a model sets what is READ, or takes sim:"
+        )
+
+    def set_fault(self, cell: Cell, fault: SignalFault | None) -> None:
+        """Refuse a fault.
+
+        Raises:
+            ArgumentError: for one.
+        """
+        if fault is not None:
+            raise _impossible(cell, fault)
+
+
+def _impossible(cell: Cell, fault: SignalFault) -> ArgumentError:
+    return ArgumentError(
+        f"{cell.signal.path} cannot have the fault {fault}, as the compiled register bank answers for it: frozen, of a "
+        "signal that is READ and no FIFO port, was expected, or sim:"
+    )
+
+
+class Wiring:
+    """All signals of a robot that are in the register bank.
+
+    Args:
+        gateway: that has the ports.
+        robot: whose signals these are.
+        ports: names of the ports of each signal, by its path, and what they are of it (`Pins`).
+        offered: paths of the FIFO ports that a group publishes as soon as they have a word.
+
+    Raises:
+        ArgumentError: where the robot has set what only programs write.
+    """
+
+    def __init__(
+        self, gateway: RtlGateway, robot: SimulatedRobot, ports: Mapping[str, Mapping[str, str]], offered: set[str]
+    ) -> None:
+        self._gateway, self._robot = gateway, robot
+        self._told: set[type[BaseException]] = set()
+        self._queues: list[Queue] = []
+        self._got: list[tuple[Cell, Port]] = []
+        for path, names in ports.items():
+            cell = robot.cells[path]
+            pins = {pin: gateway.ports[name] for pin, name in names.items()}
+            if cell.queue is not None:
+                self._join_queue(cell, cell.queue, pins)
+                if path in offered:
+                    self._queues.append(cell.queue)
+            elif "got" in pins:
+                self._join_got(cell, pins["got"], pins["written"])
+            else:
+                cell.wire = Given(pins["given"])
+                cell.wire.drive(cell, cell.raw)
+
+    def take_all(self) -> None:
+        """Take what stands at the ports, as behind a reset, which pulses none of them."""
+        for cell, port in self._got:
+            cell.take(port.value)
+
+    def _join_got(self, cell: Cell, got: Port, written: Port) -> None:
+        cell.wire = Got()
+        if cell.raw:
+            cell.wire.drive(cell, cell.raw)
+        self._got.append((cell, got))
+
+        def take() -> None:
+            cell.take(got.value)
+            self._tell(cell)
+
+        self._gateway.watch(take, written)
+
+    def _join_queue(self, cell: Cell, queue: Queue, pins: Mapping[str, Port]) -> None:
+        cell.wire = Got()
+        given, valid, ready = pins.get("given"), pins.get("given_valid"), pins.get("got_ready")
+
+        def show() -> None:
+            if given is not None and valid is not None:
+                valid.drive(bool(queue.to_program))
+                if queue.to_program:
+                    given.drive(queue.to_program[0])
+            if ready is not None:
+                ready.drive(len(queue.from_program) < queue.depth)
+            self._gateway.keep_awake(on=any(queue.to_program for queue in self._queues))
+
+        def move_out() -> None:
+            queue.to_program.popleft()
+            show()
+
+        def move_in() -> None:
+            queue.from_program.append(pins["got"].value)
+            show()
+            self._tell(cell)
+
+        if valid is not None:
+            self._gateway.watch(move_out, valid, pins["given_ready"])
+        if ready is not None:
+            self._gateway.watch(move_in, pins["got_valid"], ready)
+        queue.changed = show
+        show()
+
+    def _tell(self, cell: Cell) -> None:
+        """Pass a write on to the model, whose time passes up to it first."""
+        try:
+            self._robot.pass_time(self._gateway.time)
+            self._robot.tell_written(cell)
+        except AccessError:
+            # Its step has failed, which the log has.
+            return
+        except ANY_ERROR as error:
+            if type(error) not in self._told:
+                self._told.add(type(error))
+                _LOG.exception(
+                    "%r failed in written(%r), which changes nothing in the gateware (told once)",
+                    self._robot,
+                    cell.signal.path,
+                )
