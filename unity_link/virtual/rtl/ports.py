@@ -7,12 +7,9 @@ call. An output is as of the last clock cycle; an input is what the next one see
 from __future__ import annotations
 
 import ctypes
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from unity_link.errors import ArgumentError
-
-if TYPE_CHECKING:
-    from unity_link.virtual.rtl.gateway import RtlGateway
 
 
 class Counts(NamedTuple):
@@ -28,13 +25,13 @@ class Port:
     """A port at the top of a design.
 
     Args:
-        gateway: that has it.
+        gateway: that has it, and lives as long as the port.
         library: of the gateway.
         handle: of the gateway.
         index: of the port.
     """
 
-    def __init__(self, gateway: RtlGateway, library: ctypes.CDLL, handle: int, index: int) -> None:
+    def __init__(self, gateway: object, library: ctypes.CDLL, handle: int, index: int) -> None:
         # The words are the gateway's.
         self._gateway = gateway
         self._library, self._handle, self.index = library, handle, index
