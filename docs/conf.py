@@ -18,6 +18,8 @@ from unity_link.protocol.arrays import Words
 # Known to type checkers alone, since numpy is imported late; here the signature of a sample needs it.
 vars(unity_link.link.subscription)["Words"] = Words
 
+_CORES = Path(__file__).parents[1] / "gateware" / "cores"
+
 project = "Unity-Link"
 author = "the Unity-Link authors"
 project_copyright = f"2026, {author}"
@@ -42,6 +44,15 @@ html_show_sphinx = False
 html_copy_source = False
 
 
+def write_pages_of_cores(folder: Path) -> None:
+    """Write a page for each core, which includes the datasheet in the folder of that."""
+    folder.mkdir(exist_ok=True)
+    for datasheet in sorted(_CORES.glob("*/README.md")):
+        name = datasheet.parent.name
+        (folder / f"{name}.md").write_text(f"```{{include}} ../../../../gateware/cores/{name}/README.md\n```\n")
+
+
 def setup(app: Sphinx) -> None:
-    """Register the lexer for blocks of `ul`."""
+    """Register the lexer for blocks of `ul`, and have pages of the cores."""
     app.add_lexer("ul", UlLexer)
+    write_pages_of_cores(Path(app.srcdir, "reference", "cores", "pages"))

@@ -9,6 +9,7 @@ rtl/physical/ul_fifo_port.vhd
 rtl/physical/ul_pad_input.vhd
 rtl/physical/ul_pad_output.vhd
 rtl/unity_link_pkg.vhd
+cores/encoder/ul_encoder_axis.vhd
 cores/lease/ul_lease.vhd
 rtl/application/ul_base_tick.vhd
 rtl/application/ul_frame_writer.vhd
@@ -28,10 +29,12 @@ rtl/datalink/ul_datalink_tx.vhd
 rtl/datalink/ul_plain_rx.vhd
 rtl/datalink/ul_plain_tx.vhd
 rtl/physical/ul_ft245_pads.vhd
+cores/encoder/ul_encoder_velocity.vhd
 rtl/application/ul_gateway_clock.vhd
 rtl/physical/ul_ft245_async.vhd
 rtl/physical/ul_ft245_sync.vhd
 rtl/physical/ul_uart.vhd
+cores/encoder/ul_encoder.vhd
 rtl/application/ul_subscription_manager.vhd
 rtl/unity_link_core.vhd
 rtl/unity_link.vhd

@@ -24,6 +24,8 @@ ROOT = Path(__file__).parent.parent
             {"tests/cli/test_full_screen.py", "tests/data/test_samples.py", "tests/link/test_subscriptions.py"},
         ),
         ("gateware/rtl/base/ul_fifo_sync.vhd", {"gateware/bench/fifo_sync", "gateware/bench/test_lists.py"}),
+        ("gateware/cores/encoder/ul_encoder.vhd", {"gateware/cores/encoder", "gateware/bench/test_lists.py"}),
+        ("gateware/cores/encoder/core.toml", {"gateware/cores/encoder"}),
         ("gateware/bench/runner.py", {"gateware/bench"}),
         ("gateware/tools/lists.py", {"gateware/bench/test_lists.py"}),
         ("benchmarks/posts.py", {"tests/benchmarks"}),

@@ -12,10 +12,12 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from gateware.tools.cores import cores
 from gateware.tools.synth import CONFIGURATIONS, DEVICES, RESULTS, Result, budget, check, over_budget, synthesise
 from unity_link.gateware.convert import ConversionError, to_verilog
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
     from pathlib import Path
 
 LIMITS = budget()
@@ -27,8 +29,16 @@ PROMISED = {
 }
 
 
+def of_cores() -> Iterator[object]:
+    """Yield each configuration of a core on each device; all but the first one are for the campaign."""
+    for core in cores():
+        for place, (name, size) in enumerate(core.sizes.items()):
+            for device in size.limits:
+                yield pytest.param(name, device, marks=[pytest.mark.campaign] if place else [])
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize(("name", "device"), IN_CI)
+@pytest.mark.parametrize(("name", "device"), [*IN_CI, *of_cores()])
 def test_a_configuration_fits_its_budget(name: str, device: str) -> None:
     result = synthesise(name, device)
     assert over_budget(name, device, result, LIMITS) == []
