@@ -10,7 +10,9 @@ rtl/physical/ul_pad_input.vhd
 rtl/physical/ul_pad_output.vhd
 rtl/unity_link_pkg.vhd
 cores/encoder/ul_encoder_axis.vhd
+cores/gpio/ul_gpio.vhd
 cores/lease/ul_lease.vhd
+cores/pwm/ul_pwm.vhd
 rtl/application/ul_base_tick.vhd
 rtl/application/ul_frame_writer.vhd
 rtl/application/ul_group_timer.vhd

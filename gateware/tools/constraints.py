@@ -97,7 +97,7 @@ def _lines(comment: str, head: Iterable[str], commands: Iterable[str]) -> str:
 
 
 def _all(which: int) -> list[str]:
-    return [label for found in crossings().values() for label in found[which]]
+    return list(dict.fromkeys(label for found in crossings().values() for label in found[which]))
 
 
 def _sdc(tool: _Tool) -> str:

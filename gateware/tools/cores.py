@@ -36,7 +36,7 @@ class Proof(msgspec.Struct, forbid_unknown_fields=True):
     """A proof of a core."""
 
     entity: str = ""
-    generics: dict[str, bool | int] = {}
+    generics: dict[str, bool | int | str] = {}
     defines: tuple[str, ...] = ()
     cover_steps: int = 20
     induction_steps: int = 2
@@ -54,7 +54,7 @@ class Limits(msgspec.Struct, forbid_unknown_fields=True):
 class Size(msgspec.Struct, forbid_unknown_fields=True):
     """A configuration of a core that is placed."""
 
-    generics: dict[str, bool | int] = {}
+    generics: dict[str, bool | int | str] = {}
     ice40: Limits | None = None
     up5k: Limits | None = None
     ecp5: Limits | None = None

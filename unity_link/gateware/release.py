@@ -23,7 +23,8 @@ if TYPE_CHECKING:
 _NEEDLESS = ("UNUSEDSIGNAL", "PINCONNECTEMPTY", "CMPCONST", "UNSIGNED")
 _MODULE = re.compile(r"^module (\w+)$", re.MULTILINE)
 _MENTION = re.compile(r"^(module |  )(\w+)(?=$| \w+ \()", re.MULTILINE)
-_PORT = re.compile(r"^ +\(?(input|output)(?: reg)? +(?:\[(\d+):0\] )?(\w+)[,)]", re.MULTILINE)
+# What is a word of Verilog is written so that it ends at a space.
+_PORT = re.compile(r"^ +\(?(input|output)(?: reg)? +(?:\[(\d+):0\] )?(\w+|\\\w+ )[,)]", re.MULTILINE)
 _DEFAULT = re.compile(r"^\s*(\w+)\s*:\s*in\s[^:;]*:=\s*('[01]'|\(others => '[01]'\))", re.MULTILINE)
 
 
@@ -31,6 +32,7 @@ class ModulePort(NamedTuple):
     """A port of a module."""
 
     name: str
+    """Name as Verilog writes it: one that is a word of Verilog with its backslash and its space."""
     width: int
     is_input: bool
     default: str
@@ -86,7 +88,9 @@ def ports(verilog: str, module: str, entity: str, sources: Sequence[Path]) -> li
     declared = next(match[0] for source in sources if (match := declaration.search(source.read_text())))
     defaults = dict(_DEFAULT.findall(declared))
     return [
-        ModulePort(port, width := int(high or 0) + 1, way == "input", _constant(defaults.get(port, ""), width))
+        ModulePort(
+            port, width := int(high or 0) + 1, way == "input", _constant(defaults.get(port.strip("\\ "), ""), width)
+        )
         for way, high, port in _PORT.findall(head)
     ]
 
