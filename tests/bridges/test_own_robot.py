@@ -19,11 +19,21 @@ import pytest
 from support.bridge_programs import PATIENCE, PROGRAM
 from support.live_page import TOKEN, hear, live, looking, take, write
 from support.own_robots import EXAMPLES, OWN
+from unity_link.virtual.build import Wanted, build_bare
 
 if TYPE_CHECKING:
     from support.own_robots import Own
 
 own = pytest.mark.parametrize("own", [OWN["sim"], pytest.param(OWN["rtl"], marks=pytest.mark.rtl)], ids=OWN)
+
+
+@pytest.fixture(autouse=True)
+def built(request: pytest.FixtureRequest) -> None:
+    """Build the gateware of a robot before what has a time limit, if it was not built before."""
+    if "own" in request.fixturenames:
+        robot = request.getfixturevalue("own")
+        if robot.url.startswith("rtl:"):
+            build_bare(Wanted(robot=robot.spec, rtl=True))
 
 
 def run(*arguments: str, folder: Path) -> str:
