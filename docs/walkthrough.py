@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, NamedTuple
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-WALKTHROUGHS = ["docs/tutorials/rover.md"]
+WALKTHROUGHS = ["docs/tutorials/rover.md", "docs/how-to/own-core.md", "docs/how-to/stop-safely.md"]
 """The pages that are one."""
 _ROOT = Path(__file__).parents[1]
 PAGES = [_ROOT / "README.md", *(page for page in sorted(_ROOT.glob("docs/**/*.md")) if "_build" not in page.parts)]
@@ -58,7 +58,9 @@ def follow(page: Path, folder: Path) -> None:
                     else:
                         run(command, expected, folder)
             elif caption:
-                (folder / caption).write_text(text, encoding="utf-8")
+                file = folder / caption
+                file.parent.mkdir(parents=True, exist_ok=True)
+                file.write_text(text, encoding="utf-8")
 
 
 def blocks(page: Path) -> Iterator[Block]:

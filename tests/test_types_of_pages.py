@@ -87,9 +87,12 @@ async def main(link: unity_link.Link) -> None:
 """
 
 
-def write_module(text: str, folder: Path) -> tuple[str, str]:
-    """Write the module of a spec into a package of its own; return the module's name, and its robot's."""
-    spec = compile_text(text)
+def write_module(text: str, folder: Path, path: Path | None = None) -> tuple[str, str]:
+    """Write the module of a spec into a package of its own; return the module's name, and its robot's.
+
+    Cores of a spec stand beside its path.
+    """
+    spec = compile_text(text, path=path)
     package = f"spec_{hashlib.sha256(text.encode()).hexdigest()[:12]}"
     (module,) = write(generate("python", spec), folder / package)
     return f"{package}.{module.stem}", class_name(spec.interface().name)
@@ -112,14 +115,17 @@ def write_programs(page: Path, folder: Path) -> None:
             lines += [""] * (block.line - 1 - len(lines)) + block.text.splitlines()
     own = folder_of(page, folder)
     for name, text in specs.items():
+        if name:
+            (own / name).parent.mkdir(parents=True, exist_ok=True)
+            (own / name).write_text(text, encoding="utf-8")
         if f"generate python {name}" in page.read_text(encoding="utf-8"):
             write(generate("python", compile_text(text)), own)
     for name, lines in programs.items():
         own.mkdir(exist_ok=True)
-        (own / name).write_text(with_classes("\n".join(lines) + "\n", specs, folder), encoding="utf-8")
+        (own / name).write_text(with_classes("\n".join(lines) + "\n", specs, folder, own), encoding="utf-8")
 
 
-def with_classes(program: str, specs: dict[str, str], folder: Path) -> str:
+def with_classes(program: str, specs: dict[str, str], folder: Path, own: Path) -> str:
     """Return a program of a page with the generated class of each spec in place of the one that is loaded."""
     before = TEXT.search(program)
     imports: set[str] = set()
@@ -131,7 +137,7 @@ def with_classes(program: str, specs: dict[str, str], folder: Path) -> str:
             spec = before[1]
         else:
             spec = specs.get(path) or (ROOT / "examples" / Path(path).name).read_text(encoding="utf-8")
-        module, robot = write_module(spec, folder)
+        module, robot = write_module(spec, folder, own / (path or "page.ul"))
         imports.add(f"import {module}")
         return f"{module}.{robot}"
 

@@ -130,6 +130,24 @@ class BusError(GatewayError):
     code = 4
 
 
+class NotArmedError(BusError):
+    """A lease is not armed: it could not be, it ended, or a write to what it guards was refused and not stored.
+
+    Nothing that the lease guards moves until a program arms it anew and writes to it afresh.
+    """
+
+    def __init__(self, message: str, reason: str, instant: float | None = None) -> None:
+        super().__init__(message)
+        self.reason = reason
+        """Cause: ``"none_yet"`` (it was not armed since the reset), ``"disarmed"``, ``"silence"`` (its end came before
+        a kick), ``"estop"``, ``"taken"`` (another program has it), or ``"late"`` (its end came before it was armed)."""
+        self.instant = instant
+        """Instant of the fault in seconds of the gateway's clock; None where it was none, or is not known."""
+
+    def __reduce__(self) -> Any:
+        return type(self), (str(self), self.reason, self.instant)
+
+
 class BusTimeoutError(GatewayError):
     """No module on the bus answered at the address (error 05)."""
 

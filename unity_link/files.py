@@ -265,11 +265,13 @@ def write_texts(
 
 
 def check_folder(folder: Path, names: Iterable[Path | str]) -> None:
-    """Check that the name of a folder that is to be made is not meant to be that of a file.
+    """Check that the name of a folder that is to be made is not that of a file, or meant to be.
 
     Raises:
-        ArgumentError: where it ends as one of the files that are to be in it.
+        ArgumentError: where a file has it, or it ends as one of the files that are to be in it.
     """
+    if folder.exists() and not folder.is_dir():
+        raise ArgumentError(f"{folder} is a file: the name of a folder was expected")
     if folder.suffix and not folder.exists() and folder.suffix in {Path(name).suffix for name in names}:
         raise ArgumentError(f"{folder} is named like a file: the name of a folder was expected")
 

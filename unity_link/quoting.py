@@ -126,6 +126,18 @@ def hdl_comment_lines(text: str, width: int) -> list[str]:
 # XML, HTML and Markdown
 
 
+def vhdl_string(text: str) -> str:
+    """Write printable ASCII as a string literal of VHDL."""
+    return '"' + text.replace('"', '""') + '"'
+
+
+def vhdl_literal(value: int | str) -> str:
+    """Write a whole number, a truth (a `bool`) or a string of printable ASCII as a literal of VHDL."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    return vhdl_string(value) if isinstance(value, str) else str(value)
+
+
 def xml_text(text: str) -> str:
     """Return a text for between tags, or for an attribute in quotes."""
     return html.escape(one_line(text))

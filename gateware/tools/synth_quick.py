@@ -17,9 +17,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gateware.tools.synth import CONFIGURATIONS, Configuration, map_only
-from unity_link.boards.build import design_of, generated_ports, synthesise, top_text
+from unity_link.boards.build import design_of, synthesise, top_text
 from unity_link.boards.families import FAMILIES
 from unity_link.boards.loading import board_names, load_board
+from unity_link.boards.pins import generated_ports
 from unity_link.errors import UnityLinkError
 from unity_link.spec import compile_text
 

@@ -17,10 +17,11 @@ import pytest
 
 from unity_link.boards import build as building
 from unity_link.boards.board import PINS, Board
-from unity_link.boards.build import BuildError, Built, build, generated_ports, program, refusal, top_text
+from unity_link.boards.build import BuildError, Built, build, program, refusal, top_text
 from unity_link.boards.clocks import pll
 from unity_link.boards.families import FAMILIES, YOSYS
 from unity_link.boards.loading import board_names, load_board
+from unity_link.boards.pins import generated_ports
 from unity_link.boards.projects import VENDORS, make_project
 from unity_link.errors import ArgumentError, UnsupportedError
 from unity_link.files import digest_of
@@ -332,7 +333,7 @@ def test_a_pll_holds_the_design_in_reset_until_it_is_stable() -> None:
 
 
 @pytest.mark.parametrize("name", ["hx8k_breakout", "ulx3s_ft245_sync", "arty_a7", "de10_nano"])
-@pytest.mark.parametrize("declared", ["motors: PWM(BASE=0x20, CHANNELS=2)", "@log = 3: unsigned 8 READ(FIFO(16))"])
+@pytest.mark.parametrize("declared", ["pool: MEMORY(BASE=0x20)", "@log = 3: unsigned 8 READ(FIFO(16))"])
 def test_what_a_bitstream_would_leave_out_is_refused_before_anything_is_done(
     declared: str, name: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
@@ -341,7 +342,7 @@ def test_what_a_bitstream_would_leave_out_is_refused_before_anything_is_done(
     _, board = load_board(name)
     make = make_project if board.family in VENDORS else build
     with pytest.raises(
-        UnsupportedError, match=r"stands behind (PWM motors|the FIFO port log); take robot_gateway .* --top"
+        UnsupportedError, match=r"stands behind (MEMORY pool|the FIFO port log); take robot_gateway .* --top"
     ):
         make(spec, name, board, tmp_path / "out")
     assert not (tmp_path / "out").exists()
@@ -422,7 +423,7 @@ def test_a_build_leaves_a_bitstream_and_a_report_of_size_speed_and_pins(
 def test_a_build_takes_a_users_top_and_its_report_lists_files_and_the_pins_that_they_use(
     tools: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    spec = compile_text("public lamp() { motors: PWM(BASE=0x20, CHANNELS=2); @log = 3: unsigned 8 READ(FIFO(16)); }")
+    spec = compile_text("public lamp() { pool: MEMORY(BASE=0x20); @log = 3: unsigned 8 READ(FIFO(16)); }")
     own = Own("top", (OwnFile(Path("own/p_q.vhd"), b"package"), OwnFile(Path("top.vhd"), b"entity")), {})
     led = Port("led", "Led", "output", 8, tuple(range(8)))
     ports = (*(port for port in generated_ports(HX8K) if not port.name.startswith("chain_")), led)

@@ -18,9 +18,9 @@ from hypothesis import strategies as st
 
 from docs.walkthrough import blocks
 from unity_link.boards.board import PINS, Board, Io, Pin
-from unity_link.boards.build import design_of, generated_ports, top_text
+from unity_link.boards.build import design_of, top_text
 from unity_link.boards.loading import board_names, load_board
-from unity_link.boards.own_pins import pins_of
+from unity_link.boards.pins import generated_ports, pins_of
 from unity_link.boards.projects import VENDORS, make_project
 from unity_link.errors import ArgumentError
 from unity_link.gateware.convert import ConversionError
@@ -332,7 +332,7 @@ def test_a_project_wants_ports_in_small_letters(tmp_path: Path) -> None:
     assert not (tmp_path / "out").exists()
 
 
-def test_further_files_without_a_top_are_refused(tmp_path: Path) -> None:
+def test_a_further_file_that_is_not_there_is_told_by_its_name(tmp_path: Path) -> None:
     spec = tmp_path / "panel.ul"
     spec.write_text(PAGE["panel.ul"])
     done = subprocess.run(
@@ -342,7 +342,7 @@ def test_further_files_without_a_top_are_refused(tmp_path: Path) -> None:
         check=False,
     )
     assert done.returncode == 2
-    assert done.stderr == "error: --vhdl is for what a top of your own needs: --top FILE.vhd was expected\n"
+    assert done.stderr == "error: x.vhd cannot be read: No such file or directory\n"
 
 
 @pytest.mark.slow

@@ -221,3 +221,43 @@ def test_the_schemes_that_are_offered_are_known() -> None:
     for scheme in completion.SCHEMES:
         if scheme != "zenoh:":
             assert parse_url(f"{scheme}x").scheme == scheme.partition(":")[0]
+
+
+LEASES = """
+public rover() {
+  GATEWAY(ADDRESS_BITS=12);
+  drive: LEASE() @(0x100);
+  arm: LEASE() @(0x200);
+  @speed = 0x10: READWRITE(SAFE(0, drive));
+}
+"""
+
+
+@pytest.fixture
+def leased(tmp_path: Path) -> str:
+    path = tmp_path / "rover.ul"
+    path.write_text(LEASES)
+    return str(path)
+
+
+def test_stop_disarms_all_leases_of_a_spec_which_may_stand_anywhere(leased: str) -> None:
+    both = (0, "drive: was not armed\narm: was not armed\n", "")
+    assert run("stop", f"sim:{leased}", leased) == both
+    assert run("stop", leased, f"sim:{leased}") == both
+    assert run("stop", f"sim:{leased}") == both
+    assert run("stop", "sim:?address_bits=12", UNITY_LINK_SPEC=leased) == both
+    printed = json.loads(run("stop", f"sim:{leased}", "--json").stdout)
+    assert printed["leases"] == {"drive": {"was_armed": False}, "arm": {"was_armed": False}}
+
+
+def test_a_lease_that_cannot_be_disarmed_leaves_no_other_one_armed(leased: str) -> None:
+    result = run("stop", f"sim:{leased}?fault=drive.disarm")
+    assert (result.returncode, result.stdout) == (1, "arm: was not armed\n")
+    assert result.stderr == "error: write of drive.disarm at 0x111: the bus refused the access\n"
+
+
+def test_stop_of_a_gateway_that_is_away_fails_and_says_so(leased: str, tmp_path: Path) -> None:
+    result = run("stop", f"unix:{tmp_path / 'nowhere'}", leased)
+    assert (result.returncode, result.stdout) == (1, "")
+    assert result.stderr.startswith("error: ")
+    assert "Traceback" not in result.stderr

@@ -116,6 +116,42 @@ def test_show_gives_the_model_as_json(folder: Path) -> None:
     assert model["modules"][0]["arguments"]["CTRL"] == {"type": "parameter", "name": "ctrl"}
 
 
+CORES = """\
+public lamp() {
+  dimmer: dimmer(among=state) @(0x20, lamp="gp3", key=none);
+  @mode = 0x28[1:0]: mode READWRITE(PIN="led", RESET=blink);
+  @on = 0x29[0]: bool READWRITE(PIN="led7", RESET=true);
+}
+dimmer(WIDTH=8, among=none): @(BASE) {
+  ENTITY("dimmer", TICK, width=WIDTH, name="a \\"b\\"", fast=true);
+  @level = BASE: unsigned WIDTH READWRITE(RESET=200);
+  @lamp: PIN(OUT);
+  @key: PIN(IN);
+  @bus: PIN(INOUT);
+  @edge: TRIGGER(among);
+  @count = BASE + 1: READ(PUBLISH(among));
+}
+enum mode { off, blink }
+group state(TRIGGER);
+"""
+
+
+def test_show_gives_the_entity_of_a_component_and_where_its_pins_are(folder: Path) -> None:
+    (folder / "lamp.ul").write_text(CORES)
+    lines = [line.rstrip() for line in run(folder, "show", "lamp.ul").stdout.splitlines()]
+    assert lines[2:] == [
+        "├── 0x28[1:0] mode: mode 2 READWRITE  1 after a reset at 2 pins of led",
+        "├── 0x29[0] on: bool READWRITE  true after a reset at led7",
+        '└── dimmer: dimmer  work.dimmer(width => 8, name => "a ""b""", fast => true)',
+        "    ├── 0x20[7:0] level: unsigned 8 READWRITE  200 after a reset",
+        "    ├── 0x21 count: unsigned 32 READ  published by state",
+        "    ├── lamp: PIN(OUT)  gp3",
+        "    ├── key: PIN(IN)  not wired",
+        "    ├── bus: PIN(INOUT)  no pin of a board yet",
+        "    └── edge: TRIGGER  group state",
+    ]
+
+
 def test_show_tells_which_interfaces_there_are(folder: Path) -> None:
     (folder / "two.ul").write_text("public a() { @x = 1: READ(); }\npublic b() { @y = 2: READ(); }")
     assert "0x02 y" in run(folder, "show", "two.ul").stdout

@@ -22,7 +22,7 @@ joint(): @(base) { @pos = base: READWRITE(PUBLISH(state)); @speed = base + 1: RE
 public rover() {
   left: joint() @(0x10);
   wheels[2]: joint() @(0x20 + 2 * i);
-  leds: PWM(BASE=0x40, CHANNELS=2);
+  pool: MEMORY(BASE=0x40, SIZE=2);
   @port = 0x50: READWRITE();
 }
 """)
@@ -33,7 +33,7 @@ NEAR = {
     "robot.left.pos": ("valeu", "'value'"),
     "robot.wheels[1].speed": ("vlaue", "'value'"),
     "robot.groups['state']": ("subscirbe", "'subscribe'"),
-    "robot.leds": ("set_al", "'set_all'"),
+    "robot.pool": ("lod", "'load'"),
     "link": ("raed_block", "'read_block'"),
     "batch": ("lsot", "'lost'"),
     "batch.table": ("untis", "'units'"),
@@ -51,7 +51,7 @@ KNOWN = {
     "robot.left.pos": "unit",
     "robot.wheels[0].pos": "set",
     "robot.groups['state']": "name",
-    "robot.leds": "get",
+    "robot.pool": "load",
     "batch": "proxies",
     "batch.table": "units",
     "sample": "lost",

@@ -59,7 +59,7 @@ public walker() {
   @gain = 0x64: float READWRITE();
   legs[3]: leg() @(0x10 * i);
   pool: MEMORY(BASE=0x70, SIZE=16);
-  motors[2]: PWM(BASE=0x80 + 4 * i, CHANNELS=1, SIZE=4);
+  tables[2]: MEMORY(BASE=0x80 + 4 * i, SIZE=4);
 }
 /// A leg.
 leg(): @(base) { joints[2]: joint() @(base + 4 * i); }
@@ -176,7 +176,7 @@ def test_signals_are_read_and_written_by_their_paths(medium: Medium, runtime: li
     robot.pool.write_block(4, {7, 8});
     CHECK(link.read(0x75) == 8 && robot.pool.read(5) == 8 && robot.pool.words() == 16);
     THROWS(ArgumentError, robot.pool.read(16));
-    CHECK(robot.motors[1].address() == 0x84);
+    CHECK(robot.tables[1].address() == 0x84);
 
     Walker::Targets targets{};
     targets.legs_2_joints_1_target = 77;

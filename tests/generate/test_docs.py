@@ -183,6 +183,49 @@ def test_groups_modules_and_enumerations_have_their_tables() -> None:
     assert "| parameters | ctrl, base = 64 |" in text
 
 
+CORES = """\
+public lamp() {
+  dimmers[2]: dimmer(8 + i) @(0x20 + i, lamp="gp" + i, key=none);
+  beat: beat() @();
+  @on = 0x28[0]: bool READWRITE(PIN="led1", RESET=true);
+}
+/// Fades.
+dimmer(WIDTH): @(BASE) {
+  ENTITY("dimmer", TICK, TIME, width=WIDTH, name="<b> | &");
+  @level = BASE: unsigned WIDTH READWRITE(RESET=200);
+  @lamp: PIN(OUT);
+  @key: PIN(IN);
+}
+beat(): @() { ENTITY("beat"); @pulse: TRIGGER(state); @sound: PIN(OUT); }
+group state(TRIGGER);
+"""
+
+
+def test_a_component_with_an_entity_has_it_with_its_generics_and_pins() -> None:
+    spec = compile_text(CORES)
+    check(spec)
+    html, text = pages(spec)
+    assert (
+        "Entity: " + markdown('work.dimmer(width => 9, name => "<b> | &")') + " with tick, now of the gateway" in text
+    )
+    assert "| lamp | OUT | gp1 |\n| key | IN | not wired |\n" in text
+    assert "| pulse | TRIGGER | group state |" not in text.split("### beat")[0]
+    assert "| sound | OUT | no pin of a board yet |\n| pulse | TRIGGER | group state |\n" in text.split("### beat")[1]
+    assert "200 after a reset" in text
+    assert "true after a reset; at led1" in text
+    cells = Checker(html).cells
+    assert [cells[cells.index("lamp") + place] for place in range(6)] == [
+        "lamp",
+        "OUT",
+        "gp0",
+        "key",
+        "IN",
+        "not wired",
+    ]
+    assert "work.dimmer(width =&gt; 8, name =&gt; &#34;&lt;b&gt; | &amp;&#34;)" in html
+    assert '<a href="#c-beat">beat</a>' in html
+
+
 def test_the_map_of_the_largest_memory_is_as_short_as_that_of_any_other() -> None:
     (memory, _, end) = Page(
         compile_text("public x() { GATEWAY(ADDRESS_BITS=32); m: MEMORY(SIZE=0x100000000); }").interface()

@@ -43,7 +43,8 @@ public robot(class, link, self) {
   @port = 0x84: signed READWRITE(FIFO);
   @status = 0x85: READ(POLL(2));
   Component[2]: Readable(1 + i) @(0x90 + i);
-  motors[2]: PWM(BASE=0xA0 + 2 * i, CHANNELS=2, SIZE=2);
+  tables[2]: MEMORY(BASE=0xA0 + 2 * i, SIZE=2);
+  net: TOSNET(BASE=0xC0, SIZE=4);
   pool: MEMORY(BASE=0xB0, SIZE=8);
 }
 Readable(scale): @(base) { @value = base: READ(SCALE=scale); link: link() @(base + 0x10); }
@@ -55,6 +56,7 @@ import unity_link
 from robot import Robot_, Readable_, State
 from scara import Joint, Scara
 from unity_link.data import Readable
+from unity_link.network import TosnetState
 
 async def main(link: unity_link.Link) -> None:
     scara = Scara(link, ctrl=1)
@@ -74,7 +76,8 @@ async def main(link: unity_link.Link) -> None:
     await robot.Component[1].link_.import_.set(True)
     assert_type(await robot.port.get(), int)
     assert_type(await robot.pool.read(3), int)
-    await robot.motors[1].set(0, 0.5)
+    await robot.tables[1].store([1, 2])
+    assert_type(await robot.net.state(), TosnetState)
 """
 WRONG = """\
 import unity_link

@@ -10,7 +10,7 @@ import pytest
 from generate.peers import serve, simulate
 from generate.programs import CPP, SANITIZED, C, compiled, generated, linked, output
 from support.spec_examples import FIGURE_1
-from unity_link.generate.networks import networks
+from unity_link.network.memories import networks
 from unity_link.spec import compile_text
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.tosnet import COMM, CTRL, ScaraOnTosnet

@@ -43,6 +43,7 @@ if TYPE_CHECKING:
 
 ROOT = Path(__file__).resolve().parents[2]
 BOARDS = GATEWARE / "boards"
+PROBE = Path(__file__).with_name("probe.vhd")
 
 EVERYTHING = """\
 /// What it does.
@@ -57,9 +58,9 @@ public robot(ctrl, comm) {
   TOSNET(CTRL=ctrl, COMM=comm, BASE=0x400) {
     TOSNET_NODE(NODE=2) { @acceleration = 1: signed READ(); }
   }
-  motors[2]: PWM(BASE=0x40 + 2 * i, CHANNELS=2, SIZE=2);
+  tables[2]: MEMORY(BASE=0x40 + 2 * i, SIZE=2);
   pool: MEMORY(BASE=0x101, SIZE=200);
-  leds: GPIO(BASE=0x20, WIDTH=8) { @led = 0[7:0]: READWRITE(); }
+  leds: MEMORY(BASE=0x20) { @led = 0[7:0]: READWRITE(); }
   MEMORY(BASE=0x80, SIZE=0x20) { @inside = 3: READWRITE(); queue: FIFO(BASE=8); }
   @mode = 1[3:0]: mode READWRITE();
   @Entity = 1[4]: bool WRITE();
@@ -153,6 +154,7 @@ SPECS = {
     "everything": compile_text(EVERYTHING, "robot.ul"),
     "reserved names": compile_text(RESERVED_NAMES, "library.ul"),
     "hidden names": compile_text(HIDDEN_NAMES, "robot.ul"),
+    "cores": compile_file(Path(__file__).with_name("cores.ul")),
     **{f"every kind in words of {bits}": every_kind(bits) for bits in WORD_BITS},
 }
 
@@ -250,32 +252,44 @@ FAULTS = {
 }
 
 
+OF_CORES = {
+    "a write without a lease": (r"'1' and allowed = '1' then", "'1' then"),
+    "a write without a lease that is answered": (r"not wb_we or drive_armed_from_core\(0\)", "'1'"),
+    "a lease that guards what another one does": (r"spare_armed_from_core\(0\)( = '0')", r"drive_armed_from_core(0)\1"),
+    "a register that is not made safe": (r"gait_bits +<= \"0101\";\n +end if;", "null; end if;"),
+    "a register with another value after reset": (r'row_bits +<= "0101"', 'row_bits <= "0111"'),
+    "a safe value that another one has": (r"(low_bits +<= x\"0)7\"", r'\g<1>6"'),
+}
+"""Faults of the bank of a spec with cores."""
+
+
 @rtl
-@pytest.mark.parametrize("name", FAULTS)
+@pytest.mark.parametrize("name", [*FAULTS, *OF_CORES])
 def test_the_bench_finds_a_fault(name: str, tmp_path: Path) -> None:
-    analyse(tmp_path, SPECS["everything"])
-    registers = tmp_path / "robot_registers.vhd"
-    pattern, replacement = FAULTS[name]
+    robot = analyse(tmp_path, SPECS["cores" if name in OF_CORES else "everything"])
+    registers = tmp_path / f"{robot}_registers.vhd"
+    pattern, replacement = (FAULTS | OF_CORES)[name]
     wrong, count = re.subn(pattern, replacement, registers.read_text())
     assert count >= 1, "the fault is nowhere to be put"
     registers.write_text(wrong)
     done = ghdl(tmp_path, "-a", registers.name)
     assert done.returncode == 0, done.stderr
-    done = ghdl(tmp_path, "-a", "robot_bench.vhd")
+    done = ghdl(tmp_path, "-a", f"{robot}_bench.vhd")
     assert done.returncode == 0, done.stderr
-    done = run(tmp_path, "robot")
+    done = run(tmp_path, robot)
     assert done.returncode != 0
     assert "checks failed" in done.stdout + done.stderr
 
 
 @rtl
 @pytest.mark.parametrize(
-    "name", ["figure 1", "walker", "everything", "reserved names", "hidden names", "every kind in words of 64"]
+    "name",
+    ["figure 1", "walker", "everything", "reserved names", "hidden names", "cores", "every kind in words of 64"],
 )
 def test_gateway_and_boards_elaborate_with_the_gateware(name: str, tmp_path: Path) -> None:
     paths = write(generate("vhdl", SPECS[name]), tmp_path)
     assert ghdl(tmp_path, "-i", f"--work={LIBRARY}", *map(str, vhdl_sources())).returncode == 0
-    assert ghdl(tmp_path, "-i", *map(str, (*BOARDS.glob("*.vhd"), *paths))).returncode == 0
+    assert ghdl(tmp_path, "-i", *map(str, (*BOARDS.glob("*.vhd"), PROBE, *paths))).returncode == 0
     tops = [path.stem for path in paths if path.stem.endswith(("_gateway", "_on_uart", "_on_ft245", "_on_ft245_sync"))]
     # What has FIFO ports or modules is no whole design by itself.
     assert len(tops) == (1 if left_open(SPECS[name].interface()) else 4)
@@ -287,15 +301,12 @@ def test_gateway_and_boards_elaborate_with_the_gateware(name: str, tmp_path: Pat
 @pytest.mark.parametrize(
     ("declared", "named"),
     [
-        ("motors: PWM(BASE=0x20, CHANNELS=2, SIZE=2, WIDTH=12);", "PWM motors"),
-        ("leds: GPIO(BASE=0x40, WIDTH=4);", "GPIO leds"),
-        ("axes[2]: QUADRATURE(BASE=0x10 + i, SIZE=1);", "QUADRATURE axes[0], QUADRATURE axes[1]"),
-        ("hits: COUNTER(BASE=0x30, SIZE=1);", "COUNTER hits"),
+        ("axes[2]: MEMORY(BASE=0x10 + i, SIZE=1);", "MEMORY axes[0], MEMORY axes[1]"),
         ("pool: MEMORY(BASE=0x80, SIZE=16);", "MEMORY pool"),
         ("queue: FIFO(BASE=0x90);", "FIFO queue"),
         ("TOSNET(BASE=0, NODES=4);", "TOSNET"),
         ("@log = 0x33: unsigned 8 READ(FIFO(16));", "the FIFO port log"),
-        ("@out = 0x33: unsigned 8 WRITE(FIFO(16)); leds: GPIO(BASE=0x40, SIZE=2);", "the FIFO port out, GPIO leds"),
+        ("@out = 0x33: unsigned 8 WRITE(FIFO(16)); leds: MEMORY(BASE=0x40, SIZE=2);", "the FIFO port out, MEMORY leds"),
     ],
 )
 def test_no_whole_design_leaves_out_what_its_spec_names(declared: str, named: str) -> None:
@@ -501,8 +512,10 @@ def test_generics_follow_from_the_groups() -> None:
 
 
 def test_modules_without_size_at_one_address_are_refused() -> None:
-    spec = compile_text("public robot() { a: MEMORY(BASE=4); b: PWM(BASE=4); }")
-    with pytest.raises(UnsupportedError, match=r"MEMORY and PWM both begin at address 0x4.*give one of them its SIZE"):
+    spec = compile_text("public robot() { a: MEMORY(BASE=4); b: TOSNET(BASE=4); }")
+    with pytest.raises(
+        UnsupportedError, match=r"MEMORY and TOSNET both begin at address 0x4.*give one of them its SIZE"
+    ):
         generate("vhdl", spec)
 
 

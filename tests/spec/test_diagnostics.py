@@ -97,7 +97,47 @@ CASES = [
     ("public x() { @a = 1: unsigned 64 READ(); @b = 2: READ(); }", "overlap", "b takes bits 31:0 at address 0x2", "2", ""),
     ("public x() { j[2]: joint(\"j\" + i) @(i, 1); }" + JOINT, "overlap", "j[1].pos takes bits 31:0 at address 0x1, which j[0].vel has", "i", ""),
     ("public x() { @a = 1: READ(); @b = 1[3:0]: WRITE(); @c = 1[7:4]: WRITE(); }", "overlap", "b is one of several fields written at address 0x1, where reading gives a instead", "1", "make the field READWRITE"),
-    ("public x() { m: GIMBAL(); }", "unknown-component", "there is no component 'GIMBAL'", "GIMBAL", "one of your own is known where its class is imported"),
+    ("public x() { m: GIMBAL(); }", "unknown-component", "there is no component 'GIMBAL'", "GIMBAL", "one of your own is cores/gimbal/gimbal.ul beside the spec"),
+    ("public x() { m: QUADRATURE(BASE=0); }", "unknown-component", "there is no component 'QUADRATURE'", "QUADRATURE", "it is the core ENCODER now, one for each channel"),
+    # Cores and what is at pins.
+    ("public x() { m: PWM(WIDHT=8) @(0); }", "unknown-argument", "PWM has no argument 'WIDHT'", "WIDHT", "mean 'WIDTH'?"),
+    ("public x() { m: PWM() @(0, pmw=\"gp0\"); }", "unknown-argument", "PWM has no address 'pmw'", "pmw", "mean 'pwm'?"),
+    ("public x() { m: PWM() @(0, pwm=3); }", "bad-pin", "pwm is a pin of PWM, and takes the name of a pin of the board, not the number 3", "3", 'as in pwm="led0"'),
+    ("public x() { m: PWM() @(0, \"gp0\"); }", "address-count", "PWM takes 1 address (BASE), and 2 are given", '0, "gp0"', ""),
+    ("public x() { m: PWM(BASE=1) @(2); }", "address-count", "PWM takes 1 address (BASE), and 2 are given", "BASE=1) @(2", ""),
+    ("public x() { m: PWM() @(0) { @a = 1: READ(); } }", "misplaced", "only a hardware module has members here, and PWM is none", "PWM", ""),
+    ("public x() { m: c() @(0); }\nc(): @(at) { @a = at: READ(); @p: PIN(OUT); }", "bad-entity", "p is a port of no entity: c has no ENTITY", "p", 'as in ENTITY("ul_pwm", width=WIDTH);'),
+    ("public x() { m: c() @(0); }\nc(): @(at) { ENTITY(blink); @a = at: READ(); }", "bad-entity", "ENTITY begins with the name of an entity in VHDL", "blink", 'as in ENTITY("ul_pwm", width=WIDTH);'),
+    ('public x() { m: c() @(0); }\nc(): @(at) { ENTITY("a b"); @a = at: READ(); }', "bad-entity", "ENTITY begins with the name of an entity in VHDL", '"a b"', ""),
+    ('public x() { m: c() @(0); }\nc(): @(at) { ENTITY("b", TOCK); @a = at: READ(); }', "unknown-argument", "ENTITY takes the inputs TICK, TIME and ARMED, and generics by their names", "TOCK", "mean 'TICK'?"),
+    ('public x() { m: c() @(0); }\nc(): @(at) { ENTITY("b", n=0.5); @a = at: READ(); }', "bad-entity", "n is the number 0.5, and a generic is a whole number of 32 bits, a truth or a string", "0.5", ""),
+    ('public x() { m: c() @(0); }\nc(): @(at) { ENTITY("b", n_=1); @a = at: READ(); }', "bad-entity", "'n_' cannot be the name of a generic in VHDL", "n_", ""),
+    ('public x() { m: c() @(0); }\nc(): @(at) { ENTITY("b", axes=1); @a = at: READ(); }', "argument-twice", "axes is given by the design", "axes=1", ""),
+    ('public x() { m: c() @(0); }\nc(): @(at) { ENTITY("b"); ENTITY("d"); @a = at: READ(); }', "name-twice", "ENTITY stands twice in this component", "ENTITY", ""),
+    ('public x() { m: c() @(0); }\nc(): @(at) { ENTITY("b"); @a = at: READ(FIFO); }', "bad-entity", "a component with an ENTITY has signals, pins and triggers, and no FIFO port, part or module", "ENTITY", ""),
+    ('public x() { ENTITY("b"); @a = 1: READ(); }', "misplaced", "an interface is the whole design, and ENTITY stands in a component of it", "ENTITY", ""),
+    ('public x() { m: c() @(0); }\nc(): @(at) { ENTITY("b"); @a = at: READ(); @p = 3: PIN(OUT); }', "misplaced", "p is a pin, which has neither an address nor a kind", "p", "as in @p: PIN(...);"),
+    ('public x() { m: c() @(0); }\nc(): @(at) { ENTITY("b"); @a = at: READ(); @p: PIN(OOT); }', "bad-pin", "a pin is IN, OUT or INOUT, not OOT", "PIN", "mean 'OUT'?"),
+    ('public x() { m: c() @(0); }\nc(): @(at) { ENTITY("b"); @a = at: READ(); @p_: PIN(OUT); }', "bad-pin", "'p_' cannot be the name of a port in VHDL", "p_", ""),
+    ('group g(RATE=10); public x() { m: c() @(0); }\nc(): @(at) { ENTITY("b"); @a = at: READ(PUBLISH(g)); @t: TRIGGER(g); }', "group-trigger", "a core triggers the group g, which is not published on its trigger", "g", "declare it so: group g(TRIGGER);"),
+    ("public x() { @a = 1: bool READWRITE(PIN=3); }", "bad-argument", "PIN is a string, not the number 3", "3", ""),
+    ('public x() { @a = 1: unsigned 40 READWRITE(PIN="led"); }', "bad-pin", "a has several words, and a register at pins is one", 'PIN="led"', ""),
+    ('public x() { @a = 1: READWRITE(PIN="led", FIFO); }', "bad-pin", "a FIFO port hands out words, and cannot be at pins", 'PIN="led"', ""),
+    # Values after a reset.
+    ("public x() { @a = 1: READ(RESET=3); }", "bad-reset", "RESET is the value of a register that nobody has written, and this signal is only read", "RESET=3", "leave it out"),
+    ("public x() { @a = 1: WRITE(RESET=3, FIFO); }", "bad-reset", "RESET is the value of a register that nobody has written, and this signal is a FIFO port", "RESET=3", "leave it out"),
+    ("public x() { @a = 1: unsigned 4 WRITE(RESET=16); }", "bad-reset", "RESET: 16 is outside of", "RESET=16", ""),
+    ("public x() { @a = 1: WRITE(MIN=1, MAX=5, RESET=6); }", "bad-reset", "RESET is 6, outside of the signal's limits, 1 to 5", "RESET=6", ""),
+    # Leases.
+    ("public x() { d: LEASE() @(0x80); @a = 1: READ(SAFE(0, d)); }", "bad-safe", "SAFE is the value of a register that nobody has written, and this signal is only read", "SAFE(0, d)", "leave it out"),
+    ("public x() { d: LEASE() @(0x80); @a = 1: WRITE(MIN=1, SAFE(0, d)); }", "bad-safe", "SAFE is 0, outside of the signal's limits, 1 to ...", "SAFE(0, d)", ""),
+    ("public x() { d: LEASE() @(0x80); @a = 1: WRITE(RESET=1, SAFE(0, d)); }", "bad-reset", "a signal with SAFE begins with its safe value, and has no RESET", "RESET=1", "leave out RESET"),
+    ("public x() { d: LEASE() @(0x80); @a = 1[7:0]: WRITE(SAFE(0, d)); @b = 1[15:8]: WRITE(); }", "bad-safe", "a and b are written together at address 0x1, and one is guarded by d, the other by none", "1", "give each its own address, or both one lease"),
+    ("public x() { d: LEASE() @(0x80); @a = 1: WRITE(SAFE(0, b)); }", "unknown-name", "nothing is called 'b' here", "b", ""),
+    ("group g(RATE=10); public x() { @a = 1: WRITE(SAFE(0, g)); @b = 2: READ(PUBLISH(g)); }", "bad-argument", "LEASE is the name of a LEASE of the interface, not the group 'g'", "g", ""),
+    ("public x() { d: LEASE() @(0x80); @a = 1: WRITE(SAFE(0)); }", "argument-missing", "SAFE needs LEASE, the name of a LEASE of the interface", "SAFE(0)", ""),
+    ('public x() { d: LEASE() @(0x80); e: LEASE() @(0xA0); m: c(d, e) @(0); }\nc(D, E): @(at) { ENTITY("b"); @a = at: WRITE(SAFE(0, D)); @z = at + 1: WRITE(SAFE(0, E)); }', "bad-safe", "the signals of an entity are guarded by one lease, not by d and e", "ENTITY", ""),
+    ("public x() { @a = 1: mode 8 WRITE(RESET=of); }" + MODE, "bad-reset", "RESET: 'of' is no value of mode", "RESET=of", ""),
     ("public x() { @q = 1: unsigned 8 READ(FIFO); @b = 1[15:8]: WRITE(); @c = 1[23:16]: WRITE(); }", "overlap", "b is one of several fields written at address 0x1, where reading takes a word from q", "1", "move it to another address"),
     ("public x() { @q = 1: unsigned 8 READ(FIFO); @b = 1[15:8]: READWRITE(); }", "overlap", "b takes bits 15:8 at address 0x1, which q has (the whole word, as a FIFO port)", "1", ""),
     ("public x() { @q = 1: unsigned 8 WRITE(FIFO); @b = 1[15:8]: WRITE(); }", "overlap", "b takes bits 15:8 at address 0x1, which q has (the whole word, as a FIFO port)", "1", ""),
@@ -228,7 +268,7 @@ def test_every_rule_has_a_case() -> None:
     rules = set(re.findall(r'"([a-z]+(?:-[a-z]+)+|syntax|overlap|recursion|inexact|misplaced|import|joints)"', sources))
     rules -= {"utf-8", "utf-8-sig", "no-value-type"}
     tested = {code for _, code, *_ in CASES}
-    elsewhere = {"import-cycle", "gateway-width", "no-interface", "too-long", "unreadable"}
+    elsewhere = {"core-twice", "import-cycle", "gateway-width", "no-interface", "too-long", "unreadable"}
     assert rules - tested - elsewhere == set()
 
 

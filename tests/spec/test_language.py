@@ -310,14 +310,14 @@ def test_a_module_without_block_holds_the_whole_interface() -> None:
 
 def test_modules_have_names_parameters_and_arrays() -> None:
     interface = interface_of(
-        "/// Two channels each.", "motors[2]: PWM(BASE=0x40 + 4 * i, CHANNELS=2, SIZE=4);", "c: c();",
-        outside="c() { pins: GPIO(BASE=0x20, WIDTH=8) { @p = 0: READ(); } }",
+        "/// Two tables.", "tables[2]: MEMORY(BASE=0x40 + 4 * i, SIZE=4);", "c: c();",
+        outside="c() { log: FIFO(BASE=0x20, WORDS=8) { @p = 0: READ(); } }",
     )  # fmt: skip
     assert [(one.type, one.path, one.base, one.words) for one in interface.modules] == [
-        ("PWM", "motors[0]", 0x40, 4), ("PWM", "motors[1]", 0x44, 4), ("GPIO", "c.pins", 0x20, None),
+        ("MEMORY", "tables[0]", 0x40, 4), ("MEMORY", "tables[1]", 0x44, 4), ("FIFO", "c.log", 0x20, None),
     ]  # fmt: skip
     assert interface.root.modules == (0, 1)
-    assert interface.modules[0].doc == "Two channels each."
+    assert interface.modules[0].doc == "Two tables."
     assert addresses(interface) == {"c.p": 0x20}
 
 

@@ -23,7 +23,7 @@ public robot(ctrl, base=0x10) {
   TOSNET(CTRL=ctrl, BASE=0);
   legs[3]: leg("leg " + i) @(base + 8 * i, vel=0x80 + i); // trailing
   TOSNET_NODE(NODE=2) { @m[1:0] = 3: mode READWRITE(); }
-  pins: GPIO(BASE=0x100, WIDTH=8);
+  pins: MEMORY(BASE=0x100, SIZE=8);
   @led = 0x40[3]: bool READWRITE(ID="led");
 }
 /// A leg

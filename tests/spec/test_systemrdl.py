@@ -160,7 +160,7 @@ def test_signals_parts_and_values_may_have_names_of_kinds(tmp_path: Path) -> Non
 
 def test_parts_may_have_names_of_groups_enumerations_and_modules(tmp_path: Path) -> None:
     interface = interface_of(
-        "state: part() @(1);", "PWM: part() @(2);", "mode: part() @(3);", "@a = 4: mode READ(GROUP(state));",
+        "state: part() @(1);", "MEMORY: part() @(2);", "mode: part() @(3);", "@a = 4: mode READ(GROUP(state));",
         outside="enum mode { off }\ngroup state;\npart(): @(base) { @b = base: READ(GROUP(state)); }",
     )  # fmt: skip
     back = returned(interface, tmp_path)

@@ -116,6 +116,19 @@ def kinds(draw: st.DrawFn, enumerations: list[EnumDeclaration]) -> tuple[KindSpe
     return draw(st.sampled_from(choices))
 
 
+def _resets(kind: KindSpecifier | None, enumerations: list[EnumDeclaration]) -> list[Argument]:
+    """Return a RESET of a kind, where there is one that every width of it has."""
+    word = "unsigned" if kind is None else str(kind.name)
+    values: dict[str, Expression] = {
+        "bool": Name(Word("true")),
+        "unsigned": Number("1"),
+        "signed": Prefixed("-", Number("1")),
+        "float": Number("0.5"),
+        **{str(one.name): Name(Word(one.members[-1].name)) for one in enumerations},
+    }
+    return [Argument(Word("RESET"), values[word])] if word in values else []
+
+
 @st.composite
 def signals(
     draw: st.DrawFn, name: str, address: int, enumerations: list[EnumDeclaration], groups: list[str]
@@ -139,6 +152,8 @@ def signals(
         arguments.append(Argument(None, Call(Word("POLL"), [Argument(None, Number("20"))])))
     elif draw(st.booleans()) and width == 32 and (kind is None or kind.name != "float"):
         arguments.append(Argument(None, Name(Word("FIFO"))))
+    elif access != "READ" and draw(st.booleans()) and not any(argument.name == "SCALE" for argument in arguments):
+        arguments += _resets(kind, enumerations)
     where: Expression = Chain([Name(Word("base")), whole(-address - 1)], ["+"]) if address < 0 else whole(address)
     bits = Bits(whole(low + width - 1), whole(low)) if width < 32 or draw(st.booleans()) else None
     doc = draw(st.lists(comment_texts.map(str.strip).filter(bool), max_size=2))

@@ -15,7 +15,7 @@ import pytest
 import unity_link
 from support.bridge_programs import PROGRAM
 from support.simulated_time import on_simulated_time
-from unity_link.errors import ArgumentError, UnsupportedError
+from unity_link.errors import ArgumentError
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.messages import GroupFlag
 from unity_link.spec import compile_file, compile_text
@@ -195,21 +195,6 @@ def test_any_spec_is_built_once_and_kept(tmp_path: Path) -> None:
 def test_a_spec_without_groups_has_a_configuration() -> None:
     interface = compile_text("public one() { @a = 0x10: READWRITE(); }").interface()
     assert configuration_of(interface, {}, None).info.groups == 16
-
-
-@pytest.mark.parametrize("kind", ["PWM", "GPIO", "QUADRATURE", "COUNTER"])
-@on_simulated_time
-async def test_no_memory_stands_for_logic_that_the_gateware_does_not_have(kind: str, tmp_path: Path) -> None:
-    (tmp_path / "robot.ul").write_text(f"public robot() {{ part: {kind}(BASE=0x20, SIZE=2); }}\n")
-    with pytest.raises(
-        UnsupportedError, match=rf"^robot has the module {kind} part, which the gateware has no logic for"
-    ):
-        await unity_link.connect(f"rtl:{tmp_path}/robot.ul")
-    with pytest.raises(UnsupportedError, match="take sim:"):
-        simulate(tmp_path / "robot.ul", rtl=True)
-    async with unity_link.connect(f"sim:{tmp_path}/robot.ul") as link:
-        await link.write(0x20, 5)
-        assert await link.read(0x20) == 5
 
 
 @on_simulated_time

@@ -4,7 +4,7 @@
 - `clocks`: how a PLL makes the frequency that a board's file asks for
 - `families`: how Yosys, nextpnr and a packer are called for iCE40, ECP5, Gowin and GateMate
 - `build`: the way from an interface to a bitstream and its report, and into the board
-- `own_pins`: which pins of a board the ports of a user's own top are
+- `pins`: which pins of a board the ports of a design are
 - `projects`: boards that only Vivado or Quartus places
 
 A new board is a new file in `data`, and a new family an entry of `families` or `projects`.

@@ -11,28 +11,28 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import unity_link
-from unity_link.boards.board import PINS, Board
 from unity_link.boards.clocks import pll
 from unity_link.boards.families import FAMILIES, YOSYS
-from unity_link.boards.own_pins import READY, pins_of
+from unity_link.boards.pins import READY, generated_pins, generated_ports, pins_of
 from unity_link.errors import ArgumentError, UnityLinkError
 from unity_link.files import MARK, Writing, check_folder, digest_of, listed_in
 from unity_link.gateware.cache import ToolMissingError, board_sources
 from unity_link.gateware.convert import to_verilog
 from unity_link.gateware.ghdl import converting_ghdl
 from unity_link.gateware.limits import check_generics
-from unity_link.gateware.own_vhdl import Port, convert_own
+from unity_link.gateware.own_vhdl import check_entities, convert_own
 from unity_link.gateware.yowasp import RefusedError, run, script, version
 from unity_link.generate import Templates, vhdl, write
+from unity_link.generate.vhdl.bank import Bank
 from unity_link.generate.vhdl.names import identifier
 from unity_link.quoting import markdown
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
-    from unity_link.boards.board import Pin
+    from unity_link.boards.board import Board, Pin
     from unity_link.files import Overwrite
-    from unity_link.gateware.own_vhdl import Own
+    from unity_link.gateware.own_vhdl import Own, Port
     from unity_link.spec import Interface, Spec
 
 _SEED = "1"
@@ -103,7 +103,7 @@ def build(
         board: what it is.
         output: the directory, which is made.
         interface: which public interface, where there are several.
-        own: the top of a user's own, in the place of the generated whole design.
+        own: a user's VHDL: entities behind components, or with a top, one in the place of the generated whole design.
         overwrite: whether files that this package did not make may go.
         note: gets a line for each warning about the user's files.
 
@@ -117,7 +117,7 @@ def build(
     """
     family = FAMILIES[board.family]
     chosen = spec.interface(interface)
-    if own is None:
+    if own is None or own.top is None:
         vhdl.check_whole(chosen)
     check_generics({**vhdl.gateway_generics(chosen), "clock_hz": board.core_hz})
     # What is missing is said at once, not after a minute.
@@ -204,17 +204,6 @@ endmodule
 """
 
 
-def generated_ports(board: Board) -> tuple[Port, ...]:
-    """Return the ports of the whole generated design."""
-    ways = PINS[board.medium]
-    widths = {pin.partition("[")[0]: 8 * ("[" in pin) for pin in ways}
-    pins = [
-        Port(name, name, ways.get(name) or ways[f"{name}[0]"], width, tuple(range(width)) or None)
-        for name, width in widths.items()
-    ]
-    return (*pins, Port(READY, READY, "input", 0, None))
-
-
 def design_of(
     spec: Spec, interface: Interface, board_name: str, board: Board, work: Path, own: Own | None = None
 ) -> Design:
@@ -229,19 +218,27 @@ def design_of(
         own: the user's.
 
     Raises:
-        ArgumentError: where a port of the user's top is no pin of the board.
+        ArgumentError: where a port of the user's top is no pin of the board, or an entity of the spec has no file.
         ConversionError: where GHDL refuses the sources.
         ToolMissingError: where it is not there.
     """
-    files = vhdl.files(interface, Templates("vhdl", spec, vhdl.FILTERS), clk_ready=True, whole=own is None)
+    check_entities(interface, own)
+    is_generated = own is None or own.top is None
+    files = vhdl.files(interface, Templates("vhdl", spec, vhdl.FILTERS), clk_ready=True, whole=is_generated)
     # The bench is no part of a design.
     sources = write([file for file in files if not file.name.endswith("_bench.vhd")], work / "vhdl")
     generics = board.generics
     pads = None if board.medium == "uart" else FAMILIES[board.family].pads
-    if own is None:
+    bank = Bank(interface)
+    if own is None or own.top is None:
+        pins = generated_pins(bank, board_name, board)
+        ports = generated_ports(board, bank)
         top = f"{identifier(interface.name)}_on_{board.medium}"
-        verilog = to_verilog(top, generics, [*sources, *board_sources()], pads).read_text()
-        return Design(top, verilog, generated_ports(board), board.medium_pins)
+        if own is None:
+            verilog = to_verilog(top, generics, [*sources, *board_sources()], pads).read_text()
+            return Design(top, verilog, ports, pins)
+        converted = convert_own(own, generics, [*sources, *board_sources()], pads, top)
+        return Design(converted.module, converted.verilog, ports, pins, converted.remarks)
     converted = convert_own(own, generics, [*sources, *board_sources()], pads)
     pins = pins_of(own.top, converted.ports, board_name, board)
     remarks = converted.remarks

@@ -10,14 +10,15 @@ import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from unity_link.boards.own_pins import pins_of
+from unity_link.boards.pins import generated_pins, pins_of
 from unity_link.errors import ArgumentError
 from unity_link.gateware import LICENCE
 from unity_link.gateware.cache import LIBRARY, board_sources
-from unity_link.gateware.own_vhdl import convert_own
+from unity_link.gateware.own_vhdl import check_entities, convert_own
 from unity_link.gateware.sources import in_compile_order
 from unity_link.gateware.vendors import add_vhdl
 from unity_link.generate import GeneratedFile, Templates, vhdl, write
+from unity_link.generate.vhdl.bank import Bank
 from unity_link.generate.vhdl.folder import GATEWARE_FOLDER, design_files, with_gateware
 from unity_link.generate.vhdl.names import identifier
 from unity_link.quoting import tcl_comment, tcl_string
@@ -91,7 +92,7 @@ def make_project(
 
     Raises:
         ArgumentError: where the directory cannot be written, or a file of it is not as it was made, or the board asks
-            for a PLL; or a port of the user's top is no pin of the board.
+            for a PLL; or a port of the user's top is no pin of the board, or an entity of the spec has no file.
         ConversionError: where GHDL refuses the user's files.
         ToolMissingError: where there is no GHDL for the user's files.
         UnsupportedError: where the spec names FIFO ports or modules, and there is no top of the user's behind them.
@@ -101,19 +102,24 @@ def make_project(
         wanted = f"core_hz = {board.core_hz} asks for one"
         raise ArgumentError(f"no PLL is made in a project of {vendor.tool}, and {wanted}: leave it out of [clock]")
     chosen = spec.interface(interface)
-    if own is None:
+    check_entities(chosen, own)
+    is_generated = own is None or own.top is None
+    if is_generated:
         vhdl.check_whole(chosen)
-    generated = list(vhdl.files(chosen, Templates("vhdl", spec, vhdl.FILTERS), whole=own is None))
+    generated = list(vhdl.files(chosen, Templates("vhdl", spec, vhdl.FILTERS), whole=is_generated))
     prefix = identifier(chosen.name)
     generics = board.generics
     pads = None if board.medium == "uart" else vendor.pads
     sources: list[tuple[str, str | None]] = [(f"{GATEWARE_FOLDER}/{path}", LIBRARY) for path in in_compile_order(pads)]
     sources += [(path, None) for path in design_files(generated)]
-    name, top, pins, copies = f"{prefix}_{board_name}", f"{prefix}_on_{board.medium}", board.medium_pins, []
+    name, top, copies = f"{prefix}_{board_name}", f"{prefix}_on_{board.medium}", []
+    pins = generated_pins(Bank(chosen), board_name, board) if is_generated else {}
     if own is not None:
-        converted = _converted(own, generated, generics)
-        pins = pins_of(own.top, converted.ports, board_name, board)
-        top, generics, copies = own.top, converted.generics, _copied(own)
+        converted = _converted(own, generated, generics, top)
+        copies = _copied(own)
+        if own.top is not None:
+            pins = pins_of(own.top, converted.ports, board_name, board)
+            top, generics = own.top, converted.generics
         _check_letters(converted.ports, vendor)
         sources += [(copy.name, None) for copy in copies]
         for remark in converted.remarks:
@@ -123,11 +129,11 @@ def make_project(
     return output / design.name / f"{design.name}.{vendor.opened}"
 
 
-def _converted(own: Own, generated: list[GeneratedFile], generics: dict[str, int]) -> Converted:
+def _converted(own: Own, generated: list[GeneratedFile], generics: dict[str, int], top: str) -> Converted:
     """Return a user's top as GHDL converts it: its ports are known, and faults are found before a vendor's tool."""
     with tempfile.TemporaryDirectory() as scratch:
         files = [file for file in generated if not file.name.endswith("_bench.vhd")]
-        return convert_own(own, generics, [*write(files, Path(scratch)), *board_sources()])
+        return convert_own(own, generics, [*write(files, Path(scratch)), *board_sources()], generated_top=top)
 
 
 def _copied(own: Own) -> list[GeneratedFile]:

@@ -46,14 +46,19 @@ def build(  # noqa: PLR0913  (each is an option)
     ] = None,
     vhdl: Annotated[
         list[Path] | None,
-        typer.Option("--vhdl", metavar="FILE.vhd", help="What the top needs beside; again for each, in compile order."),
+        typer.Option(
+            "--vhdl",
+            metavar="FILE.vhd",
+            help="What the top needs beside, or entities that the spec names; again for each, in compile order.",
+        ),
     ] = None,
     interface: Name = None,
     overwrite: Overwrite = False,
     json: Json = False,
 ) -> None:
-    """Build a bitstream from a spec: gateway, registers and a chain of shift registers at the pins of a board.
+    """Build a bitstream from a spec: gateway, registers and cores at the pins of a board.
 
+    Signals that no core and no pin has are on a chain of shift registers at four further pins.
     With --top, VHDL of your own is at the pins: its ports have the names of the board's LEDs, buttons and headers.
     Prints the bitstream and its report of size, speed and pins. Takes a minute or two. Needs pip install
     "unity-link[build]", and GHDL 4 or later. For a board that only Vivado or Quartus places it writes a project, and
@@ -67,23 +72,21 @@ def build(  # noqa: PLR0913  (each is an option)
     from unity_link.gateware.own_vhdl import read_own
 
     name, chosen = load_board(board)
-    if vhdl and top is None:
-        raise ArgumentError("--vhdl is for what a top of your own needs: --top FILE.vhd was expected")
-    own = read_own(top, vhdl or []) if top is not None else None
+    compiled = compile_or_exit(spec)
+    files = [*map(Path, compiled.vhdl), *(vhdl or [])]
+    own = read_own(top, files) if files or top is not None else None
     replaces = may_overwrite(overwrite)
     vendor = VENDORS.get(chosen.family)
     if vendor is not None:
         if program:
             raise ArgumentError(f"--program needs a bitstream, and that of {name} is made by {vendor.tool}")
-        opened = make_project(
-            compile_or_exit(spec), name, chosen, output, interface, own=own, overwrite=replaces, note=_warn
-        )
+        opened = make_project(compiled, name, chosen, output, interface, own=own, overwrite=replaces, note=_warn)
         print_result("file", opened, json=json)
         print_note(f"for {vendor.tool}: {vendor.opens} {opened}")
         return
     if program:
         loader()
-    built = make(compile_or_exit(spec), name, chosen, output, interface, own=own, overwrite=replaces, note=_warn)
+    built = make(compiled, name, chosen, output, interface, own=own, overwrite=replaces, note=_warn)
     for path in built:
         print_result("file", path, json=json)
     if program:

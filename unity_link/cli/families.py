@@ -27,6 +27,7 @@ FAMILIES = {
     "write": "access",
     "get": "signals",
     "set": "signals",
+    "stop": "stop",
     "watch": "watch",
     "live": "live",
     "simulate": "simulate",

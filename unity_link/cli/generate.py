@@ -74,7 +74,7 @@ def generate(  # noqa: PLR0913  (each is an option)
     if with_gateware:
         from unity_link.generate.vhdl.folder import with_gateware as complete
 
-        files = list(complete(files))
+        files = list(complete(files, map(Path, compiled.vhdl)))
     for path in write(files, output, overwrite=may_overwrite(overwrite)):
         print_result("file", path, json=json)
     if target == "vhdl":

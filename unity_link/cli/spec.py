@@ -16,7 +16,7 @@ from unity_link.cli.output import console_on, may_overwrite, out, print_json, pr
 from unity_link.files import write_file
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Iterator
 
     from unity_link.spec import ComponentArray, ComponentSpec, Diagnostic, Interface, ModuleSpec, Signal, Spec
 
@@ -329,17 +329,31 @@ def _tree(interface: Interface) -> Any:
 def _add_component(tree: Any, interface: Interface, component: ComponentSpec, digits: int) -> None:
     from rich.text import Text
 
+    from unity_link.spec import words
+
     for number in component.modules:
         module = interface.modules[number]
         name = (module.path or "").rpartition(".")[2]
         tree.add(Text.assemble((name, "bold cyan"), f": {module.type}", (f"  {_module(module, digits)}", "dim")))
     for signal in component.signals:
         tree.add(_signal(signal, digits))
+    for name, word, said in _ports(component):
+        tree.add(Text.assemble((name, "bold"), f": {word}", (f"  {said}", "dim")))
     for part in component.parts:
         for item in _items(part):
             index = "" if item.index is None else f"[{item.index}]"
-            branch = tree.add(Text.assemble((item.name + index, "bold cyan"), f": {item.type}"))
+            behind = "" if item.core is None else f"  {words.entity(item.core)}"
+            branch = tree.add(Text.assemble((item.name + index, "bold cyan"), f": {item.type}", (behind, "dim")))
             _add_component(branch, interface, item, digits)
+
+
+def _ports(component: ComponentSpec) -> Iterator[tuple[str, str, str]]:
+    """Return the pins and triggers of a component: name, word, and where it goes."""
+    from unity_link.spec import words
+
+    if component.core is not None:
+        yield from ((pin.name, f"PIN({pin.way})", words.site(pin)) for pin in component.core.pins)
+        yield from ((one.name, "TRIGGER", words.triggered(one)) for one in component.core.triggers)
 
 
 def _items(part: ComponentSpec | ComponentArray) -> tuple[ComponentSpec, ...]:
@@ -355,6 +369,8 @@ def _module(module: ModuleSpec, digits: int) -> str:
 def _signal(signal: Signal, digits: int) -> Any:
     from rich.text import Text
 
+    from unity_link.spec.words import at_hardware
+
     high = signal.lowest_bit + signal.width - 1
     whole = signal.lowest_bit == 0 and signal.width == signal.word_bits * signal.words
     bits = "" if whole else f"[{high}]" if signal.width == 1 else f"[{high}:{signal.lowest_bit}]"
@@ -369,6 +385,7 @@ def _signal(signal: Signal, digits: int) -> Any:
         "FIFO" if signal.fifo else "",
         f"published by {signal.group}" if signal.group else "",
         f"polled at {signal.poll_hz:g} Hz" if signal.poll_hz else "",
+        *at_hardware(signal),
         f'"{signal.id}"' if signal.id != signal.path else "",
     ]
     return Text.assemble(

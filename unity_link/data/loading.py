@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import msgspec
 
+from unity_link.cores import Verbs, classes_of, robot_verbs_of
 from unity_link.data.robot import Component, Robot, class_name
 from unity_link.errors import ArgumentError
 from unity_link.spec.model import Interface, Spec
@@ -28,7 +29,7 @@ def load(spec: str | Path | Spec, interface: str | None = None) -> type[LoadedRo
 
     Raises:
         SpecError: with everything that is wrong with the spec.
-        ArgumentError: for an interface that there is not.
+        ArgumentError: for an interface that there is not, and where the Python of a core cannot be imported.
     """
     if not isinstance(spec, Spec):
         if not isinstance(spec, (str, os.PathLike)):
@@ -41,14 +42,14 @@ def load(spec: str | Path | Spec, interface: str | None = None) -> type[LoadedRo
 
         spec = compile_file(spec)
     described = spec.interface(interface)
-    types = sorted({part.type for part in described.root.walk() if part.path})
+    types = {part.type: (*classes_of(part.core, Verbs), Component) for part in described.root.walk() if part.path}
     return type(
         class_name(described.name),
-        (LoadedRobot,),
+        (*robot_verbs_of(described), LoadedRobot),
         {
             "__doc__": described.doc or f"The interface {described.name}.",
             "interface": described,
-            "components": {name: type(class_name(name), (Component,), {}) for name in types},
+            "components": {name: type(class_name(name), types[name], {}) for name in sorted(types)},
             "enumerations": {known.name: known.python_type for known in described.enumerations},
         },
     )

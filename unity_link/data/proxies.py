@@ -18,10 +18,11 @@ from unity_link.hardware import link_under
 
 if TYPE_CHECKING:
     import enum
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Iterable, Sequence
 
     from numpy.typing import NDArray
 
+    from unity_link.errors import BusError
     from unity_link.hardware import Bus
     from unity_link.spec.kinds import Enumeration
     from unity_link.spec.model import Interface, Signal
@@ -45,6 +46,9 @@ class Owner(Protocol):
 
     def enumeration(self, enumeration: Enumeration) -> type[enum.IntEnum]:
         """Return the class of an enumeration."""
+
+    def __getitem__(self, name: str, /) -> Proxy[Any]:
+        """Return a signal by its path."""
 
 
 class SampledColumns(Protocol):
@@ -249,6 +253,15 @@ def _row(proxy: Proxy[Any]) -> tuple[str, ...]:
     seen = "never" if proxy.value is None else f"{html.duration_text(proxy.age)} ago"
     value = html.value_text(proxy.value)
     return proxy.path, value, proxy.unit, seen, signal.access.name.lower(), f"{signal.address:#x}", signal.doc
+
+
+async def refusal(error: BusError, proxies: Iterable[Proxy[Any]]) -> BusError:
+    """Return the error for a write that the bus has refused: where a lease of these signals is not armed, that one."""
+    for robot, lease in {(proxy.robot, proxy.signal.safe.lease) for proxy in proxies if proxy.signal.safe is not None}:
+        from unity_link.cores.lease import refused
+
+        error = await refused(error, robot, lease)
+    return error
 
 
 def _refuse_as_value(proxy: Proxy[Any], *_: object) -> Never:

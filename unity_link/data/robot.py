@@ -4,8 +4,8 @@
 and type checkers see them; both are subclasses of `Component` and `Robot` with nothing but annotations, and what
 happens is all here.
 
-Attributes have the names of the spec. One that Python needs for itself (`class`), or that `Robot` has (`link`), gets
-``_`` behind it.
+Attributes have the names of the spec. One that Python needs for itself (`class`), that `Robot` has (`link`), or that is
+a verb of a core (`armed`), gets ``_`` behind it.
 """
 
 from __future__ import annotations
@@ -14,13 +14,15 @@ import functools
 import keyword
 from typing import TYPE_CHECKING, Any, ClassVar, Never
 
+from unity_link.cores import RobotVerbs, Verbs, names_of
 from unity_link.data.groups import Group
 from unity_link.data.ports import Port, ReadPort, WritePort
 from unity_link.data.proxies import Proxy, signals_table
 from unity_link.data.signals import Readable, ReadWrite, Writable
 from unity_link.errors import ArgumentError, OfLink, UnknownNameError, UnsupportedError, did_you_mean, missing
-from unity_link.hardware import Module, module_type
+from unity_link.hardware import Fifo, Memory, Module
 from unity_link.link.link import NOT_CONNECTED, Link
+from unity_link.network import TosnetNetwork, TosnetNode
 from unity_link.protocol.configuration import Feature
 from unity_link.spec.model import Access, ComponentArray, ParameterReference
 
@@ -31,6 +33,14 @@ if TYPE_CHECKING:
     from unity_link.hardware import Bus
     from unity_link.spec import model
     from unity_link.spec.kinds import Enumeration
+
+MODULE_TYPES: Mapping[str, type[Module]] = {
+    "FIFO": Fifo,
+    "MEMORY": Memory,
+    "TOSNET": TosnetNetwork,
+    "TOSNET_NODE": TosnetNode,
+}
+"""The classes of hardware modules by their words in a spec."""
 
 
 class Component(OfLink):
@@ -195,7 +205,8 @@ class Robot(Component):
             _add_module(attributes, self.interface.modules[number], self.modules[number])
         component._model = part  # noqa: SLF001  (it is made here)
         component._members = tuple(members)  # noqa: SLF001
-        for name, attribute in zip(python_names(attributes), attributes.values(), strict=True):
+        verbs = names_of(kind for kind in type(component).__mro__ if _is_verbs(kind))
+        for name, attribute in zip(python_names(attributes, verbs), attributes.values(), strict=True):
             vars(component)[name] = attribute
 
     def _make_component(self, part: model.ComponentSpec) -> Component:
@@ -259,18 +270,29 @@ def class_name(name: str) -> str:
     return joined if joined.isidentifier() else f"_{joined}"
 
 
-def python_names(names: Iterable[str]) -> list[str]:
+def _is_verbs(kind: type) -> bool:
+    """Return whether a class is that of a core's verbs, and not one of a component that has it as a base."""
+    return issubclass(kind, (Verbs, RobotVerbs)) and not issubclass(kind, Component)
+
+
+def python_names(names: Iterable[str], verbs: frozenset[str] = frozenset()) -> list[str]:
     """Return the names of attributes for the members of a component, in the same order.
 
-    A name that Python or `Robot` has taken gets ``_`` behind it, as many as it needs.
+    A name that Python, `Robot` or a verb of the component has taken gets ``_`` behind it, as many as it needs.
     """
     given = list(names)
-    taken = set(given)
+    taken = {*given, *verbs}
     made = []
     for name in given:
         # Two underscores at the front have a meaning of their own in a class.
         free = "_" + name.lstrip("_") if name.startswith("__") else name
-        while keyword.iskeyword(free) or hasattr(Robot, free) or free in _OWN or (free != name and free in taken):
+        while (
+            keyword.iskeyword(free)
+            or hasattr(Robot, free)
+            or free in _OWN
+            or free in verbs
+            or (free != name and free in taken)
+        ):
             free += "_"
         taken.add(free)
         made.append(free)
@@ -341,5 +363,5 @@ def _make_modules(interface: model.Interface, link: Link, given: Mapping[str, in
             name.lower(): given.get(value.name) if isinstance(value, ParameterReference) else value
             for name, value in described.arguments.items()
         }
-        modules.append(module_type(described.type)(bus, described.base, size=described.words, **arguments))
+        modules.append(MODULE_TYPES[described.type](bus, described.base, size=described.words, **arguments))
     return tuple(modules)

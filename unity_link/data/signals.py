@@ -5,8 +5,8 @@ from __future__ import annotations
 import contextlib
 from typing import TYPE_CHECKING, Generic, Protocol, cast
 
-from unity_link.data.proxies import BUFFER, Owner, Proxy, S, T, nothing_publishes
-from unity_link.errors import AnswerLostError, refusing
+from unity_link.data.proxies import BUFFER, Owner, Proxy, S, T, nothing_publishes, refusal
+from unity_link.errors import AnswerLostError, BusError, refusing
 from unity_link.link.subscription import check_buffer
 
 if TYPE_CHECKING:
@@ -104,10 +104,18 @@ class Writable(Proxy[T], Generic[T, S]):
 
         Raises:
             ArgumentError: for a value outside of the limits, or that the kind cannot say. Nothing was sent.
+            NotArmedError: where a lease guards it that is not armed. Nothing was written.
             UnsupportedError: for a field, where the gateway was built without masked writes.
         """
+        words = self.signal.encode(cast("Any", value))
+        try:
+            await self._write(words)
+        except BusError as error:
+            raise await refusal(error, [self]) from None
+        self.see(self.scalar(self.signal.decode(words)))
+
+    async def _write(self, words: tuple[int, ...]) -> None:
         signal = self.signal
-        words = signal.encode(cast("Any", value))
         if signal.is_field:
             for index, word in enumerate(words):
                 mask = signal.mask >> (index * signal.word_bits) & ((1 << signal.word_bits) - 1)
@@ -118,7 +126,6 @@ class Writable(Proxy[T], Generic[T, S]):
             await self.bus.write(signal.address, words[0])
         else:
             await self.bus.write_block(signal.address, words)
-        self.see(self.scalar(signal.decode(words)))
 
     async def post(self, value: S) -> None:
         """Write it without waiting for the execution; errors are raised by the link's next `fence`.

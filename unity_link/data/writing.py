@@ -9,7 +9,8 @@ from __future__ import annotations
 import contextlib
 from typing import TYPE_CHECKING, Any
 
-from unity_link.errors import AnswerLostError, ArgumentError
+from unity_link.data.proxies import refusal
+from unity_link.errors import AnswerLostError, ArgumentError, BusError
 from unity_link.link.synchronisation import gather
 
 if TYPE_CHECKING:
@@ -28,6 +29,7 @@ async def write_values(values: Mapping[Proxy[Any], Any], *, posted: bool = False
 
     Raises:
         ArgumentError: for a value that its signal does not take. Nothing was sent.
+        NotArmedError: where a lease guards one that is not armed; the writes of others are done all the same.
         GatewayError: the first error; the other writes are done all the same.
     """
     encoded = [(proxy, _encode(proxy, value)) for proxy, value in values.items()]
@@ -35,10 +37,13 @@ async def write_values(values: Mapping[Proxy[Any], Any], *, posted: bool = False
     for proxy, words in encoded:
         by_bus.setdefault(id(proxy.bus), (proxy.bus, []))[1].append((proxy, words))
     work = [writing for bus, items in by_bus.values() for writing in _writings(bus, items, posted=posted)]
-    if len(work) == 1:
-        await work[0]
-    else:
-        await gather(*work)
+    try:
+        if len(work) == 1:
+            await work[0]
+        else:
+            await gather(*work)
+    except BusError as error:
+        raise await refusal(error, values) from None
     for proxy, words in encoded:
         proxy.see(proxy.scalar(proxy.signal.decode(words)))
 

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from unity_link.gateware.ghdl import Ghdl
+    from unity_link.spec import Interface
 
 _UNIT = re.compile(r"^(entity|package) (?!body )(\w+)", re.MULTILINE)
 _SAID = re.compile(r"^(?P<place>(?P<file>.+?):\d+:\d+):(?P<kind>error|warning): *(?P<words>.+)$")
@@ -45,10 +46,10 @@ class OwnFile(NamedTuple):
 
 
 class Own(NamedTuple):
-    """A top of a user's, and the files that it is in."""
+    """VHDL of a user's: a top with what it needs, or entities that a generated top needs."""
 
-    top: str
-    """Name of the entity, in small letters."""
+    top: str | None
+    """Name of the entity, in small letters; None for entities that stand in a generated top."""
     files: tuple[OwnFile, ...]
     """In compile order; that of the top is the last one."""
     units: dict[str, Path]
@@ -82,11 +83,11 @@ class Converted(NamedTuple):
     """Warnings about the user's files."""
 
 
-def read_own(top: Path, others: Sequence[Path] = ()) -> Own:
+def read_own(top: Path | None, others: Sequence[Path] = ()) -> Own:
     """Read a user's files.
 
     Args:
-        top: the file of the top, an entity of the file's name.
+        top: the file of the top, an entity of the file's name; None where a generated one is the top.
         others: further files, in compile order.
 
     Raises:
@@ -94,7 +95,7 @@ def read_own(top: Path, others: Sequence[Path] = ()) -> Own:
         ConversionError: where GHDL finds one that is no VHDL.
         ToolMissingError: if there is no GHDL that can be used.
     """
-    files = tuple(_read(path) for path in (*others, top))
+    files = tuple(_read(path) for path in (*others, *([] if top is None else [top])))
     ghdl = converting_ghdl()
     units: dict[str, Path] = {}
     found: list[tuple[str, str]] = []
@@ -105,6 +106,8 @@ def read_own(top: Path, others: Sequence[Path] = ()) -> Own:
                 if name.lower() in units:
                     raise ArgumentError(f"{file.path} has the {kind} {name}, and so has {units[name.lower()]}")
                 units[name.lower()] = file.path
+    if top is None:
+        return Own(None, files, units)
     entities = [name for kind, name in found if kind == "entity"]
     if top.stem.lower() not in entities:
         kind = "entities" if len(entities) > 1 else "entity"
@@ -113,8 +116,32 @@ def read_own(top: Path, others: Sequence[Path] = ()) -> Own:
     return Own(top.stem.lower(), files, units)
 
 
+def check_entities(interface: Interface, own: Own | None) -> None:
+    """See that the entities of all components have a file; those of installed cores are of the gateware.
+
+    Raises:
+        ArgumentError: for the first one that none has.
+    """
+    units = {} if own is None else own.units
+    for part in interface.cores:
+        core = part.core
+        if core is None or core.library == LIBRARY or core.entity in units:
+            continue
+        if core.word:
+            raise ArgumentError(
+                f"{part.path} is a {core.word}, and no .vhd in the folder of that core has its entity {core.entity}"
+            )
+        raise ArgumentError(
+            f"{part.path} has the entity {core.entity}, which no file has: name its file by --vhdl FILE.vhd"
+        )
+
+
 def convert_own(
-    own: Own, generics: Mapping[str, int], generated: Sequence[Path] = (), pads: str | None = None
+    own: Own,
+    generics: Mapping[str, int],
+    generated: Sequence[Path] = (),
+    pads: str | None = None,
+    generated_top: str = "",
 ) -> Converted:
     """Convert a user's top with the gateware and what is generated from a spec.
 
@@ -123,6 +150,7 @@ def convert_own(
         generics: values for those of its generics that it has.
         generated: VHDL files of the library `work` that are not the user's.
         pads: whose registers are at the pins, as in `vhdl_sources`.
+        generated_top: the entity that is the top where the user has none.
 
     Raises:
         ArgumentError: where a unit has the name of one that is generated or of the gateware, or a generic has no value.
@@ -145,23 +173,25 @@ def convert_own(
         said: list[str] = []
         run("import", *anywhere, f"--work={LIBRARY}", *map(str, gateware))
         run("import", *anywhere, *map(str, (*(path.resolve() for path in generated), *copies)))
-        run("make", *anywhere, own.top)
-        described = _described(run("--file-to-xml", *anywhere, str(copies[-1])), own.top)
+        top = own.top or generated_top
+        of_top = copies[-1] if own.top else next(path.resolve() for path in generated if path.stem == top)
+        run("make", *anywhere, top)
+        described = _described(run("--file-to-xml", *anywhere, str(of_top)), top)
         given = {name: value for name, value in generics.items() if name in described.generics}
         for name, has_default in described.generics.items():
             # GHDL would take the least value.
             if not has_default and name not in given:
                 raise ArgumentError(
-                    f"{own.top} has a generic {name} without a default; {' and '.join(generics)} get values"
+                    f"{top} has a generic {name} without a default; {' and '.join(generics)} get values"
                 )
-        verilog = run("synth", *anywhere, "--out=verilog", *as_options(given), own.top)
+        verilog = run("synth", *anywhere, "--out=verilog", *as_options(given), top)
     of_own = [words for words in said if any(words.startswith(f"{file.path}:") for file in own.files)]
     if extended := _EXTENDED.search(verilog):
         raise ConversionError(
-            f"{own.top} has the extended identifier \\{extended[1]}\\, which does not go through GHDL into Verilog: "
+            f"{top} has the extended identifier \\{extended[1]}\\, which does not go through GHDL into Verilog: "
             "a name of letters, digits and '_' was expected"
         )
-    module, ports = _ports(verilog, own.top, described)
+    module, ports = _ports(verilog, top, described)
     return Converted(cleaned(verilog), module, given, ports, tuple(dict.fromkeys(of_own)))
 
 

@@ -106,6 +106,8 @@ class Templates:
     def __init__(self, target: str, spec: Spec | None, filters: Mapping[str, Callable[..., Any]]) -> None:
         self._environment = _environment(target, tuple(filters.items()))
         self._spec = spec
+        self.vhdl = () if spec is None else tuple(Path(path) for path in spec.vhdl)
+        """Files of VHDL of the spec's own cores."""
         self.origin = () if spec is None else _origin(target, spec)
         """Lines that name the sources, for the comment at the top of each file."""
 

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from unity_link.protocol.arrays import Words
 
 
-class Fifo(Module, word="FIFO"):
+class Fifo(Module):
     """The port of a queue."""
 
     SIZE = 1

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from unity_link.protocol.arrays import Words
 
 
-class Memory(Module, word="MEMORY"):
+class Memory(Module):
     """Plain memory."""
 
     def __len__(self) -> int:

@@ -22,17 +22,12 @@ if TYPE_CHECKING:
     from unity_link.hardware.bus import Bus
     from unity_link.link.subscription import Sample, Subscription
     from unity_link.protocol.arrays import Words
-    from unity_link.spec.arguments import ArgumentSlot
-
-_KINDS: dict[str, type[Module]] = {}
-"""The classes of modules by their words in a spec."""
 
 
 class Module(Sealed):
     """A module on the bus. Addresses in it are offsets: 0 is its first word.
 
-    A subclass is a kind of module. With ``word="STEPPER"`` in its list of bases, specs can name it, with ``slots`` for
-    parameters beside BASE and SIZE.
+    A subclass is a kind of module.
 
     Raises:
         ArgumentError: by all methods, for an offset outside of the module.
@@ -41,27 +36,19 @@ class Module(Sealed):
     SIZE: ClassVar[int | None] = None
     """Number of words of modules of this kind, where it is always the same."""
 
-    def __init_subclass__(cls, *, word: str | None = None, slots: Sequence[ArgumentSlot] = (), **options: Any) -> None:
-        super().__init_subclass__(**options)
-        if word is not None:
-            _KINDS[word] = cls
-            _teach_spec(cls, word, tuple(slots))
-
-    def __init__(self, bus: Bus, base: int = 0, *, size: int | None = None, **parameters: Any) -> None:
+    def __init__(self, bus: Bus, base: int = 0, *, size: int | None = None) -> None:
         """Stand on a link, or on another module's `bus`.
 
         Args:
             bus: what to read and write through.
             base: address of the first word on the gateway's bus.
             size: number of words; None where it is not known.
-            parameters: what else a spec says of the module, in small letters; subclasses name theirs.
         """
         self.outer = bus
         """Bus below the module."""
         self.link = link_under(bus)
         self.base = base
         self.size = self.SIZE if size is None else size
-        self.parameters = parameters
         if self.size is not None and self.size < 1:
             raise ArgumentError(f"a module of {self.size} words was asked for, at least 1 is needed")
 
@@ -131,17 +118,3 @@ class Module(Sealed):
     ) -> Subscription:
         """Subscribe to offsets that the gateway samples; `unity_link.Link.subscribe` documents the options."""
         return self.link.subscribe([self.address(offset) for offset in offsets], callback=callback, **options)
-
-
-def module_type(word: str) -> type[Module]:
-    """Return the class for a word of a spec; `Module` itself where there is none."""
-    return _KINDS.get(word, Module)
-
-
-def _teach_spec(kind: type[Module], word: str, slots: tuple[ArgumentSlot, ...]) -> None:
-    """Let specs name a module that the language does not know by itself."""
-    from unity_link.spec.modules import MODULES, ModuleType
-
-    if word not in MODULES:
-        doc = (kind.__doc__ or word).strip().splitlines()[0].rstrip(".")
-        MODULES[word] = ModuleType(doc, slots, lambda _: kind.SIZE)

@@ -403,6 +403,10 @@ class Link(OfLink, Connection):
 
     # Publishing
 
+    def timestamp_of(self, time: float) -> int:
+        """Return the gateway's own timestamp of a sample's time, in ticks of ``gateway.clock_hz`` modulo 2 ** 32."""
+        return self._publishing.clock.timestamp(time)
+
     def subscribe(  # noqa: PLR0913  (each is a choice of its own, by keyword)
         self,
         addresses: int | ArrayLike,

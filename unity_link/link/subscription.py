@@ -139,6 +139,10 @@ class GatewayClock:
         self._ticks, self._at = ticks, now
         return seconds
 
+    def timestamp(self, seconds: float) -> int:
+        """Return the 32 bits that the gateway sent for a time."""
+        return (round(seconds * self._frequency) - self._offset) % _TURN
+
     def _first_of_session(self, timestamp: int, estimate: int) -> int:
         ticks, last = self._nearest(timestamp, estimate), self._ticks or 0
         if last < ticks and abs(ticks - estimate) < RESET_TOLERANCE * self._frequency:

@@ -5,6 +5,7 @@ The way of a spec, one file for each step:
 - `tokens`, `grammar.lark`, `parser`, `comments`: text to syntax tree; `recovery` finds the other faults after the first
 - `syntax`: that tree; `printer`: back to text
 - `loading`: the file and what it imports
+- `cores`: the files of the cores that it names
 - `elaborate`, `placing`, `building`: syntax tree to model in a `context`, by `expressions`, `arguments`, `signals`,
   `modules`
 - `interface`: the checks of an interface as a whole
@@ -33,15 +34,20 @@ from unity_link.spec.model import (
     Access,
     ComponentArray,
     ComponentSpec,
+    Core,
     GroupSpec,
     Interface,
     Joint,
     ModuleSpec,
     Parameter,
     ParameterReference,
+    Pin,
+    Safe,
     Signal,
     SourceFile,
     Spec,
+    Trigger,
+    Way,
 )
 
 if TYPE_CHECKING:
@@ -51,6 +57,7 @@ __all__ = [
     "Access",
     "ComponentArray",
     "ComponentSpec",
+    "Core",
     "Diagnostic",
     "EnumValue",
     "Enumeration",
@@ -62,12 +69,16 @@ __all__ = [
     "ModuleSpec",
     "Parameter",
     "ParameterReference",
+    "Pin",
+    "Safe",
     "Signal",
     "SourceFile",
     "Span",
     "Spec",
     "SpecError",
+    "Trigger",
     "Value",
+    "Way",
     "compile_file",
     "compile_text",
     "format_text",
@@ -115,6 +126,7 @@ def compile_text(
     Raises:
         SpecError: with everything that is wrong with it.
     """
+    from unity_link.spec.cores import Cores
     from unity_link.spec.elaborate import Elaborator
     from unity_link.spec.loading import Loader
 
@@ -125,14 +137,17 @@ def compile_text(
         loader = Loader(reporter)
         loader.load(name, text, path)
         # What a file with a wrong syntax declares is not known, and every use of it would be a fault.
-        interfaces = () if reporter.failed else Elaborator(loader.declarations, reporter, address_bits, data_bits).run()
+        cores = Cores(reporter, Path() if path is None else path.parent)
+        interfaces = (
+            () if reporter.failed else Elaborator(loader.declarations, reporter, cores, address_bits, data_bits).run()
+        )
     if not interfaces and not reporter.failed:
         first = loader.declarations.sources[0]
         advice = "mark the outermost component with 'public'"
         reporter.warning(first, (0, 0), "no-interface", "nothing in this file is public", help=advice)
     if reporter.failed:
         raise SpecError(reporter.diagnostics)
-    sources = tuple(SourceFile(source.name, source.sha256) for source in loader.declarations.sources)
+    sources = tuple(SourceFile(source.name, source.sha256) for source in (*loader.declarations.sources, *cores.sources))
     return Spec(interfaces=interfaces, sources=sources, warnings=reporter.diagnostics)
 
 

@@ -10,7 +10,7 @@ import enum
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from unity_link.spec.diagnostics import did_you_mean, listed
-from unity_link.spec.expressions import LEFT_OUT, Evaluator, GroupReference, LeftOut, Result, describe
+from unity_link.spec.expressions import LEFT_OUT, Evaluator, GroupReference, LeaseReference, LeftOut, Result, describe
 from unity_link.spec.model import ParameterReference
 from unity_link.spec.syntax import Argument, Call, Expression, Name
 
@@ -29,6 +29,9 @@ class Shape(enum.StrEnum):
     SIGNAL = "the name of a signal"
     FLAG = "true or false"
     CLAUSE = "a clause"
+    VALUE = "a value of the signal"
+    WORD = "IN, OUT or INOUT"
+    LEASE = "the name of a LEASE of the interface"
 
 
 class ArgumentSlot(NamedTuple):
@@ -67,7 +70,19 @@ ACCESS = (
     ArgumentSlot("UNIT", Shape.TEXT),
     ArgumentSlot("MIN", Shape.NUMBER),
     ArgumentSlot("MAX", Shape.NUMBER),
+    ArgumentSlot("RESET", Shape.VALUE),
+    ArgumentSlot(
+        "SAFE",
+        Shape.CLAUSE,
+        clause=(
+            ArgumentSlot("VALUE", Shape.VALUE, required=True),
+            ArgumentSlot("LEASE", Shape.LEASE, required=True),
+        ),
+    ),
+    ArgumentSlot("PIN", Shape.TEXT),
 )
+PIN = (ArgumentSlot("WAY", Shape.WORD, required=True), ArgumentSlot("UNWIRED", Shape.WHOLE, 0, 1))
+TRIGGER = (ArgumentSlot("GROUP", Shape.GROUP, *GROUP_NUMBER),)
 GROUP = (
     ArgumentSlot("NUMBER", Shape.WHOLE, *GROUP_NUMBER),
     ArgumentSlot("DIVISOR", Shape.WHOLE, *DIVISOR),
@@ -97,6 +112,8 @@ _TYPES: dict[Shape, tuple[type, ...]] = {
     Shape.GROUP: (int, GroupReference),
     Shape.HANDLE: (int, ParameterReference),
     Shape.FLAG: (bool,),
+    Shape.VALUE: (int, float, bool, str),
+    Shape.LEASE: (LeaseReference,),
 }
 
 Bound: TypeAlias = dict[str, Any]
@@ -212,11 +229,14 @@ class Binder:
             return self._clause(argument, slot)
         if slot.shape is Shape.FLAG:
             return self._flag(argument, slot, known)
-        if slot.shape is Shape.SIGNAL:
+        if slot.shape in {Shape.SIGNAL, Shape.WORD}:
             if isinstance(argument.value, Name):
                 return LEFT_OUT if self._scope.get(argument.value.name) is LEFT_OUT else str(argument.value.name)
             self._evaluator.fault(argument.value.place, "bad-argument", f"{slot.name} is {slot.shape.value}")
             return None
+        if slot.shape is Shape.VALUE and isinstance(argument.value, Name) and argument.value.name not in self._scope:
+            # A name of the signal's enumeration, which whoever knows its kind looks up.
+            return str(argument.value.name)
         return self._computed(argument.value, slot, known)
 
     def _flag(self, argument: Argument, slot: ArgumentSlot, known: Mapping[str, ArgumentSlot]) -> bool | LeftOut | None:

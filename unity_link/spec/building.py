@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.spec.arguments import Binder, Bound
 from unity_link.spec.diagnostics import SourceText, did_you_mean
-from unity_link.spec.expressions import Evaluator, GroupReference, Result, describe
+from unity_link.spec.expressions import Evaluator, GroupReference, LeftOut, Result, describe
 from unity_link.spec.interface import GroupDraft, InterfaceDraft, Placed, SignalPlace
-from unity_link.spec.model import ModuleSpec, Signal
+from unity_link.spec.model import ModuleSpec, Signal, Trigger
 from unity_link.spec.modules import COMMON, MODULES
 from unity_link.spec.signals import SignalReader
 from unity_link.spec.syntax import (
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from unity_link.spec.context import Context
+    from unity_link.spec.cores import CoreFolder, Cores, FoundCore
 
 MOST_PARTS = 100_000
 """Signals, components and modules of one interface: more is a mistake in an array."""
@@ -46,14 +47,26 @@ class Where(NamedTuple):
     base: int
     chain: tuple[str, ...]
     """The declarations that it is inside of."""
+    pins: Mapping[str, str | LeftOut] = {}
+    """Pins of the board by the names of the component's own; `none` for those that have none."""
+    core: CoreFolder | None = None
+    """The core that it is, where it is one."""
 
 
 class Builder:
-    """Builds the signals and modules of one interface."""
+    """Builds the signals and modules of one interface.
 
-    def __init__(self, context: Context, draft: InterfaceDraft) -> None:
+    Args:
+        context: what the files of the spec declare.
+        cores: the cores that it can name.
+        draft: what is built.
+    """
+
+    def __init__(self, context: Context, cores: Cores, draft: InterfaceDraft) -> None:
         self.context = context
+        self.cores = cores
         self._draft = draft
+        self._contexts: dict[int, Context] = {}
         self._full = False
         self._evaluators: dict[int, tuple[Evaluator, SignalReader]] = {}
 
@@ -62,9 +75,18 @@ class Builder:
         tools = self._evaluators.get(id(source))
         if tools is None:
             evaluator = Evaluator(source, self.context.reporter)
-            reader = SignalReader(evaluator, self.context.enumerations, self._draft.data_bits)
+            reader = SignalReader(evaluator, self.context_of(source).enumerations, self._draft.data_bits)
             tools = self._evaluators[id(source)] = (evaluator, reader)
         return tools
+
+    def context_of(self, source: SourceText) -> Context:
+        """Return what is known in a source: in that of a core, what its own files declare."""
+        return self._contexts.get(id(source), self.context)
+
+    def enter_core(self, core: FoundCore) -> None:
+        """Look up the names in the files of a core among its own declarations."""
+        for source in core.sources:
+            self._contexts[id(source)] = core.context
 
     def count(self, evaluator: Evaluator, place: tuple[int, int]) -> bool:
         """Count one more part; False where there are too many."""
@@ -107,6 +129,9 @@ class Builder:
             group=groups[0].name if groups and parts.publishing is not None else None,
             groups=tuple(group.name for group in groups),
             poll_hz=bound["POLL"].get("RATE") if "POLL" in bound else None,
+            reset=parts.reset,
+            safe=parts.safe,
+            pin=bound.get("PIN"),
             module=module,
             doc="\n".join(node.doc),
             span=self.context.span(source, node),
@@ -193,6 +218,17 @@ class Builder:
             self.context.reporter.error(
                 evaluator.source, place.bounds, "group-divisor", message, help=advice, notes=[note]
             )
+
+    # Cores
+
+    def trigger(self, source: SourceText, node: SignalDeclaration, place: tuple[int, int], bound: Bound) -> Trigger:
+        """Build a trigger of a core."""
+        reference = bound.get("GROUP")
+        if reference is None:
+            return Trigger(name=str(node.name))
+        group = self._group(reference, SignalPlace(source, place))
+        group.triggers.append(SignalPlace(source, place))
+        return Trigger(name=str(node.name), group=group.name)
 
     # Modules
 

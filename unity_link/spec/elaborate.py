@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from unity_link.spec.arguments import GATEWAY, Binder, Bound
 from unity_link.spec.building import Address, Builder, Where
 from unity_link.spec.context import Context
-from unity_link.spec.expressions import Evaluator, GroupReference, LeftOut, Result, describe
+from unity_link.spec.expressions import Evaluator, GroupReference, LeaseReference, LeftOut, Result, describe
 from unity_link.spec.interface import InterfaceDraft, SignalPlace
 from unity_link.spec.model import Interface, Parameter, ParameterReference
 from unity_link.spec.placing import GATEWAY_WORD, put_component
@@ -21,20 +21,41 @@ from unity_link.spec.syntax import ComponentDeclaration, Placement
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from unity_link.spec.cores import Cores
     from unity_link.spec.diagnostics import Reporter
     from unity_link.spec.loading import Declarations, Declared
 
 DEFAULT_ADDRESS_BITS = 8
 DEFAULT_DATA_BITS = 32
+LEASE_WORD = "LEASE"
+"""Word of the core that others refer to by name, as in SAFE(0, drive)."""
+
+
+def _leases(node: ComponentDeclaration) -> list[str]:
+    """Return the names of the leases of an interface, which its members can refer to."""
+    return [
+        str(member.name)
+        for member in node.members
+        if isinstance(member, Placement)
+        and member.type == LEASE_WORD
+        and member.name is not None
+        and member.count is None
+    ]
 
 
 class Elaborator:
     """Makes the model of what files declare."""
 
     def __init__(
-        self, declarations: Declarations, reporter: Reporter, address_bits: int | None, data_bits: int | None
+        self,
+        declarations: Declarations,
+        reporter: Reporter,
+        cores: Cores,
+        address_bits: int | None,
+        data_bits: int | None,
     ) -> None:
         self._context = Context(declarations, reporter)
+        self._cores = cores
         self._given_widths = (address_bits, data_bits)
 
     def run(self) -> tuple[Interface, ...]:
@@ -55,16 +76,17 @@ class Elaborator:
         scope: dict[str, Result] = dict(self._context.globals)
         for item in node.parameters:
             value = None if item.default is None else evaluator.evaluate(item.default, scope)
-            if isinstance(value, GroupReference | ParameterReference | LeftOut):
+            if isinstance(value, GroupReference | LeaseReference | ParameterReference | LeftOut):
                 message = f"the parameter of a public interface cannot be {describe(value)}"
                 evaluator.fault(item.place, "bad-argument", message)
                 value = None
             parameters.append(Parameter(str(item.name), value))
             scope[str(item.name)] = ParameterReference(str(item.name)) if value is None else value
+        scope |= {name: LeaseReference(name) for name in _leases(node)}
         self._context.check_parameters(evaluator, node)
         address_bits, data_bits = self._widths(evaluator, node, scope)
         draft = InterfaceDraft(self._context.reporter, address_bits, data_bits)
-        builder = Builder(self._context, draft)
+        builder = Builder(self._context, self._cores, draft)
         module, base = builder.module_of_all(source, node, scope)
         where = Where("", {}, scope, module, base, (str(node.name),))
         root = put_component(builder, declared, where, str(node.name))
@@ -119,4 +141,4 @@ class Elaborator:
         addresses = {str(item.name): Address(None, nowhere) for item in node.addresses or ()}
         scope |= dict.fromkeys(addresses)
         where = Where("", addresses, scope, None, 0, (str(node.name),))
-        put_component(Builder(self._context, draft), declared, where, str(node.name))
+        put_component(Builder(self._context, self._cores, draft), declared, where, str(node.name))

@@ -27,6 +27,12 @@ class GroupReference(NamedTuple):
     name: str
 
 
+class LeaseReference(NamedTuple):
+    """A component of the interface that is a lease, by its name."""
+
+    name: str
+
+
 class LeftOut(enum.Enum):
     """The constant ``none``: an argument with this value is one that is not given."""
 
@@ -34,7 +40,7 @@ class LeftOut(enum.Enum):
 
 
 LEFT_OUT = LeftOut.NONE
-Result: TypeAlias = int | float | str | bool | GroupReference | ParameterReference | LeftOut | None
+Result: TypeAlias = int | float | str | bool | GroupReference | LeaseReference | ParameterReference | LeftOut | None
 CONSTANTS: dict[str, Result] = {"true": True, "false": False, "pi": math.pi, "none": LEFT_OUT}
 MOST_BITS = 128
 """Most bits of a whole number. An address has at most 32 bits, a value 64; a mistyped shift would fill the memory."""
@@ -73,6 +79,8 @@ def describe(value: Result) -> str:  # noqa: PLR0911  (one for each kind of valu
             return f'the string "{value[:40]}"'
         case GroupReference():
             return f"the group '{value.name}'"
+        case LeaseReference():
+            return f"the lease '{value.name}'"
         case ParameterReference():
             return f"the parameter '{value.name}', whose value is given only when the interface is opened"
         case LeftOut():

@@ -59,6 +59,8 @@ class GroupDraft:
         self.divisor: int | None = bound.get("DIVISOR")
         self.divisor_place = place
         self.signals: list[tuple[Signal, SignalPlace]] = []
+        self.triggers: list[SignalPlace] = []
+        """Places of the triggers of cores that have it published."""
         self.published = self.number is not None or any(
             name in bound for name in ("DIVISOR", "RATE", "TRIGGER", "ON_CHANGE", "IMMEDIATE", "TIMESTAMPS")
         )
@@ -171,6 +173,7 @@ class InterfaceDraft:
 
     def _check_word(self, address: int, sharing: list[Placed]) -> None:
         """Check one address at which several signals stand."""
+        self._check_leases(address, sharing)
         writers = [placed.signal for placed in sharing if placed.signal.access.writes]
         taken: dict[str, list[Placed]] = {"reads": [], "writes": []}
         for placed in sharing:
@@ -189,6 +192,20 @@ class InterfaceDraft:
             if signal.access.writes and len(writers) > 1:
                 # Only now, with all signals known, can this be told; the model is not handed out yet.
                 msgspec.structs.force_setattr(signal, "is_field", True)  # noqa: FBT003
+
+    def _check_leases(self, address: int, sharing: list[Placed]) -> None:
+        """Check that what is written at one address is guarded by one lease, or by none."""
+        written = [placed for placed in sharing if placed.signal.access.writes]
+        for placed in written[1:]:
+            first, other = written[0].signal, placed.signal
+            if (first.safe and first.safe.lease) != (other.safe and other.safe.lease):
+                by = [f"by {one.safe.lease}" if one.safe else "by none" for one in (first, other)]
+                message = (
+                    f"{first.path} and {other.path} are written together at address {address:#x}, and one is guarded "
+                    f"{by[0]}, the other {by[1]}"
+                )
+                self._error(placed.address, "bad-safe", message, "give each its own address, or both one lease")
+                return
 
     def _report_overlap(self, address: int, first: Placed, second: Placed) -> None:
         message = (
@@ -257,6 +274,7 @@ class InterfaceDraft:
                 self._error(draft.signals[0][1], "group-size", message, "divide it into several groups")
             self._check_readable(draft)
             self._check_ports(draft)
+            self._check_triggers(draft)
             if not draft.says_when:
                 message = f"nothing says when the group {draft.name} is published"
                 self._error(draft.signals[0][1], "group-rate", message, "give a divisor, as in PUBLISH(1, 10)")
@@ -310,6 +328,12 @@ class InterfaceDraft:
                 f"{signal.path} is the port of a FIFO, and the group {draft.name} leaves out words that are the same"
             )
             self._error(place, "bad-fifo", message, "leave out ON_CHANGE")
+
+    def _check_triggers(self, draft: GroupDraft) -> None:
+        """Check that a group that a core triggers is published on its trigger."""
+        if draft.triggers and not draft.bound.get("TRIGGER", False):
+            message = f"a core triggers the group {draft.name}, which is not published on its trigger"
+            self._error(draft.triggers[0], "group-trigger", message, f"declare it so: group {draft.name}(TRIGGER);")
 
     def _joints(self, draft: GroupDraft) -> tuple[Joint, ...]:
         """Return the joints of a group: the components of which a signal has one of the names that JOINTS tells."""

@@ -53,6 +53,67 @@ class ParameterReference(msgspec.Struct, frozen=True, tag="parameter"):
 ModuleArgument = int | float | str | bool | ParameterReference
 
 
+class Way(enum.StrEnum):
+    """Direction of a pin, as seen from the FPGA."""
+
+    IN = "IN"
+    OUT = "OUT"
+    INOUT = "INOUT"
+
+
+class Pin(msgspec.Struct, frozen=True, kw_only=True):
+    """A pin of a core."""
+
+    name: str
+    """Port of the core's entity."""
+    path: str
+    """Path in the interface, as of a signal."""
+    way: Way
+    at: str | None = None
+    """Pin of the board, by the board's name; None where the spec does not say."""
+    is_used: bool = True
+    """False where the spec says that it has no pin, by `none`."""
+    unwired: int = 0
+    """Level of an input that has no pin."""
+
+
+class Trigger(msgspec.Struct, frozen=True, kw_only=True):
+    """An output of a core that has a group published."""
+
+    name: str
+    """Port of the core's entity."""
+    group: str | None = None
+    """Name of the group; None where the trigger is not used."""
+
+
+class Core(msgspec.Struct, frozen=True, kw_only=True):
+    """The hardware of a component: an entity in VHDL whose ports are the component's signals, pins and triggers."""
+
+    word: str
+    """Word of the core that it comes from; empty where the entity is one of the spec's own."""
+    entity: str
+    library: str = "work"
+    """Library of the entity in VHDL: that of the gateware for a core that is installed with it."""
+    vhdl: tuple[str, ...] = ()
+    """Files of its VHDL, in the folder of a core that is not installed with the gateware."""
+    wants: tuple[str, ...] = ()
+    """Inputs beside clock, reset and signals: ``tick``, ``now``, ``armed``."""
+    generics: dict[str, int | bool | str] = {}
+    pins: tuple[Pin, ...] = ()
+    triggers: tuple[Trigger, ...] = ()
+    python: str = ""
+    """Its verbs and its quick model: a module to import, or the path of a file; empty where it has none."""
+
+
+class Safe(msgspec.Struct, frozen=True):
+    """The safe state of a signal."""
+
+    bits: int
+    """Its bits while the lease is not armed."""
+    lease: str
+    """Path of the lease."""
+
+
 class Signal(msgspec.Struct, frozen=True, kw_only=True):
     """A named value: some bits of a word, a word, or several words in a row of which the first has the lowest bits."""
 
@@ -82,6 +143,12 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
     """All groups that it belongs to, the one that publishes it first."""
     poll_hz: float | None = None
     """Reads a second by the host."""
+    reset: int = 0
+    """Bits after a reset, of what is written."""
+    safe: Safe | None = None
+    """Value that it has, and keeps, while a lease is not armed; None for a signal that no lease guards."""
+    pin: str | None = None
+    """Pin of the board that the signal is, by the board's name; where it has several bits, the row of pins."""
     module: int | None = None
     """Index in `Interface.modules` of the module that it stands in."""
     doc: str = ""
@@ -177,6 +244,8 @@ class ComponentSpec(msgspec.Struct, frozen=True, kw_only=True, tag_field="part",
     parts: tuple[ComponentSpec | ComponentArray, ...] = ()
     modules: tuple[int, ...] = ()
     """Indices in `Interface.modules` of the modules that stand in it under a name of their own."""
+    core: Core | None = None
+    """The entity behind its signals; None for a component that is only a part of the map."""
     doc: str = ""
     """Doc string of the place where it is put, else of its declaration."""
     type_doc: str = ""
@@ -289,6 +358,16 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
         return {signal.path: signal for part in self.root.walk() for signal in part.signals}
 
     @functools.cached_property
+    def cores(self) -> tuple[ComponentSpec, ...]:
+        """All components with an entity behind them, in the order of the spec."""
+        return tuple(part for part in self.root.walk() if part.core is not None)
+
+    @property
+    def vhdl(self) -> tuple[str, ...]:
+        """Files of VHDL of its cores, but for those that are installed with the gateware."""
+        return tuple(dict.fromkeys(path for part in self.cores if part.core is not None for path in part.core.vhdl))
+
+    @functools.cached_property
     def written_bits(self) -> dict[int, int]:
         """The bits of each word that signals write, by its address."""
         bits: dict[int, int] = {}
@@ -369,6 +448,11 @@ class Spec(msgspec.Struct, frozen=True, kw_only=True):
     sources: tuple[SourceFile, ...]
     """The file itself, and then what it imports."""
     warnings: tuple[Diagnostic, ...] = ()
+
+    @property
+    def vhdl(self) -> tuple[str, ...]:
+        """Files of VHDL of the cores that are not installed with the gateware."""
+        return tuple(dict.fromkeys(path for interface in self.interfaces for path in interface.vhdl))
 
     def interface(self, name: str | None = None) -> Interface:
         """Return an interface by its name, or the only one there is.

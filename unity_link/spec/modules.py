@@ -35,8 +35,6 @@ class ModuleType(NamedTuple):
 
 
 COMMON = (ArgumentSlot("BASE", Shape.WHOLE, *ADDRESS), ArgumentSlot("SIZE", Shape.WHOLE, 1, ADDRESS[1] + 1))
-_WIDTH = ArgumentSlot("WIDTH", Shape.WHOLE, 1, 64)
-_CHANNELS = ArgumentSlot("CHANNELS", Shape.WHOLE, 1, 256)
 _HANDLES = (ArgumentSlot("CTRL", Shape.HANDLE, *ADDRESS), ArgumentSlot("COMM", Shape.HANDLE, *ADDRESS))
 
 MODULES: dict[str, ModuleType] = {
@@ -56,8 +54,4 @@ MODULES: dict[str, ModuleType] = {
         "a queue behind one address",
         (ArgumentSlot("WORDS", Shape.WHOLE, 1, 1 << 32),),
     ),
-    "GPIO": ModuleType("pins", (_WIDTH,)),
-    "PWM": ModuleType("pulse-width modulated outputs", (_CHANNELS, _WIDTH)),
-    "COUNTER": ModuleType("counters of events", (_CHANNELS, _WIDTH)),
-    "QUADRATURE": ModuleType("decoders of incremental encoders", (_CHANNELS, _WIDTH)),
 }

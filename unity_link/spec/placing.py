@@ -11,26 +11,38 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from unity_link.spec.building import Address, Builder, Where, whole_address
+from unity_link.spec.cores import is_word
 from unity_link.spec.diagnostics import did_you_mean, listed
-from unity_link.spec.expressions import LEFT_OUT, Evaluator, Result, describe
+from unity_link.spec.entity import ENTITY_WORD, PORT_WORDS, Hardware, pins_of
+from unity_link.spec.expressions import LEFT_OUT, Evaluator, LeftOut, Result, describe
 from unity_link.spec.interface import SignalPlace
-from unity_link.spec.model import ComponentArray, ComponentSpec, Signal
+from unity_link.spec.model import ComponentArray, ComponentSpec, Core, Signal, Way
 from unity_link.spec.modules import MODULES
 from unity_link.spec.syntax import (
     INDEX_NAME,
     Argument,
     ComponentDeclaration,
+    Name,
     Placement,
     SignalDeclaration,
+    Word,
 )
 from unity_link.spec.syntax import ParameterDeclaration as ParameterNode
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
+    from unity_link.spec.cores import FoundCore
     from unity_link.spec.loading import Declared
 
 GATEWAY_WORD = "GATEWAY"
+_NO_PIN = Name(name=Word("none"))
+"""Default of the pins of a component."""
+_FORMER = {
+    "QUADRATURE": "it is the core ENCODER now, one for each channel",
+    "COUNTER": "it is the core ENCODER now, with COUNTER=true, one for each channel",
+}
+"""Words of former modules that have another name now."""
 MOST_LEVELS = 24
 MOST_ITEMS = 65_536
 """Most items of an array."""
@@ -50,6 +62,7 @@ def put_component(
     builder.context.enter(evaluator, node)
     contents = Contents(builder, declared, where)
     contents.fill(node.members, where.module, where.base)
+    core = contents.core()
     given = {key: value for key, value in (arguments or {}).items() if isinstance(value, int | float | str)}
     return ComponentSpec(
         name=name,
@@ -60,6 +73,7 @@ def put_component(
         signals=tuple(contents.signals),
         parts=tuple(contents.parts),
         modules=tuple(contents.modules),
+        core=core,
         doc="\n".join(node.doc),
         span=builder.context.span(source, node),
     )
@@ -70,14 +84,22 @@ class Contents:
 
     def __init__(self, builder: Builder, declared: Declared[ComponentDeclaration], where: Where) -> None:
         self._builder = builder
-        self._context = builder.context
         self._source, self._node = declared
+        self._context = builder.context_of(self._source)
         self._where = where
         self._evaluator, _ = builder.tools(self._source)
         self._names: dict[str, tuple[int, int]] = {}
         self.signals: list[Signal] = []
         self.parts: list[ComponentSpec | ComponentArray] = []
         self.modules: list[int] = []
+        self._hardware = Hardware(self._evaluator, where)
+
+    def core(self) -> Core | None:
+        """Return the hardware behind the component, once its members are built; None where it has none."""
+        if self.parts or self.modules or any(signal.fifo for signal in self.signals):
+            self._hardware.refuse_parts()
+        self._hardware.check_leases({signal.safe.lease for signal in self.signals if signal.safe is not None})
+        return self._hardware.core(self._node.name, {signal.name for signal in self.signals})
 
     def fill(self, members: Sequence[SignalDeclaration | Placement], module: int | None, base: int) -> None:
         """Build members that stand in a module."""
@@ -86,7 +108,9 @@ class Contents:
                 self._take_name(member)
             if not self._builder.count(self._evaluator, member.place):
                 return
-            if isinstance(member, SignalDeclaration):
+            if isinstance(member, SignalDeclaration) and member.access in PORT_WORDS:
+                self._hardware.add_port(self._builder, self._source, member)
+            elif isinstance(member, SignalDeclaration):
                 signal = self._builder.signal(self._source, member, self._where, module, base)
                 if signal is not None:
                     self.signals.append(signal)
@@ -94,6 +118,8 @@ class Contents:
                 self._place_module(member, module, base)
             elif member.type == GATEWAY_WORD and member.name is None:
                 self._check_gateway(member)
+            elif member.type == ENTITY_WORD and member.name is None:
+                self._hardware.set_entity(member)
             else:
                 self._place_component(member, module, base)
 
@@ -172,7 +198,8 @@ class Contents:
     # Components
 
     def _place_component(self, member: Placement, module: int | None, base: int) -> None:
-        declared = self._declared(member)
+        core = self._core(member)
+        declared = core.declared if core is not None else self._declared(member)
         if member.name is None and declared is not None:
             message = f"this {member.type} has no name"
             self._evaluator.fault(member.type.place, "no-name", message, f"as in first: {member.type}(...);")
@@ -187,7 +214,7 @@ class Contents:
         for index in indices:
             if index is not None and not self._builder.count(self._evaluator, member.place):
                 break
-            items.append(self._component(member, declared, index, module, base))
+            items.append(self._component(member, declared, index, module, base, core))
         if member.count is None:
             self.parts += items
         elif items:
@@ -201,18 +228,33 @@ class Contents:
                 )
             )
 
+    def _core(self, member: Placement) -> FoundCore | None:
+        """Return the core that a placement names, if it names one: the word of a component of the spec is none."""
+        if member.type in self._context.declarations.components or not is_word(member.type):
+            return None
+        core = self._builder.cores.find(self._source, member)
+        if core is not None:
+            self._builder.enter_core(core)
+        return core
+
     def _declared(self, member: Placement) -> Declared[ComponentDeclaration] | None:
         components = self._context.declarations.components
         declared = components.get(member.type)
         place = member.type.place
         if declared is None:
+            cores = self._builder.cores
+            if is_word(member.type) and cores.has(member.type):
+                return None
             what = "module" if member.name is None else "component"
-            known = [*(name for name, one in components.items() if not one.node.public), *MODULES]
+            known = [*(name for name, one in components.items() if not one.node.public), *MODULES, *cores.words]
             if self._node.public:
                 known.append(GATEWAY_WORD)
-            advice = did_you_mean(member.type, known)
+            advice = _FORMER.get(member.type, "") or did_you_mean(member.type, known)
             if not advice and member.type.isupper():
-                advice = f"modules are {listed(MODULES, 'and')}; one of your own is known where its class is imported"
+                advice = (
+                    f"modules are {listed(MODULES, 'and')}, and cores {listed(cores.words, 'and')}; one of your own is "
+                    f"cores/{member.type.lower()}/{member.type.lower()}.ul beside the spec"
+                )
             advice = advice or f"declare it: {member.type}() {{ ... }}"
             self._evaluator.fault(place, "unknown-component", f"there is no {what} '{member.type}'", advice)
             return None
@@ -238,11 +280,14 @@ class Contents:
         index: int | None,
         module: int | None,
         base: int,
+        core: FoundCore | None,
     ) -> ComponentSpec:
         assert member.name is not None
         scope = self._where.scope if index is None else {**self._where.scope, INDEX_NAME: index}
         node = declared.node
-        values = self._bind(member, node.parameters, member.arguments, scope, "argument")
+        arguments, places = _with_base(member, node) if core is not None else (member.arguments, member.addresses or [])
+        values = self._bind(member, node.parameters, arguments, scope, "argument")
+        known = self._builder.context_of(declared.source).globals
         given: dict[str, Result] = {}
         for parameter in node.parameters:
             name = str(parameter.name)
@@ -251,25 +296,50 @@ class Contents:
             else:
                 default = parameter.default
                 tools = Evaluator(declared.source, self._context.reporter)
-                given[name] = None if default is None else tools.evaluate(default, self._context.globals | given)
-        addresses = self._addresses(member, declared, scope, given)
-        inner = {**self._context.globals, **given, **{name: one.value for name, one in addresses.items()}}
+                given[name] = None if default is None else tools.evaluate(default, known | given)
+        addresses, pins = self._addresses(member, declared, places, scope, known | given)
+        inner = {**known, **given, **{name: one.value for name, one in addresses.items()}}
         chain = (*self._where.chain, str(node.name))
-        where = Where(self._path(member.name, index), addresses, inner, module, base, chain)
+        folder = None if core is None else core.folder
+        where = Where(self._path(member.name, index), addresses, inner, module, base, chain, pins, folder)
         component = put_component(self._builder, declared, where, str(member.name), index, given)
+        if not index:
+            self._warn_of_no_lease(member, component)
         return component if not member.doc else _documented(component, member)
+
+    def _warn_of_no_lease(self, member: Placement, component: ComponentSpec) -> None:
+        """Warn of an output that goes on when its program has died."""
+        core = component.core
+        if core is None or "armed" not in core.wants or any(signal.safe is not None for signal in component.signals):
+            return
+        if not any(pin.way is Way.OUT and pin.is_used for pin in core.pins):
+            return
+        message = f"no lease guards {member.name}: it goes on when the program that writes to it has died"
+        advice = "name a LEASE of the interface, as in LEASE=drive"
+        self._context.reporter.warning(self._source, member.type.place, "no-lease", message, help=advice)
 
     def _addresses(
         self,
         member: Placement,
         declared: Declared[ComponentDeclaration],
+        arguments: Sequence[Argument],
         scope: Mapping[str, Result],
         given: Mapping[str, Result],
-    ) -> dict[str, Address]:
+    ) -> tuple[dict[str, Address], dict[str, str | LeftOut]]:
+        """Return the addresses of a component, and the pins of the board that it is given."""
         parameters = declared.node.addresses or []
-        bound = self._bind(member, parameters, member.addresses or [], scope, "address")
+        pins = [ParameterNode(name=name, default=_NO_PIN) for name in pins_of(declared.node)]
+        bound = self._bind(member, [*parameters, *pins], arguments, scope, "address")
+        sites: dict[str, str | LeftOut] = {}
+        for pin in pins:
+            site, place = bound.pop(str(pin.name), (None, member.type.place))
+            if isinstance(site, str | LeftOut):
+                sites[str(pin.name)] = site
+            elif site is not None:
+                message = f"{pin.name} is a pin of {member.type}, and takes the name of a pin of the board"
+                self._evaluator.fault(place, "bad-pin", f"{message}, not {describe(site)}", 'as in pwm="led0"')
         addresses: dict[str, Address] = {}
-        known = {**self._context.globals, **given}
+        known = dict(given)
         for parameter in parameters:
             value, place = bound.get(str(parameter.name), (None, member.type.place))
             tools = self._evaluator
@@ -278,7 +348,7 @@ class Contents:
                 value, place = tools.evaluate(parameter.default, known), parameter.place
             whole = known[str(parameter.name)] = whole_address(tools, place, value)
             addresses[str(parameter.name)] = Address(whole, SignalPlace(tools.source, place))
-        return addresses
+        return addresses, sites
 
     def _bind(
         self,
@@ -290,7 +360,9 @@ class Contents:
     ) -> dict[str, tuple[Result, tuple[int, int]]]:
         """Match what a component is given with what it takes; give values and places by the names of the parameters."""
         names = [str(parameter.name) for parameter in parameters]
-        free = list(names)
+        # Pins are given by name alone.
+        pins = {str(parameter.name) for parameter in parameters if parameter.default is _NO_PIN}
+        free = [name for name in names if name not in pins]
         seen: set[str] = set()
         bound: dict[str, tuple[Result, tuple[int, int]]] = {}
         surplus = 0
@@ -312,13 +384,14 @@ class Contents:
                 continue
             else:
                 name = str(argument.name)
-                free.remove(name)
+                free = [other for other in free if other != name]
             seen.add(name)
-            if value is not LEFT_OUT:
+            if value is not LEFT_OUT or name in pins:
                 bound[name] = (value, argument.value.place)
+        named = [name for name in names if name not in pins]
         missing = [str(one.name) for one in parameters if str(one.name) not in bound and one.default is None]
         if surplus or (missing and not any(argument.name not in {None, *names} for argument in arguments)):
-            self._report_number(member, names, arguments, missing, word)
+            self._report_number(member, named, arguments, missing, word)
         return bound
 
     def _report_number(
@@ -330,6 +403,14 @@ class Contents:
         given = f"{len(arguments)} {'is' if len(arguments) == 1 else 'are'} given"
         advice = f"{listed(missing, 'and')} {'is' if len(missing) == 1 else 'are'} missing" if missing else ""
         self._evaluator.fault(place, f"{word}-count", f"{member.type} takes {takes}, and {given}", advice)
+
+
+def _with_base(member: Placement, node: ComponentDeclaration) -> tuple[Sequence[Argument], Sequence[Argument]]:
+    """Return arguments and addresses of a core; an address may stand among its arguments, by its name."""
+    names = {str(parameter.name) for parameter in node.addresses or ()}
+    addresses = [argument for argument in member.arguments if argument.name in names]
+    others = [argument for argument in member.arguments if argument.name not in names]
+    return others, [*addresses, *(member.addresses or ())]
 
 
 def _documented(component: ComponentSpec, member: Placement) -> ComponentSpec:

@@ -11,12 +11,13 @@ from unity_link.spec.arguments import ACCESS, Binder, Bound
 from unity_link.spec.diagnostics import did_you_mean, listed
 from unity_link.spec.expressions import LEFT_OUT, Evaluator, GroupReference, LeftOut, Result, describe, parse_number
 from unity_link.spec.kinds import FLOAT_BITS, MOST_BITS, WITHOUT_SCALE, Enumeration, Kind, KindName
-from unity_link.spec.model import Access
+from unity_link.spec.model import Access, Safe
 from unity_link.spec.syntax import Name, Number
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
+    from unity_link.spec.kinds import Value
     from unity_link.spec.syntax import SignalDeclaration
 
 PLAIN_KINDS = [name.value for name in KindName if name is not KindName.ENUM]
@@ -45,6 +46,9 @@ class SignalParts(NamedTuple):
     access: Access
     arguments: Bound
     publishing: PublishClause | None
+    reset: int
+    """Bits after a reset."""
+    safe: Safe | None
     places: Mapping[str, tuple[int, int]]
 
 
@@ -70,8 +74,12 @@ class SignalReader:
         publishing = self._publishing(access, arguments, binder)
         self._check_limits(kind, access, arguments, binder)
         self._check_fifo(kind, bits, arguments, binder)
+        self._check_pin(node, kind, bits, arguments, binder)
+        reset = self._initial("RESET", arguments.get("RESET"), kind, access, arguments, binder)
+        safe = self._safe(kind, access, arguments, binder)
         lowest = bits.lowest if bits is not None else 0
-        return SignalParts(kind, lowest, access, arguments, publishing, binder.places)
+        start = safe.bits if safe is not None else reset
+        return SignalParts(kind, lowest, access, arguments, publishing, start, safe, binder.places)
 
     def _bits(self, node: SignalDeclaration, scope: Mapping[str, Result]) -> BitRange | None:
         if node.bits is None:
@@ -247,6 +255,52 @@ class SignalReader:
         elif low is not None and high is not None and not kind.is_float and math.ceil(low) > math.floor(high):
             message = f"there is no whole number from MIN={low:.12g} to MAX={high:.12g}, and {kind} has no others"
             self._fault(binder.places["MIN"], "bad-limit", message, "a SCALE makes steps smaller than 1")
+
+    def _check_pin(
+        self, node: SignalDeclaration, kind: Kind, bits: BitRange | None, arguments: Bound, binder: Binder
+    ) -> None:
+        if "PIN" not in arguments:
+            return
+        if "FIFO" in arguments:
+            message = "a FIFO port hands out words, and cannot be at pins"
+            self._fault(binder.places["PIN"], "bad-pin", message)
+        elif kind.width + (bits.lowest if bits is not None else 0) > self._data_bits:
+            message = f"{node.name} has several words, and a register at pins is one"
+            self._fault(binder.places["PIN"], "bad-pin", message)
+
+    def _safe(self, kind: Kind, access: Access, arguments: Bound, binder: Binder) -> Safe | None:
+        clause: Bound | None = arguments.get("SAFE")
+        if clause is None or "LEASE" not in clause:
+            return None
+        if "RESET" in arguments:
+            message = "a signal with SAFE begins with its safe value, and has no RESET"
+            self._fault(binder.places["RESET"], "bad-reset", message, "leave out RESET")
+        bits = self._initial("SAFE", clause.get("VALUE"), kind, access, arguments, binder)
+        return Safe(bits, clause["LEASE"].name)
+
+    def _initial(
+        self, word: str, value: Value | str | None, kind: Kind, access: Access, arguments: Bound, binder: Binder
+    ) -> int:
+        """Return the bits of a value that a signal has by itself, under RESET or SAFE; 0 where there is none."""
+        if value is None:
+            return 0
+        place, code = binder.places[word], f"bad-{word.lower()}"
+        if not access.writes or "FIFO" in arguments:
+            which = "a FIFO port, which begins empty" if "FIFO" in arguments else "only read"
+            message = f"{word} is the value of a register that nobody has written, and this signal is {which}"
+            self._fault(place, code, message, "leave it out")
+            return 0
+        low, high = arguments.get("MIN"), arguments.get("MAX")
+        is_number = isinstance(value, int | float) and not isinstance(value, bool)
+        if is_number and not ((low is None or low <= value) and (high is None or value <= high)):
+            limits = " to ".join("..." if limit is None else f"{limit:.12g}" for limit in (low, high))
+            self._fault(place, code, f"{word} is {value:.12g}, outside of the signal's limits, {limits}")
+            return 0
+        try:
+            return kind.encode(value)
+        except ArgumentError as error:
+            self._fault(place, code, f"{word}: {error}")
+            return 0
 
     def _check_fifo(self, kind: Kind, bits: BitRange | None, arguments: Bound, binder: Binder) -> None:
         if "FIFO" not in arguments:

@@ -49,8 +49,6 @@ ROBOTS: dict[str, Callable[[BareGateway], object]] = {
 """Robots that can stand behind the bus, by name; the empty name is plain memory."""
 CHANCES = ("loss", "flip", "double")
 """Probabilities of `Noise` that a user can choose."""
-_MEMORY_OR_QUEUE = frozenset({"MEMORY", "FIFO", "TOSNET", "TOSNET_NODE"})
-"""Modules that are no more than that to a bus."""
 CONFIGURATION = tuple(name for name in GatewayInfo.__struct_fields__ if name != "protocol_version")
 """Fields of `GatewayInfo` that a user can choose."""
 ROBOT_OPTIONS = frozenset({"model", "interface", "fault", "trigger"})
@@ -326,7 +324,6 @@ def _compiled_of(interface: Interface, wanted: Wanted) -> BareGateway:
 def _build_of_spec(interface: Interface, wanted: Wanted) -> Configuration:
     from unity_link.virtual.rtl.specs import configuration_of
 
-    _check_modules(interface)
     return configuration_of(interface, wanted.configuration, wanted.node)
 
 
@@ -359,22 +356,6 @@ def _build_of(wanted: Wanted) -> Configuration:
     if own is not None and not wanted.configuration and wanted.node is None:
         return own
     return choose(wanted.configuration, wanted.node)
-
-
-def _check_modules(interface: Interface) -> None:
-    """Refuse modules for which neither memory nor a queue behind the compiled gateware can stand.
-
-    Raises:
-        UnsupportedError: for such a module, by name.
-    """
-    for module in interface.modules:
-        if module.type not in _MEMORY_OR_QUEUE:
-            named = " ".join(filter(None, (module.type, module.path)))
-            raise UnsupportedError(
-                f"{interface.name} has the module {named}, which the gateware has no logic for, so rtl: cannot show "
-                "what it does: take sim:, where its registers are memory, or put its VHDL behind the generated gateway "
-                "and simulate that"
-            )
 
 
 def _info(configuration: Mapping[str, int], default: GatewayInfo | None = None) -> GatewayInfo:

@@ -85,6 +85,9 @@ class BareGateway(Gateway, Protocol):
     def overflow(self) -> None:
         """Lose bytes before the next one received: the frame that they belong to is answered by error 09."""
 
+    def ticks_at(self, now: float) -> int:
+        """Return the cycles of the gateway's clock since its reset, at an instant of an access (seconds)."""
+
     def trigger(self, now: float, group: int | None = None) -> None:
         """Apply a rising edge to the external trigger of a group; the publish comes out of the next call.
 
@@ -199,6 +202,10 @@ class VirtualGateway(BareGateway):
         """Let time pass up to `now` (seconds), and return the samples that leave, as far as there is `room`."""
         self.groups.clock.start(now)
         return self.groups.advance(now, math.inf if room is None else room)
+
+    def ticks_at(self, now: float) -> int:
+        """Return the cycles of the gateway's clock since its reset, at an instant (seconds)."""
+        return self.groups.clock.ticks_at(now)
 
     def trigger(self, now: float, group: int | None = None) -> None:
         """Apply a rising edge to the external trigger of a group, or of all; the publish comes out of the next call."""

@@ -67,9 +67,13 @@ class BaseClock:
         """Return the timestamp of a base tick."""
         return tick * self._stamp_factor // self._stamp_divisor & _TIMESTAMP_MASK
 
+    def ticks_at(self, now: float) -> int:
+        """Return the clock ticks at an instant."""
+        return int((now - self.start(now)) * self._clock_hz + _SLACK_TICKS)
+
     def stamp_at(self, now: float) -> int:
         """Return the timestamp of an instant."""
-        return int((now - self.start(now)) * self._clock_hz + _SLACK_TICKS) & _TIMESTAMP_MASK
+        return self.ticks_at(now) & _TIMESTAMP_MASK
 
 
 class PublishGroup:

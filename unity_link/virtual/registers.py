@@ -2,7 +2,8 @@
 
 They do what the register bank does that `unity-link generate vhdl` makes: reads of what is only written, writes of what
 is only read, and accesses to addresses without a signal are bus errors; a value of several words is read from the
-instant of its first one, and is written with its last. Beyond that, a write outside of MIN and MAX is a bus error too,
+instant of its first one, and is written with its last. A signal with SAFE refuses to be written while its lease is not
+armed. Beyond that, a write outside of MIN and MAX is a bus error too,
 which the log explains. Addresses of hardware modules are memory, those of FIFO ports are queues.
 """
 
@@ -31,6 +32,13 @@ _LOG = logging.getLogger("unity_link.virtual")
 
 class Wire(Protocol):
     """Port of a signal in compiled gateware, which a model drives."""
+
+    def look(self, cell: Cell) -> None:
+        """Allow a look at the value.
+
+        Raises:
+            ArgumentError: for a signal that no model can see.
+        """
 
     def drive(self, cell: Cell, raw: int) -> None:
         """Take the bits of a value of the model.
@@ -97,8 +105,8 @@ class Cell:
 
     def __init__(self, signal: Signal, *, loops_back: bool) -> None:
         self.signal = signal
-        self.raw = 0
-        self.value = signal.kind.decode(0)
+        self.raw = signal.reset
+        self.value = signal.kind.decode(self.raw)
         self.queue = Queue(signal, loops_back=loops_back and signal.access.reads) if signal.fifo else None
         self.fault: SignalFault | None = None
         self.frozen = 0
@@ -205,11 +213,15 @@ class Registers:
             for module in self._modules
             if module.type == "FIFO"
         }
+        self._guarded: dict[str, list[Cell]] = {}
+        """Signals with a safe value, by the paths of their leases."""
         self._read: dict[int, list[tuple[Cell, int]]] = {}
         self._written: dict[int, list[tuple[Cell, int]]] = {}
         for cell in self.cells.values():
             signal = cell.signal
             reads_back = signal.is_field and signal.access.writes and not signal.fifo
+            if signal.safe is not None:
+                self._guarded.setdefault(signal.safe.lease, []).append(cell)
             for part, address in enumerate(signal.addresses):
                 if signal.access.reads or reads_back:
                     self._read.setdefault(address, []).append((cell, part))
@@ -259,8 +271,21 @@ class Registers:
             self._write_module(address, word)
             return []
         for cell, part in cells:
+            if cell.signal.safe is not None and not self.cells[f"{cell.signal.safe.lease}.armed"].raw:
+                raise AccessError(ErrorCode.BUS_ERROR)
             cell.check_write(part, word)
         return [cell for cell, part in cells if cell.write(part, word)]
+
+    def make_safe(self, lease: str) -> None:
+        """Set all signals that a lease guards to their safe values.
+
+        Args:
+            lease: its path.
+        """
+        for cell in self._guarded.get(lease, ()):
+            assert cell.signal.safe is not None
+            cell.raw = cell.signal.safe.bits
+            cell.value = cell.signal.kind.decode(cell.raw)
 
     # Hardware modules, which are memory here
 

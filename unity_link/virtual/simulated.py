@@ -28,10 +28,11 @@ from unity_link.protocol.messages import ErrorCode
 from unity_link.spec import ComponentArray
 from unity_link.spec.diagnostics import did_you_mean
 from unity_link.virtual.bus import AccessError
+from unity_link.virtual.core_models import CoreModels
 from unity_link.virtual.registers import SIGNAL_FAULTS, Registers
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Callable, Mapping, MutableMapping
 
     from unity_link.spec import ComponentSpec, Interface, Value
     from unity_link.virtual.registers import Cell, SignalFault
@@ -72,29 +73,43 @@ class Part:
 
     _name: str
     _cells: dict[str, Cell]
+    _pins: dict[str, int]
+    """Levels of the pins of a core, 0 or 1."""
+    _pin_set: Callable[[str], None]
+    """Is called with the name of a pin that the user's model has set."""
     _started: bool
 
     def __getattr__(self, name: str) -> Any:
-        """Return the value of a signal; of a FIFO port, its `Queue`.
+        """Return the value of a signal; of a FIFO port, its `Queue`; of a pin of a core, 0 or 1.
 
         Raises:
             AttributeError: for a signal that there is not.
         """
         cells = self.__dict__.get("_cells", {})
         if name not in cells:
+            pins = self.__dict__.get("_pins", {})
+            if name in pins:
+                return pins[name]
             raise self._unknown(name)
         cell = cells[name]
+        if cell.wire is not None:
+            cell.wire.look(cell)
         return cell.value if cell.queue is None else cell.queue
 
     def __setattr__(self, name: str, value: Any) -> None:
-        """Set the value of a signal; before the first step also make an attribute of the model's own.
+        """Set the value of a signal or the level of a pin; before the first step also make an attribute of its own.
 
         Raises:
-            ArgumentError: for a value that the signal cannot have.
+            ArgumentError: for a value that the signal or the pin cannot have.
             AttributeError: for a signal that there is not.
         """
         cell = self.__dict__.get("_cells", {}).get(name)
-        if cell is None:
+        if cell is None and name in self.__dict__.get("_pins", {}):
+            if value not in {0, 1}:
+                raise ArgumentError(f"{self._name}.{name} is a pin, and 0 or 1, not {value!r:.80}")
+            self._pins[name] = int(value)
+            self._pin_set(name)
+        elif cell is None:
             if self.__dict__.get("_started") and name not in self.__dict__ and not hasattr(type(self), name):
                 raise self._unknown(name)
             object.__setattr__(self, name, value)
@@ -110,7 +125,10 @@ class Part:
 
     def _unknown(self, name: str) -> AttributeError:
         known = self.__dict__
-        hint = did_you_mean(name, [*known.get("_cells", ()), *(key for key in known if not key.startswith("_"))])
+        hint = did_you_mean(
+            name,
+            [*known.get("_cells", ()), *known.get("_pins", ()), *(key for key in known if not key.startswith("_"))],
+        )
         return AttributeError(
             f"{known.get('_name', type(self).__name__)} has nothing called {name!r}"
             + (f": {hint}" if hint else ", and a model's own attributes are made in start()")
@@ -141,6 +159,8 @@ class SimulatedRobot(Part):
     """The names of the faults that are switched on."""
     fired: deque[tuple[float, int]]
     """Instants and groups of fired triggers that the gateway has not seen yet."""
+    cores: CoreModels
+    """The models of the cores of the spec."""
     _registers: Registers
     _parts: list[Part]
     _began: float | None
@@ -151,7 +171,7 @@ class SimulatedRobot(Part):
     refusal: str
     """The reason why it refuses each access, which is that `step` has failed; empty while it has not."""
     is_wired: bool
-    """True if compiled gateware answers the bus: then a program does not see that `step` has failed."""
+    """True if compiled gateware answers the bus: it has the cores; a program does not see that `step` has failed."""
     _told_late: bool
 
     def __new__(cls, interface: Interface, *_: Any) -> Self:
@@ -163,6 +183,7 @@ class SimulatedRobot(Part):
         robot.fired = deque()
         robot._registers = Registers(interface, loops_back=cls is SimulatedRobot)
         robot._parts = []
+        robot.cores = CoreModels(robot._registers, robot.trigger)
         robot._began = None
         robot._steps = 0
         robot.refusal = ""
@@ -289,11 +310,24 @@ class SimulatedRobot(Part):
         """Write the word at an address."""
         self.pass_time(now)
         for cell in self._registers.write(offset, value):
+            self.cores.written(cell.signal.path)
             self.tell_written(cell)
 
     def tell_written(self, cell: Cell) -> None:
         """Call `written` for a signal that has got a value of a program."""
         self.written(cell.signal.path, cell.value if cell.queue is None else self._last_of(cell))
+
+    def wire_pins(self, pins: Mapping[str, MutableMapping[str, int]]) -> None:
+        """Put the pins of compiled gateware in the place of those of the quick models.
+
+        Args:
+            pins: levels by the names of pins, by the paths of their components.
+        """
+        self.cores.leave()
+        for part in self._parts:
+            if part._name in pins:  # noqa: SLF001  (it is made here)
+                part.__dict__["_pins"] = pins[part._name]  # noqa: SLF001
+                part.__dict__["_pin_set"] = lambda _: None
 
     def prepare(self) -> None:
         """Call `start`; from now on no attributes can be made."""
@@ -332,6 +366,8 @@ class SimulatedRobot(Part):
                 self._step(passed)
         else:
             self._step_up_to(now - self._began, self.step_seconds, until_fired=until_fired)
+        if not (until_fired and self.fired):
+            self.cores.step(now)
 
     @property
     def _moves(self) -> bool:
@@ -350,6 +386,9 @@ class SimulatedRobot(Part):
             self._step(size)
 
     def _step(self, dt: float) -> None:
+        instant = (self._began or 0.0) + self.now
+        # Before the model, so that it finds what is safe by then, and behind it, for what it has moved.
+        self.cores.step(instant)
         try:
             self.step(dt)
         except ANY_ERROR as error:
@@ -358,6 +397,7 @@ class SimulatedRobot(Part):
             follows = "nothing moves" if self.is_wired else "all accesses are bus errors"
             _LOG.exception("%r failed %s: %s from now on", self, after, follows)
             raise AccessError(ErrorCode.BUS_ERROR) from error
+        self.cores.step(instant)
 
     def _leave_out(self, seconds: float) -> None:
         """Let the robot's time fall behind."""
@@ -387,6 +427,8 @@ class SimulatedRobot(Part):
             made = tuple(self._make(item) for item in items)
             part.__dict__[_free_name(below.name)] = made if isinstance(below, ComponentArray) else made[0]
         if part is not self:
+            part.__dict__["_pins"] = {pin.name: pin.unwired for pin in described.core.pins} if described.core else {}
+            part.__dict__["_pin_set"] = self.cores.add(described, part)
             self._parts.append(part)
             return
         for attribute in (*part._cells, *(_free_name(below.name) for below in described.parts)):  # noqa: SLF001

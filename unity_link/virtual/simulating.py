@@ -52,6 +52,8 @@ class SimulatedGateway(BareGateway, Generic[R_co]):
             wire = getattr(gateway, "wire", None)
             self._is_wired = wire is not None
             (gateway.attach_elsewhere if wire is None else wire)(robot)
+            if wire is None:
+                robot.cores.take_clock(self.info.clock_hz, gateway.ticks_at)
 
     def _pass_on_wake(self) -> None:
         self.wake()
@@ -178,8 +180,14 @@ class SimulatedGateway(BareGateway, Generic[R_co]):
     # As every bare one
 
     def reset(self) -> None:
-        """Go back to the state after power-up. What is behind the bus stays as it is."""
+        """Go back to the state after power-up, and so the cores. Other things behind the bus stay as they are."""
         self._gateway.reset()
+        if self.robot is not None:
+            self.robot.cores.reset()
+
+    def ticks_at(self, now: float) -> int:
+        """Return the cycles of the gateway's clock since its reset, at an instant of an access (seconds)."""
+        return self._gateway.ticks_at(now)
 
     def attach(self, device: Device, addresses: Iterable[int]) -> None:
         """Put a device behind addresses, which have none of their own; the first is its offset 0."""

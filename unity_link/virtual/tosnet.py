@@ -11,7 +11,7 @@ VHDL (tal_top.vhd) has them: what is written goes into a buffer of its own, and 
 buffers change places. The other buffer then has not got what was written last. What a node sends is shown as of the
 last cycle; commits of reads are done by the gateware in each cycle by itself. Both buffers begin with the set points
 that the joints have after power-up. What the paper does not tell is a choice made here: the length of a cycle, where
-CTRL and COMM stand, and their bits, which `unity_link.hardware.tosnet` documents.
+CTRL and COMM stand, and their bits, which `unity_link.network.tosnet` documents.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Self
 
-from unity_link.hardware.tosnet import COMMIT_READ, COMMIT_WRITE, NODE_WORDS
+from unity_link.network.tosnet import COMMIT_READ, COMMIT_WRITE, NODE_WORDS
 from unity_link.virtual.scara import Scara
 
 if TYPE_CHECKING:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from unity_link.errors import UnsupportedError
 from unity_link.generate.c.names import Names
 from unity_link.generate.c.reserved import is_global, is_interface
-from unity_link.generate.networks import given_parameters, networks, shared_addresses
+from unity_link.network.memories import given_parameters, networks, shared_addresses
 from unity_link.spec.kinds import KindName
 from unity_link.spec.model import ComponentArray, ComponentSpec
 

@@ -6,12 +6,12 @@ import itertools
 import math
 from typing import TYPE_CHECKING, NamedTuple
 
-from unity_link.spec import Access, KindName
+from unity_link.spec import Access, KindName, words
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from unity_link.spec import ComponentSpec, GroupSpec, Interface, ModuleSpec, Signal
+    from unity_link.spec import ComponentSpec, Core, GroupSpec, Interface, ModuleSpec, Signal
 
 MINUS = "\N{MINUS SIGN}"
 ELLIPSIS = "\N{HORIZONTAL ELLIPSIS}"
@@ -70,14 +70,27 @@ class PageWord(NamedTuple):
     """Fields that are read and fields that are written, where they differ; each with its title."""
 
 
+class PortRow(NamedTuple):
+    """A pin or a trigger of a component's entity."""
+
+    name: str
+    way: str
+    """``IN``, ``OUT``, ``INOUT`` or ``TRIGGER``."""
+    place: str
+    """Pin of the board, or what is triggered."""
+
+
 class ComponentSection(NamedTuple):
-    """A component that has signals."""
+    """A component that has signals, or an entity behind it."""
 
     component: ComponentSpec
     title: str
     arguments: str
     rows: tuple[Row, ...]
     words: tuple[PageWord, ...]
+    entity: str
+    """The entity with its generics, and what it has of the gateway; empty without one."""
+    ports: tuple[PortRow, ...]
     anchor: str
 
 
@@ -181,13 +194,13 @@ class Page:
     def _parts(self) -> Iterator[ComponentSection]:
         drawn: set[int] = set()
         for component in self.interface.root.walk():
-            if not component.signals:
+            if not component.signals and component.core is None:
                 continue
-            words = []
+            diagrams = []
             for signal in component.signals:
                 for address in signal.addresses:
                     if address not in drawn and self._has_fields(address):
-                        words.append(self._word(address))
+                        diagrams.append(self._word(address))
                     drawn.add(address)
             arguments = ", ".join(f"{name} = {_argument(value)}" for name, value in component.arguments.items())
             yield ComponentSection(
@@ -195,7 +208,9 @@ class Page:
                 component.path or self.interface.name,
                 arguments,
                 tuple(self._row(signal) for signal in component.signals),
-                tuple(words),
+                tuple(diagrams),
+                "" if component.core is None else _entity(component.core),
+                tuple(_ports(component.core)) if component.core is not None else (),
                 f"c-{component.path}",
             )
 
@@ -344,6 +359,17 @@ def _notes(signal: Signal) -> Iterator[str]:
         yield "FIFO port" if signal.fifo_words is None else f"FIFO port, {signal.fifo_words} words deep"
     if signal.is_field:
         yield "written by a masked write"
+    yield from words.at_hardware(signal)
+
+
+def _entity(core: Core) -> str:
+    wants = ", ".join(core.wants)
+    return words.entity(core) + (f" with {wants} of the gateway" if wants else "")
+
+
+def _ports(core: Core) -> Iterator[PortRow]:
+    yield from (PortRow(pin.name, pin.way, words.site(pin)) for pin in core.pins)
+    yield from (PortRow(trigger.name, "TRIGGER", words.triggered(trigger)) for trigger in core.triggers)
 
 
 def _overlap(first: tuple[Field, ...], second: tuple[Field, ...]) -> bool:

@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from unity_link.errors import UnsupportedError
 from unity_link.generate import GeneratedFile, c
 from unity_link.generate.matlab.names import FUNCTIONS, MEMBERS, identifiers
-from unity_link.generate.networks import NetworkMemory, given_parameters, networks
+from unity_link.network.memories import NetworkMemory, given_parameters, networks
 from unity_link.quoting import matlab_string, one_line
 from unity_link.spec import ComponentArray
 

@@ -9,10 +9,11 @@ from __future__ import annotations
 import enum
 import keyword
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from unity_link.data.robot import class_name, proxy_type, python_names
-from unity_link.hardware import Module, module_type
+from unity_link.cores import RobotVerbs, Verbs, classes_of, names_of, robot_verbs_of
+from unity_link.data.robot import MODULE_TYPES, class_name, proxy_type, python_names
 from unity_link.spec import ComponentArray, ComponentSpec, KindName
 
 if TYPE_CHECKING:
@@ -45,6 +46,8 @@ class Class(NamedTuple):
     name: str
     doc: str
     attributes: tuple[Attribute, ...]
+    verbs: tuple[str, ...]
+    """Names of the classes with the verbs of cores, which are its first bases."""
 
 
 class EnumClass(NamedTuple):
@@ -71,14 +74,30 @@ class Described(NamedTuple):
     """Parameters that a program gives: the name of the argument, and what the spec calls it."""
     proxies: tuple[str, ...]
     """Names that are imported from `unity_link.data`."""
-    modules: tuple[str, ...]
-    """Names that are imported from `unity_link.hardware`."""
+    modules: tuple[tuple[str, tuple[str, ...]], ...]
+    """Classes of modules that are imported, by their packages."""
+    verbs: tuple[tuple[str, tuple[str, ...]], ...]
+    """Modules of cores, and the names that are imported from each."""
 
 
 def module_name(interface: Interface) -> str:
     """Return the name of the module of an interface: none that hides a module which the program needs."""
     is_taken = keyword.iskeyword(interface.name) or interface.name in sys.stdlib_module_names | _IMPORTED_PACKAGES
     return interface.name + "_" * is_taken
+
+
+def core_modules(interface: Interface) -> dict[str, str]:
+    """Return the modules of the cores of an interface, as a generated module imports them, by `Core.python`.
+
+    One that is a file beside the spec is imported as its copy beside the generated module.
+    """
+    made: dict[str, str] = {}
+    for component in interface.cores:
+        assert component.core is not None
+        python = component.core.python
+        if python:
+            made[python] = f"{module_name(interface)}_{Path(python).stem}" if python.endswith(".py") else python
+    return made
 
 
 def describe(interface: Interface) -> Described:
@@ -88,8 +107,8 @@ def describe(interface: Interface) -> Described:
         if part is not interface.root:
             uses.setdefault(part.type, []).append(part)
     proxies = sorted({proxy_type(signal).__name__ for signal in interface.signals.values()})
-    modules = sorted({_module_class(module.type) for module in interface.modules if module.name is not None})
-    namer = _Names([*IMPORTED, *proxies, *modules])
+    modules, verbs = _modules(interface), _verbs(interface)
+    namer = _Names([*IMPORTED, *proxies, *(name for _, names in (*modules, *verbs) for name in names)])
     robot_name = namer.take(interface.name)
     names = {declaration: namer.take(declaration) for declaration in uses}
     enumerations = {known.name: namer.take(known.name) for known in interface.enumerations}
@@ -113,8 +132,21 @@ def describe(interface: Interface) -> Described:
         ),
         parameters=_arguments([parameter.name for parameter in interface.parameters if parameter.value is None]),
         proxies=tuple(proxies),
-        modules=tuple(modules),
+        modules=modules,
+        verbs=verbs,
     )
+
+
+def _verbs(interface: Interface) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    """Return the modules of cores, and the names of the classes with verbs in each."""
+    modules = core_modules(interface)
+    names: dict[str, set[str]] = {}
+    for component in interface.cores:
+        core = component.core
+        for kind in (*classes_of(core, Verbs), *classes_of(core, RobotVerbs)):
+            assert core is not None
+            names.setdefault(modules[core.python], set()).add(kind.__name__)
+    return tuple((module, tuple(sorted(given))) for module, given in sorted(names.items()))
 
 
 class _Names:
@@ -145,12 +177,15 @@ class _Maker:
     def make(self, declaration: str, name: str, uses: list[ComponentSpec]) -> Class:
         """Make the class of a declaration from all its uses."""
         attributes = [attribute for attributes in self._members(uses) for attribute in attributes]
-        free = python_names(attribute.name for attribute in attributes)
+        is_robot = uses[0] is self._interface.root
+        verbs = robot_verbs_of(self._interface) if is_robot else classes_of(uses[0].core, Verbs)
+        free = python_names((attribute.name for attribute in attributes), names_of(verbs))
         named = (attribute._replace(name=name) for name, attribute in zip(free, attributes, strict=True))
         # A component without a doc string of its own has that of the place where it is put.
         docs = {use.type_doc or use.doc for use in uses}
         doc = docs.pop() if len(docs) == 1 else ""
-        return Class(declaration, name, doc or f"The component {declaration} of the spec.", tuple(named))
+        doc = doc or f"The component {declaration} of the spec."
+        return Class(declaration, name, doc, tuple(named), tuple(kind.__name__ for kind in verbs))
 
     def _members(self, uses: list[ComponentSpec]) -> Iterator[Iterable[Attribute]]:
         first = uses[0]
@@ -186,17 +221,19 @@ class _Maker:
         for number in component.modules:
             module = self._interface.modules[number]
             assert module.name is not None
-            known = _module_class(module.type)
+            known = MODULE_TYPES[module.type].__name__
             is_array = module.path is not None and module.path.endswith("]")
             annotation = f"tuple[{known}, ...]" if is_array else known
             made[module.name] = Attribute(module.name, annotation, module.doc or f"{module.type} at {module.base:#x}.")
         return made.values()
 
 
-def _module_class(word: str) -> str:
-    """Return the class of a module that can be imported from `unity_link.hardware`."""
-    known = module_type(word)
-    return known.__name__ if known.__module__.startswith("unity_link.hardware.") else Module.__name__
+def _modules(interface: Interface) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    """Return the classes of the modules that have names, by the packages that they are imported from."""
+    packages: dict[str, set[str]] = {}
+    for kind in {MODULE_TYPES[module.type] for module in interface.modules if module.name is not None}:
+        packages.setdefault(kind.__module__.rpartition(".")[0], set()).add(kind.__name__)
+    return tuple((package, tuple(sorted(names))) for package, names in sorted(packages.items()))
 
 
 def _text(doc: str) -> list[str]:

@@ -31,7 +31,9 @@ def _plain(value: Any) -> Any:
             item = getattr(value, field.name)
             factory = field.default_factory
             default = field.default if factory is msgspec.NODEFAULT else factory()
-            if field.name != "span" and item != default:
+            # The Python of a core beside the spec is copied, and its place is that of one machine.
+            is_of_here = field.name == "span" or (field.name == "python" and item.endswith(".py"))
+            if not is_of_here and item != default:
                 fields[field.encode_name] = _plain(item)
         return fields
     if isinstance(value, dict):

@@ -67,7 +67,7 @@ def files(interface: Interface, templates: Templates, options: Options) -> Itera
     sources = flat_design(interface, templates, _GENERICS, [*MEDIA, triggers(groups)])
     origin = list(map(hdl_comment, templates.origin))
     with tempfile.TemporaryDirectory() as scratch:
-        paths = write(sources, Path(scratch))
+        paths = [*write(sources, Path(scratch)), *templates.vhdl]
         for medium, described in _MEDIA.items():
             link = described.format(baud=options.baud)
             about = [

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
+from unity_link.generate.vhdl.bank import MASTER_PINS
 from unity_link.generate.vhdl.names import Scope
 from unity_link.generate.vhdl.types import to_bits
 
@@ -84,13 +85,14 @@ def flat_ports(bank: Bank, others: Iterable[OtherPort]) -> Iterator[FlatPort]:
         others: ports that stand beside them, whose names are taken.
     """
     decoders = (enumeration.decode for enumeration in bank.enumerations.values())
-    pins = (f"{port.name}_{pin}" for port in bank.ports for pin in _MASTER_PINS)
-    scope = Scope(*_TAKEN, *(port.name for port in others), *decoders, *pins)
+    masters = (f"{port.name}_{pin}" for port in bank.ports for pin in MASTER_PINS)
+    pins = (name for pin in bank.wiring.pins for name, _ in pin.ports)
+    scope = Scope(*_TAKEN, *(port.name for port in others), *decoders, *masters, *pins)
     for register in bank.registers:
-        yield from _of(register, bank, scope)
+        if not register.is_wired:
+            yield from _of(register, bank, scope)
 
 
-_MASTER_PINS = ("cyc", "stb", "we", "adr", "dat_o", "dat_i", "ack", "err")
 _TAKEN = ("from_hardware", "to_hardware", "physical", "clock_hz", "baud", "to_bits", "work", "ieee")
 
 

@@ -13,6 +13,7 @@ from unity_link.errors import UnsupportedError
 from unity_link.generate.vhdl.names import Scope, identifier
 from unity_link.generate.vhdl.records import Pins, Records
 from unity_link.generate.vhdl.types import bit_literal, enumeration_type, from_bits, to_bits
+from unity_link.generate.vhdl.wiring import Wiring
 from unity_link.spec import Access, KindName
 
 if TYPE_CHECKING:
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
 
 
 ELSEWHERE = "elsewhere"
+MASTER_PINS = ("cyc", "stb", "we", "adr", "dat_o", "dat_i", "ack", "err")
+"""Ends of the names of a Wishbone master's ports."""
 _CONSTANTS = (
     "address_t",
     "address_bits",
@@ -73,13 +76,17 @@ class Register(NamedTuple):
     """Its path as one word, of which the names of its constants and of its register are made."""
     pins: Pins
 
+    is_wired: bool = False
+    """True where its hardware's side is a vector that a core or a pin has, and no element of a record."""
+    armed: str = ""
+    """Signal that is '1' while its lease is armed; empty for a register that no lease guards."""
     chain: str = ""
     """Its bits on the chain of shift registers of a board, as a range of VHDL."""
 
     @property
     def got_bits(self) -> str:
         """Write the bits of what hardware gets."""
-        return to_bits(self.signal.kind, self.pins.got)
+        return self.pins.got if self.is_wired else to_bits(self.signal.kind, self.pins.got)
 
     @property
     def is_sampled(self) -> bool:
@@ -114,7 +121,7 @@ class Register(NamedTuple):
     @property
     def given_bits(self) -> str:
         """Write the bits of what hardware gives."""
-        return to_bits(self.signal.kind, self.pins.given)
+        return self.pins.given if self.is_wired else to_bits(self.signal.kind, self.pins.given)
 
     def read_at(self, address: int) -> str:
         """Write what a read of an address gives of it: a vector, or of a bool from a FIFO port a single bit."""
@@ -144,7 +151,14 @@ class BankWord(NamedTuple):
     @property
     def allowed(self) -> str:
         """Write whether an access is allowed."""
+        if self.armed:
+            return f"not wb_we or {self.armed}" if self.read else f"wb_we and {self.armed}"
         return "'1'" if self.read and self.written else "wb_we" if self.written else "not wb_we"
+
+    @property
+    def armed(self) -> str:
+        """Signal without which a write is refused; empty where no lease guards the word."""
+        return next((register.armed for register in self.written), "")
 
     @property
     def paths(self) -> str:
@@ -184,7 +198,10 @@ class Bank:
         signals = {
             path: signal for path, signal in interface.signals.items() if _owner(interface, signal.module) is None
         }
-        self.records = Records(interface, signals, self.enumerations, self._scope)
+        of_cores = {signal.path for part in interface.cores for signal in part.signals}
+        wired = {path for path, signal in signals.items() if path in of_cores or signal.pin is not None}
+        plain = {path: signal for path, signal in signals.items() if path not in wired}
+        self.records = Records(interface, plain, self.enumerations, self._scope)
         endings = (
             "_address",
             "_low",
@@ -197,6 +214,9 @@ class Bank:
             "_sampled",
             "_held",
             "_gathered",
+            "_to_core",
+            "_from_core",
+            "_written",
         )
         self.names = {path: self._scope.unique(path, *endings) for path in interface.signals}
         """Names of all signals, those of modules too."""
@@ -204,20 +224,40 @@ class Bank:
             group.name: self._scope.unique(f"group_{group.name}", "", "_divisor") for group in interface.groups
         }
         self.registers = tuple(
-            Register(signal, self.names[path], self.records.pins[path]) for path, signal in signals.items()
+            Register(
+                signal,
+                self.names[path],
+                _wires(signal, self.names[path]) if path in wired else self.records.pins[path],
+                is_wired=path in wired,
+                armed=f"{_wires(signals[lease], self.names[lease]).given}(0)" if (lease := _armed_by(signal)) else "",
+            )
+            for path, signal in signals.items()
         )
         self.words = tuple(_words(self.registers))
         self.windows = tuple(_windows(interface))
+        wires = {register.signal.path: register.pins for register in self.registers if register.is_wired}
+        masters = (f"{port.name}_{pin}" for port in self.ports for pin in MASTER_PINS)
+        self.wiring = Wiring(interface, wires, self._scope, masters)
+
+    @property
+    def has_chain(self) -> bool:
+        """Return whether something hangs on the chain of shift registers of a board."""
+        return bool(self.chained_to or self.chained_from)
 
     @property
     def chained_to(self) -> list[Register]:
         """Registers that hardware gets, each with its place on a chain of shift registers."""
-        return _chained(register for register in self.registers if register.is_register)
+        return _chained(register for register in self.registers if register.is_register and not register.is_wired)
 
     @property
     def chained_from(self) -> list[Register]:
         """Registers that hardware gives, each with its place on a chain of shift registers."""
-        return _chained(register for register in self.registers if register.is_sampled)
+        return _chained(register for register in self.registers if register.is_sampled and not register.is_wired)
+
+    @property
+    def wired(self) -> tuple[Register, ...]:
+        """Registers of which cores or pins have the hardware's side."""
+        return tuple(register for register in self.registers if register.is_wired)
 
     @property
     def ports(self) -> tuple[AddressWindow, ...]:
@@ -240,6 +280,17 @@ class Bank:
 
     def _address(self, address: int) -> str:
         return f"unsigned'({bit_literal(address, self.interface.address_bits)})"
+
+    @property
+    def leases(self) -> tuple[Register, ...]:
+        """The registers that tell whether the leases are armed that guard others."""
+        paths = {_armed_by(register.signal) for register in self.registers}
+        return tuple(register for register in self.registers if register.signal.path in paths)
+
+    @property
+    def guarded(self) -> tuple[Register, ...]:
+        """The registers that leases guard."""
+        return tuple(register for register in self.registers if register.armed)
 
     @property
     def streams(self) -> tuple[Register, ...]:
@@ -270,6 +321,8 @@ class Bank:
 
     def got(self, register: Register) -> str:
         """Write the value that hardware gets of a register."""
+        if register.is_wired:
+            return f"{register.name}_bits"
         return self.given(register, f"{register.name}_bits{'(0)' if is_bool(register) else ''}")
 
     def given(self, register: Register, bits: str) -> str:
@@ -301,7 +354,19 @@ def is_bit(register: Register) -> bool:
 
 def is_bool(register: Register) -> bool:
     """Return whether hardware's side of a register is a single bit."""
-    return register.signal.kind.name is KindName.BOOL
+    return register.signal.kind.name is KindName.BOOL and not register.is_wired
+
+
+def _armed_by(signal: Signal) -> str:
+    """Return the path of the signal that tells whether the lease of a signal is armed; empty where it has none."""
+    return f"{signal.safe.lease}.armed" if signal.safe is not None else ""
+
+
+def _wires(signal: Signal, name: str) -> Pins:
+    """Return the ports of a signal of which a core or a pin has the hardware's side."""
+    if signal.access.writes:
+        return Pins(got=f"{name}_to_core", written=f"{name}_written")
+    return Pins(given=f"{name}_from_core")
 
 
 def _words(registers: Iterable[Register]) -> Iterator[BankWord]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from unity_link.errors import ArgumentError
 from unity_link.gateware import LICENCE
 from unity_link.gateware.cache import board_sources
 from unity_link.gateware.sources import gateware_files
@@ -12,19 +13,53 @@ from unity_link.generate import GeneratedFile
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
+    from pathlib import Path
 
 GATEWARE_FOLDER = "gateware"
+CORES_FOLDER = "cores"
 
 
-def design_files(generated: Iterable[GeneratedFile]) -> list[str]:
-    """Return the VHDL of a design beside the gateware in compile order; the bench is no part of it."""
+def read_vhdl(path: Path) -> str:
+    """Return the text of a file of VHDL, in UTF-8 or, as the standard has it, in Latin-1.
+
+    Raises:
+        ArgumentError: where it cannot be read.
+    """
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise ArgumentError(f"{path} cannot be read: {error.strerror or error}") from None
+    try:
+        return data.decode()
+    except UnicodeDecodeError:
+        return data.decode("latin-1")
+
+
+def design_files(generated: Iterable[GeneratedFile], own: Iterable[str] = ()) -> list[str]:
+    """Return the VHDL of a design beside the gateware in compile order; the bench is no part of it.
+
+    Args:
+        generated: from a spec.
+        own: of the spec's own cores, which the generated gateway needs.
+    """
     boards = [f"{GATEWARE_FOLDER}/boards/{source.name}" for source in board_sources()]
-    return [*boards, *(file.name for file in generated if not file.name.endswith("_bench.vhd"))]
+    return [*boards, *own, *(file.name for file in generated if not file.name.endswith("_bench.vhd"))]
 
 
-def with_gateware(generated: list[GeneratedFile]) -> Iterator[GeneratedFile]:
-    """Return the files of the target `vhdl` with the gateware in a folder beside them, and a script for each tool."""
+def with_gateware(generated: list[GeneratedFile], cores: Iterable[Path] = ()) -> Iterator[GeneratedFile]:
+    """Return the files of the target `vhdl` with the gateware in a folder beside them, and a script for each tool.
+
+    Args:
+        generated: from a spec.
+        cores: VHDL of the spec's own cores, which is copied.
+
+    Raises:
+        ArgumentError: where a file of a core cannot be read.
+    """
     yield from generated
+    own = {f"{CORES_FOLDER}/{path.parent.name}/{path.name}": path for path in cores}
+    for name, path in own.items():
+        yield GeneratedFile(name, read_vhdl(path))
     for name, text in gateware_files().items():
         yield GeneratedFile(f"{GATEWARE_FOLDER}/{name}", text)
     for tool in TOOLS:
@@ -33,6 +68,6 @@ def with_gateware(generated: list[GeneratedFile]) -> Iterator[GeneratedFile]:
             f"# The gateware and this design: source {tool}.tcl in an open project. Choose the top by yourself.",
             "set here [file dirname [file normalize [info script]]]",
             f"source [file join $here {GATEWARE_FOLDER} import {tool}.tcl]",
-            *(add_vhdl(tool, f"[file join $here {file}]") for file in design_files(generated)),
+            *(add_vhdl(tool, f"[file join $here {file}]") for file in design_files(generated, own)),
         )
         yield GeneratedFile(f"{tool}.tcl", "".join(f"{line}\n" for line in lines))

@@ -38,6 +38,10 @@ class Scope:
     def __init__(self, *taken: str) -> None:
         self._taken = set(taken)
 
+    def take(self, *names: str) -> None:
+        """Take names as they are."""
+        self._taken.update(names)
+
     def unique(self, text: str, *endings: str) -> str:
         """Return a name for a text, numbered where it is taken.
 

@@ -39,7 +39,7 @@ class Stimuli:
         self._data_bits = bank.interface.data_bits
         self._given: dict[str, int] = {}
         self._stored: dict[str, int] = {
-            register.signal.path: 0 for register in bank.registers if register.signal.access.writes
+            register.signal.path: register.signal.reset for register in bank.registers if register.signal.access.writes
         }
         self._gathered: dict[int, int] = {}
         """Words written to values that are not whole yet, by their addresses."""
@@ -56,9 +56,10 @@ class Stimuli:
     def sections(self) -> Iterator[Section]:
         """Return all that the bench tries, in this order."""
         parts = (
-            ("After reset, everything that was written is 0.", self._reset()),
+            ("After reset, each register has the value of its RESET, or 0.", self._reset()),
             *((f"What hardware gives can be read, round {one}.", self._reads(one)) for one in range(1, ROUNDS + 1)),
             *((f"What is written reaches hardware, round {one}.", self._writes(one)) for one in range(1, ROUNDS + 1)),
+            ("While a lease is not armed, what it guards is safe, and refuses to be written.", self._leases()),
             ("Fields of one word are written by reading it first.", self._fields()),
             ("Accesses in a row take a cycle each.", self._rows()),
             ("A value of several words is read from one instant.", self._instants()),
@@ -98,9 +99,9 @@ class Stimuli:
 
     def _literal(self, register: Register, raw: int) -> str:
         kind = register.signal.kind
-        if kind.name is KindName.BOOL:
+        if kind.name is KindName.BOOL and not register.is_wired:
             return f"'{raw}'"
-        if kind.enumeration is None:
+        if kind.enumeration is None or register.is_wired:
             return bit_literal(raw, kind.width)
         type_ = self._bank.enumerations[kind.enumeration.name]
         names = dict(zip((one.value for one in kind.enumeration.values), type_.literals, strict=True))
@@ -145,6 +146,8 @@ class Stimuli:
     # Sections
 
     def _reset(self) -> Iterator[str]:
+        for lease in self._bank.leases:
+            yield self._give(lease, 1)
         for register in self._bank.registers:
             if register.is_register:
                 yield self._see(register)
@@ -161,6 +164,8 @@ class Stimuli:
     def _raw(self, register: Register, round_: int) -> int:
         """Return a raw that hardware can give: of an enumeration, one with a name."""
         kind, path = register.signal.kind, register.signal.path
+        if register in self._bank.leases:
+            return 1
         if kind.enumeration is not None:
             return self._chance(round_, path).choice(kind.enumeration.values).value
         return self._number(kind.width, round_, path)
@@ -179,6 +184,26 @@ class Stimuli:
         for register in self._bank.registers:
             if register.is_register and len(words) > 1:
                 yield self._see(register)
+
+    def _leases(self) -> Iterator[str]:
+        readable = self._readable()
+        every = [word for word in self._bank.words if word.armed]
+        for lease in self._bank.leases:
+            path = lease.signal.path.rpartition(".")[0]
+            guarded = [one for one in self._bank.guarded if one.signal.safe and one.signal.safe.lease == path]
+            words = [word for word in every if word.written[0] in guarded]
+            for word in every:
+                yield from self._write(word, self._number(self._data_bits, 1, path, word.address))
+            yield from (self._give(lease, 0), "pass(2);")
+            for register in guarded:
+                self._stored[register.signal.path] = register.signal.reset
+            # Those of other leases have what they had.
+            yield from (self._see(register) for register in self._bank.guarded)
+            for word in words:
+                yield f"refuse({self._at(word.address)}, '1');"
+                yield from [self._read(word.address)] * (word in readable)
+            yield from (self._give(lease, 1), "pass(2);")
+            yield from (self._see(register) for register in guarded)
 
     def _fields(self) -> Iterator[str]:
         for word in self._bank.words:

@@ -30,6 +30,8 @@ class _Seen(NamedTuple):
     step: float = 1
     values: tuple[int, ...] = ()
     """Numbers of its enumeration."""
+    reset: int = 0
+    """Bits after a reset, of what is written."""
 
 
 def compare(text: str, top: Any, names: Mapping[str, str]) -> list[Diagnostic]:
@@ -87,7 +89,9 @@ def _expected(node: Any, bits: int, *, whole: bool) -> _Seen:
         return _Seen(address, low, access)
     number, encode = number_of(node), node.get_property("encode")
     values = () if encode is None else tuple(sorted(member.value for member in encode))
-    return _Seen(address, low, access, node.width, number.signed, math.ldexp(1, -(number.fraction or 0)), values)
+    given = node.get_property("reset")
+    reset = given if isinstance(given, int) and access.writes else 0
+    return _Seen(address, low, access, node.width, number.signed, math.ldexp(1, -(number.fraction or 0)), values, reset)
 
 
 def _seen(signal: Signal, *, whole: bool) -> _Seen:
@@ -96,8 +100,8 @@ def _seen(signal: Signal, *, whole: bool) -> _Seen:
     kind = signal.kind
     values = () if kind.enumeration is None else tuple(sorted(one.value for one in kind.enumeration.values))
     return _Seen(
-        signal.address, signal.lowest_bit, signal.access, signal.width, kind.is_signed, kind.step, values
-    )  # fmt: skip
+        signal.address, signal.lowest_bit, signal.access, signal.width, kind.is_signed, kind.step, values, signal.reset
+    )
 
 
 def _differing_memories(interface: Interface, top: Any) -> list[Diagnostic]:

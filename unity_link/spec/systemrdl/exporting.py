@@ -131,6 +131,8 @@ def _register(
         software, hardware = _SW[signal.access]
         yield "    field {"
         yield f"      sw = {software}; hw = {hardware};"
+        if reset := signal.reset >> max(part * bits - signal.lowest_bit, 0) & (1 << high - low + 1) - 1:
+            yield f"      reset = {reset:#x};"
         yield from (f"      {name} = {value};" for name, value in _properties(signal, part))
         if part == 0 and signal.path in order:
             yield f"      ul_order = {order[signal.path]};"
@@ -172,6 +174,8 @@ def _arguments(signal: Signal) -> Iterator[str]:
         yield f"MIN={_number(signal.minimum)}"
     if signal.maximum is not None:
         yield f"MAX={_number(signal.maximum)}"
+    if signal.reset and signal.safe is None:
+        yield f"RESET={_value(signal)}"
     if signal.fifo:
         yield "FIFO" if signal.fifo_words is None else f"FIFO({signal.fifo_words})"
     if signal.poll_hz is not None:
@@ -179,6 +183,14 @@ def _arguments(signal: Signal) -> Iterator[str]:
     if signal.group is not None:
         yield f"PUBLISH({signal.group})"
     yield from (f"GROUP({group})" for group in signal.groups if group != signal.group)
+
+
+def _value(signal: Signal) -> str:
+    """Return what a signal is after a reset, as a spec writes it."""
+    value = signal.kind.decode(signal.reset)
+    if isinstance(value, bool):
+        return str(value).lower()
+    return _number(int(value) if isinstance(value, int) else value)
 
 
 def _group(group: GroupSpec) -> str:

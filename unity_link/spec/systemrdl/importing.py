@@ -18,7 +18,7 @@ from unity_link.spec.placing import GATEWAY_WORD, MOST_ITEMS
 from unity_link.spec.systemrdl.comparing import compare
 from unity_link.spec.systemrdl.effects import effects, warnings
 from unity_link.spec.systemrdl.naming import doc_lines, unique_name, values_text
-from unity_link.spec.systemrdl.numbers import PEAKRDL, declare, number_of
+from unity_link.spec.systemrdl.numbers import PEAKRDL, declare, number_of, reset_of
 from unity_link.spec.systemrdl.perl import first_perl
 from unity_link.spec.systemrdl.places import about, diagnostic, flat_path
 
@@ -318,6 +318,8 @@ class _Importer:
         except ValueError as error:
             self._fault(node, str(error))
             return None
+        if writes and (reset := reset_of(node)):
+            arguments = [*arguments, f"RESET={reset}"]
         whole = low == 0 and node.width >= self._bits
         bits = "" if whole else f"[{low}]" if node.width == 1 else f"[{low + node.width - 1}:{low}]"
         doc = "\n".join(filter(None, (_desc(node), *effects(node))))
@@ -393,6 +395,8 @@ class _Importer:
         if arguments is not None and re.search(r"(^|, )FIFO", arguments):
             found.bits = ""
         identity, unit = self._ours(node, "id"), self._ours(node, "unit")
+        # The same stands among our own arguments, for values of several words too.
+        found.arguments = [one for one in found.arguments if not one.startswith("RESET=")]
         if identity is not None and identity != path:
             found.arguments.append(f"ID={_quoted(identity)}")
         found.arguments += filter(None, [arguments])

@@ -5,6 +5,7 @@ Files use PeakRDL's properties with or without a declaration of their own, for P
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
@@ -34,6 +35,22 @@ def number_of(node: Any) -> Number:
     if whole is not None and fraction is not None and whole + fraction != node.width:
         raise ValueError(f"intwidth={whole} and fracwidth={fraction} are not the {node.width} bits of the field")
     return Number(bool(signed), node.width - whole if fraction is None and whole is not None else fraction)
+
+
+def reset_of(node: Any) -> str:
+    """Return the value of a field after a reset, as a spec writes it; empty for 0, and where no number says it.
+
+    Raises:
+        ValueError: as by `number_of`.
+    """
+    bits = node.get_property("reset")
+    if not isinstance(bits, int) or not bits:
+        return ""
+    number = number_of(node)
+    if node.width == 1 and not number.signed and number.fraction is None and node.get_property("encode") is None:
+        return "true"
+    value = bits - (1 << node.width) if number.signed and bits >> node.width - 1 else bits
+    return str(value) if number.fraction is None else repr(math.ldexp(value, -number.fraction))
 
 
 def _property(node: Any, name: str) -> int | None:

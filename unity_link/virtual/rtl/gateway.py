@@ -228,6 +228,10 @@ class RtlGateway(BareGateway):
         self._run_until_quiet()
         self.wake()
 
+    def ticks_at(self, now: float) -> int:
+        """Return the cycles of the gateway's clock since its reset, at an instant of an access (seconds)."""
+        return self.cycles + (0 if self._origin is None else round((now - self._time()) * self.info.clock_hz))
+
     # The ports of a whole design
 
     @functools.cached_property

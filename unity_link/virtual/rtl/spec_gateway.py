@@ -14,11 +14,12 @@ from typing import TYPE_CHECKING
 from unity_link.errors import ArgumentError
 from unity_link.generate.vhdl.bank import Bank
 from unity_link.protocol.messages import ErrorCode
+from unity_link.spec import Way
 from unity_link.virtual.bus import AccessError
 from unity_link.virtual.faults import Failing
 from unity_link.virtual.rtl.gateway import RtlGateway
 from unity_link.virtual.rtl.specs import ports_of
-from unity_link.virtual.rtl.wiring import Wiring
+from unity_link.virtual.rtl.wiring import PinLevels, Wiring
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
     from unity_link.spec import Interface
     from unity_link.virtual.bus import Device
     from unity_link.virtual.rtl.configurations import Configuration
+    from unity_link.virtual.rtl.ports import Port
     from unity_link.virtual.simulated import SimulatedRobot
 
 
@@ -47,12 +49,41 @@ class SpecGateway(RtlGateway):
         self._wiring: Wiring | None = None
         super().__init__(configuration)
         super().attach_elsewhere(Failing(ErrorCode.BUS_ERROR))
+        self._rest_pins()
+        # A core moves by itself: it counts, or waits for an instant.
+        self.keep_awake(on=False)
 
     def reset(self) -> None:
         """Go back to the state after power-up, which is that of the registers, too."""
         super().reset()
         if self._wiring is not None:
             self._wiring.take_all()
+
+    def keep_awake(self, *, on: bool) -> None:
+        """Make each clock cycle count, or end that; with cores each one always counts."""
+        super().keep_awake(on=on or bool(self._interface.cores))
+
+    def _pins(self) -> dict[str, PinLevels]:
+        """Return the pins of each core, by its path."""
+        names = {pin.path: [name for name, _ in pin.ports] for pin in self._bank.wiring.pins}
+        found = {}
+        for part in self._interface.cores:
+            ports: dict[str, tuple[Port | None, Port | None, Port | None]] = {}
+            for pin in part.core.pins if part.core is not None else ():
+                wires = [self.ports[name] for name in names.get(pin.path, ())]
+                driven = wires[0] if wires and pin.way is not Way.OUT else None
+                out = wires[-2:] if pin.way is Way.INOUT else wires if pin.way is Way.OUT else []
+                ports[pin.name] = (driven, out[0] if out else None, out[1] if len(out) > 1 else None)
+            found[part.path] = PinLevels(ports)
+        return found
+
+    def _rest_pins(self) -> None:
+        """Drive the input pins of cores to what they have without a wire."""
+        levels = self._pins()
+        for part in self._interface.cores:
+            for pin in part.core.pins if part.core is not None else ():
+                if pin.way is not Way.OUT and pin.is_used:
+                    levels[part.path][pin.name] = pin.unwired
 
     # What is behind the ports
 
@@ -89,6 +120,7 @@ class SpecGateway(RtlGateway):
         offered = {path for group in self._interface.groups if group.trigger for path in group.signals}
         self._wiring = Wiring(self, robot, ports_of(self._interface), offered)
         robot.is_wired = True
+        robot.wire_pins(self._pins())
         self._robot = robot
         # Before anything at addresses of its own.
         super().attach_elsewhere(robot)

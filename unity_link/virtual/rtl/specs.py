@@ -26,6 +26,7 @@ from unity_link.generate import Templates
 from unity_link.generate.verilog import flat_design
 from unity_link.generate.verilog.flat import FIFO, flat_ports, triggers
 from unity_link.generate.vhdl.bank import Bank
+from unity_link.generate.vhdl.folder import read_vhdl
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.crc import USUAL_POLYNOMIALS
 from unity_link.virtual.generics import FEATURES, generics_of, info_of
@@ -101,7 +102,8 @@ def _design_of(interface: Interface, generics: Mapping[str, int]) -> Design:
     given |= {name: _declared(name, value) for name, value in generics.items() if name not in _OF_THE_BANK}
     files = flat_design(interface, Templates("verilog", None, {}), given, [*FIFO, triggers(generics["groups"])])
     masters = tuple((port.name, port.first) for port in Bank(interface).ports)
-    return Design(tuple((file.name, file.text) for file in files), masters)
+    own = ((f"core_{number}.vhd", read_vhdl(Path(path))) for number, path in enumerate(interface.vhdl))
+    return Design((*own, *((file.name, file.text) for file in files)), masters)
 
 
 def ports_of(interface: Interface) -> dict[str, dict[str, str]]:

@@ -8,13 +8,14 @@ FIFO ports are queues that offer and take a word at the edges at which the gatew
 from __future__ import annotations
 
 import logging
+from collections.abc import MutableMapping
 from typing import TYPE_CHECKING
 
 from unity_link.errors import ANY_ERROR, ArgumentError
 from unity_link.virtual.bus import AccessError
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterator, Mapping
 
     from unity_link.virtual.registers import Cell, Queue, SignalFault
     from unity_link.virtual.rtl.gateway import RtlGateway
@@ -26,6 +27,9 @@ _LOG = logging.getLogger("unity_link.virtual")
 
 class Given:
     """A signal that hardware gives."""
+
+    def look(self, cell: Cell) -> None:
+        """Show the value as it is."""
 
     def __init__(self, port: Port) -> None:
         self._port = port
@@ -50,6 +54,9 @@ class Given:
 class Got:
     """A signal that a program writes, or a FIFO port."""
 
+    def look(self, cell: Cell) -> None:
+        """Show the value as it is."""
+
     def drive(self, cell: Cell, raw: int) -> None:  # noqa: ARG002  (none is taken)
         """Refuse a value of the model.
 
@@ -69,6 +76,81 @@ class Got:
         """
         if fault is not None:
             raise _impossible(cell, fault)
+
+
+class OfCore:
+    """A signal of a core, which the compiled gateware has: a model meets it at its pins."""
+
+    def look(self, cell: Cell) -> None:
+        """Refuse to show the value.
+
+        Raises:
+            ArgumentError: always.
+        """
+        raise ArgumentError(
+            f"{cell.signal.path} is a register of a core, which the compiled gateware has: a model looks at the pins "
+            "of the core and sets them, or takes sim:"
+        )
+
+    def drive(self, cell: Cell, raw: int) -> None:  # noqa: ARG002  (none is taken)
+        """Refuse a value of the model.
+
+        Raises:
+            ArgumentError: always.
+        """
+        self.look(cell)
+
+    def set_fault(self, cell: Cell, fault: SignalFault | None) -> None:
+        """Refuse a fault.
+
+        Raises:
+            ArgumentError: for one.
+        """
+        if fault is not None:
+            raise _impossible(cell, fault)
+
+
+class PinLevels(MutableMapping[str, int]):
+    """Levels of the pins of a core, at the ports of the design: inputs are driven, outputs looked at.
+
+    A pin of both directions has what the gateware drives, else what it is driven to.
+
+    Args:
+        ports: of each pin, by its name: the one that is driven, the level that comes out, and whether one does.
+    """
+
+    def __init__(self, ports: Mapping[str, tuple[Port | None, Port | None, Port | None]]) -> None:
+        self._ports = ports
+
+    def __getitem__(self, name: str) -> int:
+        """Return the level of a pin."""
+        driven, level, enabled = self._ports[name]
+        if level is not None and (enabled is None or enabled.value):
+            return level.value
+        return 0 if driven is None else driven.value
+
+    def __setitem__(self, name: str, level: int) -> None:
+        """Drive a pin.
+
+        Raises:
+            ArgumentError: for an output.
+        """
+        driven, _, _ = self._ports[name]
+        if driven is None:
+            raise ArgumentError(f"{name} is no input of the gateware: it is an output, or has no pin")
+        driven.drive(level)
+
+    def __delitem__(self, name: str) -> None:
+        """Refuse."""
+        raise TypeError(name)
+
+    def __iter__(self) -> Iterator[str]:
+        """Return the names of all pins."""
+        return iter(self._ports)
+
+    def __len__(self) -> int:
+        """Return the number of pins."""
+        return len(self._ports)
 
 
 def _impossible(cell: Cell, fault: SignalFault) -> ArgumentError:
@@ -110,6 +192,9 @@ class Wiring:
             else:
                 cell.wire = Given(pins["given"])
                 cell.wire.drive(cell, cell.raw)
+        for part in robot.interface.cores:
+            for signal in part.signals:
+                robot.cells[signal.path].wire = OfCore()
 
     def take_all(self) -> None:
         """Take what stands at the ports, as behind a reset, which pulses none of them."""
@@ -118,7 +203,7 @@ class Wiring:
 
     def _join_got(self, cell: Cell, got: Port, written: Port) -> None:
         cell.wire = Got()
-        if cell.raw:
+        if cell.raw != cell.signal.reset:
             cell.wire.drive(cell, cell.raw)
         self._got.append((cell, got))
 

@@ -1,4 +1,4 @@
-/* Double-buffered memories (docs/how-to/hardware-modules.md, TosNet). -------------------------------------------------
+/* Double-buffered memories (docs/how-to/windows.md, TosNet). ----------------------------------------------------------
  *
  * What is written goes into a buffer of its own until it is committed, and then the other buffer is the one to write to,
  * which has not got what was written last. So a network keeps all that was ever written: each commit writes all of it.

@@ -1,4 +1,4 @@
-"""The pins of a board that the ports of a user's top are."""
+"""The pins of a board that the ports of a design are: of a generated one, or of a user's own top."""
 
 from __future__ import annotations
 
@@ -6,16 +6,87 @@ from typing import TYPE_CHECKING
 
 from unity_link.boards.board import PINS, bit_name
 from unity_link.errors import ArgumentError, did_you_mean
+from unity_link.gateware.own_vhdl import Port
+from unity_link.spec import Way
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from unity_link.boards.board import Board, Pin
-    from unity_link.gateware.own_vhdl import Port
+    from unity_link.generate.vhdl.bank import Bank
 
 READY = "clk_ready"
 """Port that is no pin: a PLL's lock."""
 _CHAIN = "chain_"
+_MOST_NAMED = 3
+_WAYS = {Way.IN: "input", Way.OUT: "output", Way.INOUT: "inout"}
+
+
+def generated_ports(board: Board, bank: Bank | None = None) -> tuple[Port, ...]:
+    """Return the ports of the whole generated design of a register bank; without one, of the medium and the chain."""
+    ways = _ways(board, has_chain=bank is None or bank.has_chain)
+    widths = {pin.partition("[")[0]: 8 * ("[" in pin) for pin in ways}
+    ports = [
+        Port(name, name, ways.get(name) or ways[f"{name}[0]"], width, tuple(range(width)) or None)
+        for name, width in widths.items()
+    ]
+    ports += [
+        Port(pin.name, pin.name, _WAYS[pin.way], pin.width, tuple(range(pin.width)) or None)
+        for pin in (bank.wiring.pins if bank is not None else ())
+    ]
+    return (*ports, Port(READY, READY, "input", 0, None))
+
+
+def generated_pins(bank: Bank, board_name: str, board: Board) -> dict[str, Pin]:
+    """Return the pin of each port of a generated design, or of each bit of one.
+
+    Args:
+        bank: its registers, cores and pins.
+        board_name: what messages call the board.
+        board: that has the pins.
+
+    Raises:
+        ArgumentError: for pins of the spec without a pin of the board, by their names; for one that the board has not,
+            or has in another use.
+    """
+    open_pins = [pin.path for pin in bank.wiring.pins if pin.at is None]
+    if open_pins:
+        raise ArgumentError(
+            f"{bank.interface.name} has pins without a place on a board, {', '.join(open_pins)}: name one for each "
+            'where its core stands, as in @(0x10, pwm="led0"), or none'
+        )
+    pins = {name: board.medium_pins[name] for name in _ways(board, has_chain=bank.has_chain)}
+    taken = {pin.site: name for name, pin in pins.items()}
+    for port in bank.wiring.pins:
+        assert port.at is not None
+        names = [bit_name(port.at, index) for index in range(port.width)] if port.width else [port.at]
+        for index, name in enumerate(names):
+            if name not in board.io_pins:
+                row = f"{port.at} of {port.width} bits" if port.width else port.at
+                raise ArgumentError(
+                    f"{port.path} is at {row}, and {name} is no pin of {board_name}, {_there(name, board)}"
+                )
+            pin = board.io_pins[name]
+            if pin.site in taken:
+                other = taken[pin.site]
+                hint = f": {_hung(bank)}" if other.startswith(_CHAIN) else ""
+                raise ArgumentError(
+                    f"{port.path} is at {name} of {board_name}, which is the pin {pin.site} of {other} as well{hint}"
+                )
+            taken[pin.site] = port.path
+            pins[f"{port.name}[{index}]" if port.width else port.name] = pin
+    return pins
+
+
+def _hung(bank: Bank) -> str:
+    """Return a sentence for the signals that make a design have a chain of shift registers."""
+    names = [register.signal.path for register in (*bank.chained_to, *bank.chained_from)]
+    some = ", ".join(names[:_MOST_NAMED]) + (f" and {len(names) - _MOST_NAMED} more" if names[_MOST_NAMED:] else "")
+    return f"a chain of shift registers is there for the signals without a pin, {some}; take another pin"
+
+
+def _ways(board: Board, *, has_chain: bool) -> dict[str, str]:
+    return {pin: way for pin, way in PINS[board.medium].items() if has_chain or not pin.startswith(_CHAIN)}
 
 
 def pins_of(top: str, ports: tuple[Port, ...], board_name: str, board: Board) -> dict[str, Pin]:
@@ -31,7 +102,7 @@ def pins_of(top: str, ports: tuple[Port, ...], board_name: str, board: Board) ->
         ArgumentError: where a port is no pin of the board, or of another width or direction; where two ports are one
             pin; or where a pin of the medium has no port.
     """
-    ways = {pin: way for pin, way in PINS[board.medium].items() if not pin.startswith(_CHAIN)}
+    ways = _ways(board, has_chain=False)
     taken: dict[str, str] = {}
     pins: dict[str, Pin] = {}
     for port in ports:

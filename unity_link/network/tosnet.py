@@ -79,7 +79,7 @@ class TosnetState(msgspec.Struct, frozen=True, kw_only=True):
     """Packets that arrived damaged."""
 
 
-class TosnetNetwork(Module, word="TOSNET"):
+class TosnetNetwork(Module):
     """A TosNet network, seen from one of its nodes."""
 
     def __init__(
@@ -163,7 +163,7 @@ class TosnetNetwork(Module, word="TOSNET"):
         return self._committing
 
 
-class TosnetNode(Module, word="TOSNET_NODE"):
+class TosnetNode(Module):
     """The shared memory of one node: 8 registers, each of 4 words that it sends and 4 that are sent to it."""
 
     SIZE = NODE_WORDS

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from unity_link.hardware.tosnet import NODE_WORDS, NODES
+from unity_link.network.tosnet import NODE_WORDS, NODES
 from unity_link.spec.model import ParameterReference
 
 if TYPE_CHECKING:

@@ -14,7 +14,7 @@ from support.simulated_time import on_simulated_time
 from support.spec_examples import FIGURE_1
 from unity_link import ArgumentError, GatewayInfo, UnityLinkError
 from unity_link.data import Group
-from unity_link.hardware import TosnetNetwork
+from unity_link.network import TosnetNetwork
 from unity_link.spec import compile_text
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.tosnet import Control, SharedMemory

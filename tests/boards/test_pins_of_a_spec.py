@@ -1,0 +1,60 @@
+"""Pins of cores and registers have sites of the board by the board's names; what has none, or two uses, is told."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from docs.walkthrough import blocks
+from unity_link.boards.loading import load_board
+from unity_link.boards.pins import generated_pins
+from unity_link.errors import ArgumentError
+from unity_link.generate.vhdl.bank import Bank
+from unity_link.spec import compile_text
+
+HOW_TO = Path(__file__).parents[2] / "docs" / "how-to" / "boards.md"
+(CART,) = (block.text for block in blocks(HOW_TO) if block.caption == "cart.ul")
+REFUSED = [line for line in HOW_TO.read_text().splitlines() if re.match(r"cart has pins|\S+ is at gp", line)]
+CHAINED = """\
+public lamp() {
+  @lamp = 0: bool READWRITE(PIN="%s");
+  @level = 1: unsigned 8 READWRITE();
+}
+"""
+
+
+def sites(text: str, board: str = "ulx3s") -> dict[str, str]:
+    """Return the sites of the pins of a spec, without those of the link."""
+    pins = generated_pins(Bank(compile_text(text).interface()), board, load_board(board)[1])
+    return {name: pin.site for name, pin in pins.items() if not name.startswith(("clk", "uart_"))}
+
+
+def test_the_spec_of_the_page_is_at_the_sites_of_its_names_and_has_no_chain() -> None:
+    assert sites(CART) == {
+        "lamp": "B2",
+        "fire[0]": "R1",
+        "fire[1]": "T1",
+        "left_pwm": "B11",
+        "left_dir": "A10",
+        "fan_pwm": "A9",
+    }
+
+
+@pytest.mark.parametrize(
+    ("change", "sentence"),
+    list(zip([(", dir=none", ""), ('"gp2"', '"gp99"'), ('"gp2"', '"gp1"')], REFUSED, strict=True)),
+)
+def test_what_is_wrong_at_the_pins_is_told_as_the_page_says(change: tuple[str, str], sentence: str) -> None:
+    with pytest.raises(ArgumentError, match=f"^{re.escape(sentence).replace(re.escape('...'), '.*')}$"):
+        sites(CART.replace(*change))
+
+
+def test_signals_without_a_pin_are_on_a_chain_whose_pins_are_taken() -> None:
+    chain = {pin: site for pin, site in sites(CHAINED % "led0", "hx8k_breakout").items() if pin.startswith("chain_")}
+    assert sorted(chain) == ["chain_clk", "chain_in", "chain_load_n", "chain_out"]
+    with pytest.raises(
+        ArgumentError, match=r"^lamp is at j2_\d+ of hx8k_breakout.*chain of shift registers.*level; take"
+    ):
+        sites(CHAINED % "j2_19", "hx8k_breakout")

@@ -1,0 +1,175 @@
+"""Programs that move an output and are ended while they do, in every way: all is safe after the time-out, and stays so.
+
+The programs, the server between them and the gateway, and what signals do, are real; a second client looks on.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import signal
+import subprocess
+import sys
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+import unity_link
+from support.bridge_programs import PROGRAM, line_of, wait_until
+from unity_link import blocking
+from unity_link.data.blocking import put
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+
+SPEC = """
+group state(RATE=200, TIMESTAMPS);
+public rover() {
+  GATEWAY(ADDRESS_BITS=12);
+  drive: LEASE(TIMEOUT=20) @(0xE0);
+  @speed = 0x10: signed READWRITE(SAFE(0, drive));
+  @position = 0x20: READ(PUBLISH(state));
+}
+"""
+HEAD = """
+import sys
+import unity_link
+
+Rover = unity_link.load(sys.argv[2])
+"""
+LOOP = """
+{run}def main() -> None:
+    {run}with {connect}(sys.argv[1]) as link:
+        robot = {put}
+        {run}with robot.armed(timeout=float(sys.argv[3])) as lease:
+            {run}for sample in lease.each(robot.groups["state"]):
+                {wait}robot.speed.set(1 + sample.sequence)
+                if sample.sequence == 20:
+                    print("moving", flush=True)
+"""
+ASYNC = HEAD + LOOP.format(run="async ", connect="unity_link.connect", put="Rover(link)", wait="await ")
+FACES = {
+    "asyncio": ASYNC + "\nimport asyncio\nasyncio.run(main())\n",
+    "trio": ASYNC + "\nimport trio\ntrio.run(main)\n",
+    "blocking": HEAD
+    + "from unity_link import blocking\nfrom unity_link.data.blocking import put\n"
+    + LOOP.format(run="", connect="blocking.connect", put="put(Rover, link)", wait="")
+    + "\nmain()\n",
+}
+FLOOD = (
+    HEAD
+    + """
+import asyncio
+
+async def main() -> None:
+    async with unity_link.connect(sys.argv[1]) as link:
+        robot = Rover(link)
+        async with robot.armed(timeout=float(sys.argv[3])) as lease:
+            for number in range(1_000_000):
+                await robot.speed.post(1 + number)
+                if number % 50 == 0:
+                    await lease.kick()
+                if number == 1000:
+                    print("moving", flush=True)
+
+asyncio.run(main())
+"""
+)
+
+
+@contextlib.contextmanager
+def served(folder: Path, options: str = "") -> Iterator[tuple[str, str, Any]]:
+    """Serve a rover; give the URL, the path of the spec, and the rover for who looks on."""
+    spec = folder / "rover.ul"
+    spec.write_text(SPEC)
+    command = [PROGRAM, "serve", f"sim:{spec}{options}", "--unix", str(folder / "gateway")]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as server:
+        try:
+            url = line_of(server)
+            with blocking.connect(url) as link:
+                yield url, str(spec), put(unity_link.load(spec), link)
+        finally:
+            server.kill()
+
+
+@contextlib.contextmanager
+def moving(program: str, url: str, spec: str, seconds: float = 2) -> Iterator[subprocess.Popen[str]]:
+    """Run a program until it moves its output, by a lease of some seconds; it does not outlive the block."""
+    command = [sys.executable, "-c", program, url, spec, str(seconds)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        try:
+            assert line_of(process) == "moving"
+            yield process
+        finally:
+            process.kill()
+
+
+def reason(robot: Any) -> str:
+    name: str = robot.drive.reason.get().name
+    return name
+
+
+@pytest.mark.parametrize("face", FACES)
+@pytest.mark.parametrize("way", ["SIGKILL", "SIGSTOP", "SIGINT"])
+def test_a_program_that_is_ended_leaves_its_output_safe(face: str, way: str, tmp_path: Path) -> None:
+    with served(tmp_path) as (url, spec, robot), moving(FACES[face], url, spec) as program:
+        assert robot.drive.armed_.get()
+        assert robot.speed.get() > 0
+        program.send_signal(signal.Signals[way])
+        wait_until(lambda: not robot.drive.armed_.get())
+        assert robot.speed.get() == 0
+        assert reason(robot) == ("disarmed" if way == "SIGINT" else "silence")
+        if way == "SIGSTOP":
+            program.send_signal(signal.SIGCONT)
+            _, told = program.communicate()
+            assert "NotArmedError: " in told
+            assert "drive is not armed: no kick came before its end" in told
+        assert program.wait() != 0
+        assert robot.speed.get() == 0
+        with robot.armed(timeout=1):
+            assert robot.speed.get() == 0
+
+
+@pytest.mark.parametrize("way", ["SIGKILL", "SIGSTOP"])
+def test_what_a_server_still_holds_of_a_program_moves_nothing(way: str, tmp_path: Path) -> None:
+    with served(tmp_path, "?bytes_per_second=20000") as (url, spec, robot), moving(FLOOD, url, spec) as program:
+        program.send_signal(signal.Signals[way])
+        wait_until(lambda: not robot.drive.armed_.get())
+        for _ in range(100):
+            assert robot.speed.get() == 0
+        assert reason(robot) == "silence"
+
+
+def test_another_program_stops_it_at_once(tmp_path: Path) -> None:
+    with served(tmp_path) as (url, spec, robot), moving(FACES["asyncio"], url, spec, 20) as program:
+        stopped = subprocess.run([PROGRAM, "stop", url, spec], capture_output=True, text=True, check=False)
+        assert (stopped.returncode, stopped.stdout, stopped.stderr) == (0, "drive: disarmed\n", "")
+        assert not robot.drive.armed_.get()
+        assert robot.speed.get() == 0
+        _, told = program.communicate()
+        assert "NotArmedError: " in told
+        assert "drive is not armed: it was disarmed" in told
+        again = subprocess.run([PROGRAM, "stop", spec, url], capture_output=True, text=True, check=False)
+        assert (again.returncode, again.stdout, again.stderr) == (0, "drive: was not armed\n", "")
+
+
+def test_where_the_server_goes_the_lease_runs_out_and_its_program_says_so(tmp_path: Path) -> None:
+    spec = tmp_path / "rover.ul"
+    spec.write_text(SPEC)
+
+    async def lose() -> None:
+        async with unity_link.connect(f"unix:{tmp_path / 'gateway'}") as link:
+            robot = unity_link.load(spec)(link)
+            async with robot.armed(timeout=20) as lease:
+                server.kill()
+                while True:
+                    await lease.kick()
+                    await asyncio.sleep(0.01)
+
+    command = [PROGRAM, "serve", f"sim:{spec}", "--unix", str(tmp_path / "gateway")]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as server:
+        line_of(server)
+        with pytest.raises(unity_link.LinkLostError) as lost:
+            asyncio.run(lose())
+    assert "it runs out by itself, 20 s after the last kick" in lost.value.__notes__[0]

@@ -1,0 +1,226 @@
+"""Leases on the compiled gateware: what is at its pins, to the clock cycle, when a program is silent."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import random
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+import unity_link
+from support.simulated_time import on_simulated_time
+from unity_link import BusError, NotArmedError
+from unity_link.spec import compile_file
+from unity_link.virtual.build import simulate
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from unity_link.virtual.rtl.ports import Port
+
+TIMEOUT = 0.02
+SPEC = """\
+group state(RATE=200, TIMESTAMPS);
+public rover() {
+  drive: LEASE(TIMEOUT=0.05) @(0xC0, enable="gp8", estop="sw0");
+  @lamp = 0x10[0]: bool READWRITE(PIN="led0", SAFE(false, drive));
+  @speed = 0x11: signed 16 READWRITE(SAFE(-5, drive));
+  @free = 0x12: unsigned 8 READWRITE(PIN="gn", RESET=3);
+  @button = 0x13[0]: bool READ(PIN="btn0", PUBLISH(state));
+}
+"""
+
+
+class Rover:
+    """The compiled rover, the program's side of it, and its pins."""
+
+    def __init__(self, path: Path) -> None:
+        spec = path / "rover.ul"
+        spec.write_text(SPEC)
+        self.spec = compile_file(spec)
+        self.gateway = simulate(spec, rtl=True)
+        self.bare: Any = self.gateway._gateway
+        self.fell: list[int] = []
+
+    @property
+    def ports(self) -> dict[str, Port]:
+        return dict(self.gateway.ports)
+
+    def now(self) -> int:
+        """Return the gateway's clock at this instant; cycles are worked out later."""
+        return int(self.bare.ticks_at(asyncio.get_running_loop().time()))
+
+    def see(self, *names: str) -> tuple[int, ...]:
+        return tuple(self.ports[name].value for name in names)
+
+
+@pytest.fixture
+def rover(tmp_path: Path) -> Rover:
+    return Rover(tmp_path)
+
+
+@pytest.mark.rtl
+@on_simulated_time
+async def test_outputs_are_safe_in_the_cycle_behind_the_end_of_the_last_kick(rover: Rover) -> None:
+    ports = rover.ports
+    async with unity_link.connect(rover.gateway) as link:
+        robot = unity_link.load(rover.spec)(link)
+        assert rover.see("lamp", "free", "drive_enable", "speed") == (0, 3, 0, 0xFFFB)
+        with pytest.raises(NotArmedError, match="nobody has armed it since the reset"):
+            await robot.lamp.set(True)
+        async with robot.drive.armed(timeout=TIMEOUT) as lease:
+            assert rover.see("lamp", "drive_enable", "speed") == (0, 1, 0xFFFB)
+            await robot.lamp.set(True)
+            await robot.speed.set(700)
+            assert rover.see("lamp", "drive_enable", "speed") == (1, 1, 700)
+            for _ in range(10):
+                await asyncio.sleep(TIMEOUT / 2)
+                await lease.kick()
+            assert rover.see("lamp", "drive_enable", "speed") == (1, 1, 700)
+            ports["lamp"].take_counts()
+            ports["drive_enable"].take_counts()
+            end = lease._end
+            await asyncio.sleep(3 * TIMEOUT)
+            with pytest.raises(NotArmedError, match="no kick came before its end"):
+                await lease.kick()
+            assert rover.see("lamp", "drive_enable", "speed", "free") == (0, 0, 0xFFFB, 3)
+            assert await robot.drive.fault_time.get() == end - 1
+            with pytest.raises(BusError):
+                await link.write(0x10, 1)
+        assert await robot.drive.reason.get() == "silence"
+        assert await robot.lamp.get() is False
+
+
+@pytest.mark.rtl
+@on_simulated_time
+async def test_an_open_e_stop_stops_at_once_and_lets_nobody_arm(rover: Rover) -> None:
+    async with unity_link.connect(rover.gateway) as link:
+        robot = unity_link.load(rover.spec)(link)
+        async with robot.drive.armed(timeout=TIMEOUT) as lease:
+            await robot.lamp.set(True)
+            begun = rover.bare.cycles
+            rover.ports["drive_estop"].drive(0)
+            rover.bare.run(8)
+            assert rover.bare.cycles - begun <= 8
+            assert rover.see("lamp", "drive_enable") == (0, 0)
+            await lease.kick()
+            await asyncio.sleep(TIMEOUT / 4)
+            with pytest.raises(NotArmedError, match="its e-stop was opened"):
+                await lease.kick()
+        with pytest.raises(NotArmedError, match="its e-stop is open"):
+            async with robot.drive.armed(timeout=TIMEOUT):
+                pass
+        rover.ports["drive_estop"].drive(1)
+        await asyncio.sleep(0.01)
+        async with robot.drive.armed(timeout=TIMEOUT):
+            assert rover.see("lamp", "drive_enable") == (0, 1)
+            # What was asked for before does not come back.
+            await robot.lamp.set(True)
+            assert rover.see("lamp") == (1,)
+
+
+@pytest.mark.rtl
+@on_simulated_time
+async def test_samples_that_the_loop_takes_keep_the_lease(rover: Rover) -> None:
+    async with unity_link.connect(rover.gateway) as link:
+        robot = unity_link.load(rover.spec)(link)
+        seen = 0
+        async with robot.drive.armed(timeout=TIMEOUT) as lease:
+            async for sample in lease.each(robot.groups["state"]):
+                await robot.lamp.set(True)
+                rover.ports["button"].drive(1)
+                seen += bool(sample[robot.button])
+                if seen == 10:
+                    break
+            assert rover.see("lamp", "drive_enable") == (1, 1)
+        assert rover.see("lamp", "drive_enable") == (0, 0)
+        assert await robot.drive.reason.get() == "disarmed"
+
+
+WAYS = ("dies", "stands still", "goes on writing", "kicks late", "is disarmed", "loses the e-stop", "resets")
+KILLS = 200
+
+
+async def live_and_end(rover: Rover, way: str, chance: random.Random) -> tuple[int, int]:
+    """Run a program until it ends in a way; return the end of its last kick, and the latest one that may be."""
+    timeout = chance.uniform(0.01, 0.03)
+    async with unity_link.connect(rover.gateway) as link:
+        robot = unity_link.load(rover.spec)(link)
+        lease = robot.drive.armed(timeout=timeout)
+        await lease.__aenter__()
+        made = rover.now()
+        # Answers come at once in modelled time, and take cycles: as many the clock that was read is ahead of it.
+        ahead = max(0, rover.bare.cycles - made)
+        assert rover.see("lamp", "drive_enable") == (0, 1)
+        await robot.lamp.set(True)
+        for _ in range(chance.randrange(4)):
+            await asyncio.sleep(chance.uniform(0, 0.5) * timeout)
+            made = rover.now()
+            await lease.kick()
+            await link.fence()
+            assert rover.see("lamp", "drive_enable") == (1, 1)
+        end = lease._end
+        stale = robot.drive.kick.signal.encode(lease._word())
+        match way:
+            case "goes on writing":
+                with contextlib.suppress(BusError):
+                    for _ in range(100):
+                        await robot.lamp.set(True)
+                        await asyncio.sleep(timeout / 20)
+            case "kicks late":
+                # The last kick again and again, as a line that repeats, and one that nobody made with this lease.
+                for _ in range(30):
+                    await link.post_many(robot.drive.kick.signal.addresses, stale)
+                    await link.post_many(robot.drive.kick.signal.addresses, [stale[0] + 1000, stale[1] ^ 1 << 20])
+                    await asyncio.sleep(timeout / 20)
+                await link.fence()
+            case "is disarmed":
+                await robot.drive.stop()
+            case "loses the e-stop":
+                rover.ports["drive_estop"].drive(0)
+                rover.bare.run(8)
+                rover.ports["drive_estop"].drive(1)
+            case "resets":
+                rover.gateway.reset()
+            case "stands still":
+                await asyncio.sleep(2 * timeout)
+    return end, made + int(timeout * rover.gateway.info.clock_hz) + 2 + ahead
+
+
+async def outlive(rover: Rover, kills: int) -> None:
+    for kill in range(kills):
+        chance = random.Random(kill)
+        way = WAYS[kill % len(WAYS)]
+        end, latest = await live_and_end(rover, way, chance)
+        async with unity_link.connect(rover.gateway) as link:
+            robot = unity_link.load(rover.spec)(link)
+            if way in {"is disarmed", "loses the e-stop", "resets"}:
+                assert rover.see("lamp", "drive_enable") == (0, 0), (kill, way)
+            if way == "dies":
+                await asyncio.sleep(0.04)
+            assert rover.see("lamp", "drive_enable", "speed") == (0, 0, 0xFFFB), (kill, way)
+            reason = await robot.drive.reason.get()
+            if reason == "silence":
+                fell = int(await robot.drive.fault_time.get()) + 1
+                assert fell == end, (kill, way)
+                assert fell <= latest, (kill, way)
+            else:
+                assert reason == {"is disarmed": "disarmed", "loses the e-stop": "estop", "resets": "none_yet"}[way]
+            # What was asked for before does not come back with the next lease.
+            async with robot.drive.armed(timeout=0.02):
+                assert rover.see("lamp", "drive_enable", "speed") == (0, 1, 0xFFFB), (kill, way)
+
+
+@pytest.mark.rtl
+@on_simulated_time
+async def test_programs_that_end_in_every_way_leave_their_outputs_safe(rover: Rover) -> None:
+    await outlive(rover, KILLS)
+
+
+@pytest.mark.campaign
+@pytest.mark.rtl
+@on_simulated_time
+async def test_ten_thousand_programs_that_end_leave_their_outputs_safe(rover: Rover) -> None:
+    await outlive(rover, 10_000)

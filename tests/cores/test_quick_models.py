@@ -1,0 +1,95 @@
+"""Quick models of the installed cores: what follows from what a plant sets, as the entities have it."""
+
+from __future__ import annotations
+
+import asyncio
+from typing import Any
+
+import pytest
+
+import unity_link
+from support.simulated_time import on_simulated_time
+from unity_link.spec import compile_text
+from unity_link.virtual.build import simulated
+from unity_link.virtual.simulated import SimulatedRobot
+
+SPEC = compile_text("""
+group edges(TRIGGER);
+public robot() {
+  GATEWAY(ADDRESS_BITS=12);
+  drive: LEASE() @(0xE0);
+  wheel: ENCODER(COUNTS=1000, SCALE=0.001, UNIT="turn") @(0x20);
+  button: GPIO(ON_EDGE=edges) @(0x40);
+  lamp: GPIO(LEASE=drive) @(0x50);
+  @seen = 0x60: READ(PUBLISH(edges));
+}
+""")
+HZ = 50_000_000
+
+
+class Plant(SimulatedRobot):
+    """Turns a wheel and presses a button as a test says."""
+
+    speed = 0.0
+    pressed = 0
+
+    def step(self, dt: float) -> None:
+        self.wheel.position += self.speed * dt
+        self.button.pin = self.pressed
+
+
+@on_simulated_time
+async def test_velocity_and_index_follow_the_position_that_a_plant_sets() -> None:
+    gateway = simulated(SPEC.interface(), Plant)
+    plant: Any = gateway.robot
+    async with unity_link.connect(gateway) as link:
+        wheel: Any = unity_link.load(SPEC)(link).wheel
+        plant.speed = 2.5
+        for _ in range(50):
+            # Looks between two steps of the plant change nothing.
+            await asyncio.sleep(0.0203)
+            assert await wheel.velocity.get() == pytest.approx(2.5, rel=0.01)
+        assert await wheel.index_count.get() == 2
+        assert await wheel.index_position.get() == pytest.approx(2)
+        plant.speed = -1.0
+        await asyncio.sleep(0.5)
+        assert await wheel.velocity.get() == pytest.approx(-1, rel=0.01)
+        plant.speed = 0.0
+        await asyncio.sleep(0.1)
+        assert -0.011 < await wheel.velocity.get() < -0.009
+        await asyncio.sleep(0.5)
+        assert await wheel.velocity.get() == 0
+        assert await wheel.errors.get() == 0
+
+
+@on_simulated_time
+async def test_edges_of_a_pin_are_counted_have_their_instant_and_fire_their_trigger() -> None:
+    gateway = simulated(SPEC.interface(), Plant)
+    plant: Any = gateway.robot
+    async with unity_link.connect(gateway) as link:
+        robot: Any = unity_link.load(SPEC)(link)
+        async with robot.groups["edges"].subscribe() as samples:
+            await asyncio.sleep(0.0105)
+            plant.pressed = 1
+            await asyncio.sleep(0.0105)
+            plant.pressed = 0
+            await asyncio.sleep(0.0105)
+            assert len(await samples.take()) == 2
+        assert (await robot.button.level.get(), await robot.button.edges.get()) == (False, 2)
+        assert gateway.ticks_at(asyncio.get_running_loop().time()) - await robot.button.last.get() < 0.02 * HZ
+
+
+@on_simulated_time
+async def test_a_pin_is_driven_while_its_lease_is_armed() -> None:
+    gateway = simulated(SPEC.interface(), Plant)
+    async with unity_link.connect(gateway) as link:
+        robot: Any = unity_link.load(SPEC)(link)
+        with pytest.raises(unity_link.NotArmedError):
+            await robot.lamp.drive.set(True)
+        assert await robot.lamp.level.get() is False
+        async with robot.armed():
+            await robot.lamp.output.set(True)
+            await robot.lamp.drive.set(True)
+            assert await robot.lamp.level.get() is True
+        assert await robot.lamp.level.get() is False
+        assert await robot.lamp.edges.get() == 2

@@ -1,0 +1,161 @@
+"""Cores: the files that a word leads to, what these know of a spec, and what the model says of them."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import sys
+from typing import TYPE_CHECKING
+
+import pytest
+
+from unity_link.spec import Pin, Spec, SpecError, Trigger, Way, compile_file, compile_text
+from unity_link.spec.cores import ENTRY_POINTS, INSTALLED, core_folders
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+MAP = """\
+enum kind { calm, wild }
+part(): @(at) { @deep = at: READ(); }
+BLINK(WIDTH=8, GROUP=none, NAME="x"): @(BASE) {
+  ENTITY("blink", TIME, TICK, width=WIDTH, fast=true, name=NAME, left_out=none);
+  @period = BASE: unsigned WIDTH READWRITE(RESET=3);
+  @mode = BASE + 1: kind 1 READWRITE();
+  @count = BASE + 2: READ(PUBLISH(GROUP));
+  @edge: TRIGGER(GROUP);
+  @led: PIN(OUT);
+  @sense: PIN(IN);
+  @both: PIN(INOUT);
+}
+"""
+
+
+def write_core(folder: Path, text: str = MAP) -> Path:
+    """Write a core, with Python that must not run, beside a spec; return where the spec is to be."""
+    core = folder / "cores" / "blink"
+    core.mkdir(parents=True)
+    (core / "blink.ul").write_text(text)
+    (core / "b.vhd").write_text("-- second")
+    (core / "a.vhd").write_text("-- first")
+    (core / "blink.py").write_text("raise SystemExit('run')")
+    return folder / "robot.ul"
+
+
+def compiled(path: Path, text: str) -> Spec:
+    path.write_text(text)
+    return compile_file(path)
+
+
+def faults(path: Path, text: str) -> list[str]:
+    with pytest.raises(SpecError) as caught:
+        compiled(path, text)
+    return [f"{one.span.file}: {one.code}: {one.message}" for one in caught.value.diagnostics]
+
+
+def test_a_word_in_capitals_is_the_core_in_the_folder_beside_the_spec(tmp_path: Path) -> None:
+    path = write_core(tmp_path)
+    spec = compiled(path, 'group g(TRIGGER); public robot() { a: BLINK(GROUP=g) @(4, led="led0", both=none); }')
+    (component,) = spec.interface().cores
+    core = component.core
+    assert core is not None
+    assert (core.word, core.entity, core.library) == ("BLINK", "blink", "work")
+    assert core.wants == ("now", "tick")
+    assert core.generics == {"width": 8, "fast": True, "name": "x"}
+    assert core.pins == (
+        Pin(name="led", path="a.led", way=Way.OUT, at="led0"),
+        Pin(name="sense", path="a.sense", way=Way.IN),
+        Pin(name="both", path="a.both", way=Way.INOUT, is_used=False),
+    )
+    assert core.triggers == (Trigger(name="edge", group="g"),)
+    assert list(spec.interface().signals) == ["a.period", "a.mode", "a.count"]
+    assert spec.interface().signals["a.period"].reset == 3
+    assert spec.vhdl == tuple(str(tmp_path / "cores" / "blink" / name) for name in ("a.vhd", "b.vhd"))
+    assert [source.name for source in spec.sources] == [str(path), str(tmp_path / "cores/blink/blink.ul")]
+
+
+def test_the_rest_of_a_cores_file_is_its_own(tmp_path: Path) -> None:
+    path = write_core(tmp_path)
+    used = compiled(path, "enum other { no } public robot() { a: BLINK() @(4); } part(): @(at) { @x = at: READ(); }")
+    assert list(used.interface().signals) == ["a.period", "a.mode", "a.count"]
+    (fault,) = faults(path, "public robot() { a: BLINK() @(4); @m = 1: kind 2 READ(); }")
+    assert fault == f"{path}: unknown-kind: there is no kind 'kind'"
+    (fault,) = faults(path, "public robot() { a: BLINK() @(4); b: part() @(9); }")
+    assert "unknown-component" in fault
+
+
+def test_a_core_has_no_groups_of_its_own_and_takes_those_of_the_spec(tmp_path: Path) -> None:
+    path = write_core(tmp_path, MAP + "group own(RATE=10);")
+    (fault,) = faults(path, "public robot() { a: BLINK() @(4); }")
+    assert fault.endswith("the core BLINK declares a group, and groups are those of the spec that names a core")
+
+
+def test_a_core_of_ones_own_goes_before_an_installed_one_and_a_component_before_both(tmp_path: Path) -> None:
+    (tmp_path / "cores" / "pwm").mkdir(parents=True)
+    (tmp_path / "cores" / "pwm" / "pwm.ul").write_text('PWM(): @(BASE) { ENTITY("mine"); @duty = BASE: WRITE(); }')
+    path = tmp_path / "robot.ul"
+    text = "public robot() { a: PWM() @(4); }"
+    assert list(compiled(path, text).interface().signals) == ["a.duty"]
+    theirs = compiled(path, text + "PWM(): @(at) { @level = at: WRITE(); }")
+    assert list(theirs.interface().signals) == ["a.level"]
+    assert theirs.interface().cores == ()
+
+
+def test_an_address_may_stand_among_the_arguments_of_a_core() -> None:
+    given = compile_text("public robot() { a: PWM(BASE=7, WIDTH=9); }")
+    assert given.interface().signals == compile_text("public robot() { a: PWM(WIDTH=9) @(7); }").interface().signals
+
+
+def test_what_is_wrong_in_a_core_is_told_of_its_own_file(tmp_path: Path) -> None:
+    path = write_core(tmp_path, MAP.replace("READWRITE(RESET=3)", "READWRITE(RESET=300)"))
+    (fault,) = faults(path, "public robot() { a: BLINK() @(4); }")
+    assert fault.startswith(f"{tmp_path}/cores/blink/blink.ul: bad-reset: RESET: 300")
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("OTHER(): @(BASE) { @a = BASE: READ(); }", "declares no component BLINK"),
+        ("public BLINK() { @a = 1: READ(); }", "declares no component BLINK"),
+        ("BLINK( {", "syntax"),
+        (None, "cannot be read"),
+    ],
+)
+def test_a_core_that_is_none_is_told_once_with_its_file(tmp_path: Path, text: str | None, says: str) -> None:
+    path = write_core(tmp_path, text or "")
+    if text is None:
+        (tmp_path / "cores/blink/blink.ul").unlink()
+        (tmp_path / "cores/blink/blink.ul").mkdir()
+    told = faults(path, "public robot() { a: BLINK() @(4); b: BLINK() @(8); }")
+    if text is None:
+        assert all("there is no component 'BLINK'" in fault for fault in told)
+    else:
+        assert len(told) == 1
+        assert says in told[0]
+
+
+def test_a_package_brings_cores_which_are_not_imported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    package = tmp_path / "more_cores"
+    (package / "blink").mkdir(parents=True)
+    (package / "__init__.py").write_text("raise SystemExit('imported')")
+    (package / "blink" / "blink.ul").write_text(MAP)
+    monkeypatch.syspath_prepend(tmp_path)
+    points = [importlib.metadata.EntryPoint("blink", "more_cores", ENTRY_POINTS)]
+    monkeypatch.setattr(importlib.metadata, "entry_points", lambda group: points)
+    assert len(compile_text("public robot() { a: BLINK() @(4); }").interface().signals) == 3
+    assert "more_cores" not in sys.modules
+    points *= 2
+    with pytest.raises(SpecError, match="there are several cores BLINK"):
+        compile_text("public robot() { a: BLINK() @(4); }")
+
+
+def test_every_installed_core_is_a_component_with_an_entity() -> None:
+    *_, installed = core_folders(None)
+    assert installed
+    for word in installed:
+        spec = compile_text(f"public robot() {{ GATEWAY(ADDRESS_BITS=16); one: {word}() @(0x10); }}")
+        (component,) = spec.interface().cores
+        assert component.core is not None
+        assert component.core.library == "unity_link"
+        assert spec.vhdl == ()
+        assert [source.name for source in spec.sources] == ["<text>", f"cores/{word.lower()}/{word.lower()}.ul"]
+        assert (INSTALLED / word.lower() / f"{component.core.entity}.vhd").is_file()

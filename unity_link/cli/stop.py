@@ -1,0 +1,81 @@
+"""`unity-link stop`: disarms the leases of a spec, whoever has armed them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json, Timeout, Url
+from unity_link.cli.completion import complete_signal
+from unity_link.cli.output import print_json, print_line
+from unity_link.cli.running import run
+from unity_link.cli.signals import is_spec, robot_of, split
+from unity_link.cli.spec import Name  # noqa: TC001  (typer reads the annotations)
+from unity_link.errors import ArgumentError, UnityLinkError
+from unity_link.transport import is_url
+
+if TYPE_CHECKING:
+    from unity_link.data.loading import LoadedRobot
+
+
+def add_to(app: typer.Typer) -> None:
+    """Add the command of this file."""
+    app.command("stop")(stop)
+
+
+def stop(
+    url: Url,
+    spec: Annotated[
+        str | None,
+        typer.Argument(metavar="[SPEC]", help="A spec, such as robot.ul.", autocompletion=complete_signal),
+    ] = None,
+    *,
+    interface: Name = None,
+    json: Json = False,
+    timeout: Timeout = DEFAULT_TIMEOUT,
+) -> None:
+    """Disarm all leases of a spec, whoever has armed them: what they guard is safe when this returns.
+
+    Without a SPEC, UNITY_LINK_SPEC in the environment names it. Who is in a hurry may give URL and SPEC in any order.
+    """
+    if spec is not None and not is_url(url) and is_url(spec):
+        url, spec = spec, url
+    if spec is not None and not is_spec(spec):
+        raise ArgumentError(f"{spec!r} is no spec: the path of one was expected, such as robot.ul")
+    path, _ = split(url, [] if spec is None else [spec])
+    robot_type = robot_of(path, interface)
+    run(_stop(url, robot_type, json=json, timeout=timeout))
+
+
+async def _stop(
+    url: str,
+    robot_type: type[LoadedRobot],
+    *,
+    json: bool,
+    timeout: float,  # noqa: ASYNC109  (an option of the command)
+) -> None:
+    from unity_link.cores.lease import LeasedRobot, leases_of
+    from unity_link.link.connecting import connect
+
+    if not issubclass(robot_type, LeasedRobot):
+        name = robot_type.interface.name
+        raise ArgumentError(
+            f"{name} has no lease to disarm: its spec places no LEASE, so nothing of it goes safe by one"
+        )
+    found: dict[str, bool] = {}
+    failed: UnityLinkError | None = None
+    async with connect(url, timeout=timeout) as link:
+        for path, lease in leases_of(robot_type(link)).items():
+            try:
+                found[path] = await lease.stop()
+            except UnityLinkError as error:
+                # The others are not left armed for it.
+                failed = failed or error
+    if json:
+        print_json({"url": url, "leases": {path: {"was_armed": was_armed} for path, was_armed in found.items()}})
+    else:
+        for path, was_armed in found.items():
+            print_line(f"{path}: disarmed" if was_armed else f"{path}: was not armed")
+    if failed is not None:
+        raise failed

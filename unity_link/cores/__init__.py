@@ -1,0 +1,151 @@
+"""The Python of cores: verbs for programs, and quick models for `sim:`.
+
+A core may bring a module, ``unity_link/cores/NAME.py`` for those that are installed with the package, else ``NAME.py``
+beside its map. It has at most one class of each kind, called as it likes:
+
+- a subclass of `Verbs`, which becomes a base of the class of its component;
+- a subclass of `RobotVerbs`, which becomes a base of the class of each robot that has such a component;
+- a subclass of `Model`, of which `sim:` makes one for each placement.
+
+A module is imported when a robot is loaded, generated or simulated, and never to check or show a spec.
+"""
+
+from __future__ import annotations
+
+import functools
+import importlib
+import importlib.util
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
+
+from unity_link.errors import ANY_ERROR, ArgumentError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+    from types import ModuleType
+
+    from unity_link.spec.model import ComponentSpec, Core, Interface
+
+K = TypeVar("K", bound=type)
+
+
+class Verbs:
+    """Base of classes with what a program does with one component of a core.
+
+    Their public names go before those of signals: such a signal gets ``_`` behind it.
+    """
+
+
+class RobotVerbs:
+    """Base of classes with what a program does with a robot that has a core."""
+
+
+class Surroundings(Protocol):
+    """The simulation around the model of a core."""
+
+    @property
+    def clock_hz(self) -> int:
+        """Frequency of the gateway's clock."""
+
+    @property
+    def now(self) -> int:
+        """Cycles of the gateway's clock since its reset, 64 bits, as its timestamps count them."""
+
+    def trigger(self, group: str) -> None:
+        """Publish a group that is declared with TRIGGER."""
+
+    def make_safe(self) -> None:
+        """Set all signals that the component guards, as a lease does, to their safe values."""
+
+
+class Model:
+    """Base of quick models: a core on `sim:`, of one placement.
+
+    Args:
+        component: its declaration.
+        part: its signals, and its pins as the numbers 0 and 1, by attribute; values of signals are in their units.
+        around: the clock, and what else the model reaches.
+    """
+
+    def __init__(self, component: ComponentSpec, part: Any, around: Surroundings) -> None:
+        self.component = component
+        self.part = part
+        self.around = around
+
+    @property
+    def generics(self) -> dict[str, int | bool | str]:
+        """Generics of the entity that the spec gives."""
+        assert self.component.core is not None
+        return self.component.core.generics
+
+    def reset(self) -> None:
+        """Begin anew, as at a reset of the gateway."""
+
+    def step(self, dt: float) -> None:
+        """Let time pass, up to `around.now`.
+
+        Args:
+            dt: seconds, 0 or more: up to the next step of the user's model, or to an access of the bus. It is called
+                again behind each step of that model.
+        """
+
+    def written(self, name: str) -> None:
+        """Take the value that a program has written to a signal, or a model to a pin."""
+
+
+def robot_verbs_of(interface: Interface) -> tuple[type[RobotVerbs], ...]:
+    """Return the classes with verbs of a robot, each once."""
+    found = (kind for component in interface.cores for kind in classes_of(component.core, RobotVerbs))
+    return tuple(dict.fromkeys(found))
+
+
+def names_of(kinds: Iterable[type]) -> frozenset[str]:
+    """Return the names that verbs take from the signals of a component, or of a robot."""
+    return frozenset(
+        name
+        for kind in kinds
+        for base in kind.__mro__
+        if base is not object
+        for name in vars(base)
+        if not name.startswith("_")
+    )
+
+
+def classes_of(core: Core | None, base: K) -> tuple[K, ...]:
+    """Return the class of a core's module that derives from `Verbs`, `RobotVerbs` or `Model`; empty where it has none.
+
+    Raises:
+        ArgumentError: where the module has several, or cannot be imported.
+    """
+    if core is None or not core.python:
+        return ()
+    module = _module(core.python)
+    found: list[Any] = [
+        value
+        for value in vars(module).values()
+        if isinstance(value, type) and issubclass(value, base) and value.__module__ == module.__name__
+    ]
+    if len(found) > 1:
+        names = " and ".join(kind.__name__ for kind in found)
+        raise ArgumentError(f"{core.python} has several subclasses of {base.__name__}, {names}: one was expected")
+    return tuple(found)
+
+
+@functools.cache
+def _module(python: str) -> ModuleType:
+    """Import the module of a core, by its name or its file.
+
+    Raises:
+        ArgumentError: where that fails.
+    """
+    try:
+        if not python.endswith(".py"):
+            return importlib.import_module(python)
+        spec = importlib.util.spec_from_file_location(f"core_{Path(python).stem}", python)
+        assert spec is not None
+        assert spec.loader is not None
+        module = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(module)
+    except ANY_ERROR as error:
+        raise ArgumentError(f"{python} cannot be imported: {type(error).__name__}: {error}") from error
+    return module

@@ -1,0 +1,32 @@
+"""A general purpose pin on `sim:`: a model of the plant sets its level by `robot.button.pin = 1`."""
+
+from __future__ import annotations
+
+from unity_link.cores import Model
+
+
+class GpioModel(Model):
+    """The pin, its edges and their instants; it has no bounces, so none are taken out."""
+
+    def reset(self) -> None:
+        """Count edges from 0 on."""
+        self.part.output, self.part.drive, self.part.edges, self.part.last = False, False, 0, 0
+        self.step(0)
+
+    def step(self, dt: float) -> None:  # noqa: ARG002  (edges have their instant by the clock)
+        """See the level of the pin: of what drives it, the core goes before the plant."""
+        part = self.part
+        level = part.output if part.drive else bool(part.pin)
+        if level == part.level:
+            return
+        part.level = level
+        part.edges = (part.edges + 1) % (1 << 16)
+        part.last = self.around.now % (1 << 32)
+        assert self.component.core is not None
+        for trigger in self.component.core.triggers:
+            if trigger.group is not None:
+                self.around.trigger(trigger.group)
+
+    def written(self, name: str) -> None:  # noqa: ARG002  (all of them may change the level)
+        """Drive the pin, or see that the plant has."""
+        self.step(0)

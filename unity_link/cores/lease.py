@@ -1,0 +1,540 @@
+"""A lease: the right of one program to move outputs, for as long as it says so.
+
+`LeaseVerbs.armed` makes a `Lease` for an ``async with`` block. Each kick names the end of the lease as an instant of
+the gateway's clock, so what waits in a kernel, a server or a repetition prolongs nothing. Kicks come of the program's
+own loop; nothing runs in the background.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import secrets
+from asyncio import CancelledError
+from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, Self
+
+from unity_link.cores import Model, RobotVerbs, Verbs
+from unity_link.errors import (
+    ArgumentError,
+    BusError,
+    GatewayResetError,
+    NotArmedError,
+    Sealed,
+    UnityLinkError,
+    refusing,
+)
+from unity_link.link.asked import Asked
+from unity_link.link.freshness import MOST_DRIFT
+from unity_link.link.synchronisation import gather, running
+from unity_link.protocol.numbers import real_number
+
+if TYPE_CHECKING:
+    from collections.abc import AsyncIterator
+    from types import TracebackType
+
+    from unity_link.link.link import Link
+    from unity_link.spec.model import ComponentSpec
+
+TIME_BITS = 40
+"""Bits of an end in a word that arms or kicks; the token stands above."""
+TOKEN_BITS = 24
+READ_AGAIN = 10.0
+"""Seconds after which `Lease.kick` reads the gateway's clock anew: the estimate is too early by what quartzes drift
+apart meanwhile, 2 ms, and by the time that the answer was on its way."""
+LONGEST_START = 1.0
+"""Seconds for which `Lease.each` kicks while it waits for the first sample of a group."""
+ATTEMPTS = 3
+"""Arms of a lease whose end has come before they could take effect."""
+BUFFER = 16_384
+"""Samples that wait for the body of a loop, as in `unity_link.Link.subscribe`."""
+_TURN = 1 << 32
+"""Ticks after which a timestamp comes again."""
+_REASONS = ("none_yet", "disarmed", "silence", "estop")
+_ARMED, _FAULT = 1, 2
+_OPEN = "write `async with` before this lease, and `with` where it is one of a blocking link"
+
+
+class _LateError(NotArmedError):
+    """A lease that was over before it could begin."""
+
+
+class _Group(Protocol):
+    """A group of signals, as far as a lease knows it."""
+
+    name: str
+    proxies: tuple[Any, ...]
+
+    @property
+    def feed(self) -> Any:
+        """Its samples."""
+
+
+class _Condition(NamedTuple):
+    """State of a lease, as its registers tell it."""
+
+    armed: bool
+    state: int
+    reason: str
+    estop_open: bool
+
+
+class Registers:
+    """The registers of a lease.
+
+    Args:
+        robot: with the lease.
+        name: path of the lease in it.
+    """
+
+    def __init__(self, robot: Any, name: str) -> None:
+        def find(register: str) -> Any:
+            return robot[f"{name}.{register}"]
+
+        self.name = name
+        core = next(one.core for one in robot.interface.cores if one.path == name)
+        self.most_seconds = float(core.generics["most_us"]) / 1e6
+        """Most seconds that an end may be ahead."""
+        self.arm, self.kick, self.clock = find("arm"), find("kick"), find("clock")
+        self.disarm, self.fault_time = find("disarm"), find("fault_time")
+        self._fields = tuple(find(field).signal for field in ("armed", "state", "reason", "estop_open"))
+        self.address: int = self._fields[0].address
+        self.link: Link = self.arm.link
+
+    def condition_of(self, word: int) -> _Condition:
+        """Return what the word of the state says."""
+        armed, state, reason, estop_open = (int(signal.decode(word)) for signal in self._fields)
+        return _Condition(
+            bool(armed), state, _REASONS[reason] if reason < len(_REASONS) else str(reason), estop_open == 1
+        )
+
+    async def condition(self) -> _Condition:
+        """Read the state."""
+        return self.condition_of(await self.link.read(self.address))
+
+    async def fault(self, condition: _Condition) -> NotArmedError:
+        """Return the error for a lease that is not armed."""
+        if condition.state != _FAULT:
+            how = "nobody has armed it since the reset" if condition.reason == "none_yet" else "it was disarmed"
+            return NotArmedError(f"{self.name} is not armed: {how}", condition.reason)
+        instant = await self.fault_time.get() / self.link.gateway.clock_hz
+        how = "its e-stop was opened" if condition.reason == "estop" else "no kick came before its end"
+        message = f"{self.name} is not armed: {how}, at {instant:.6f} s of the gateway's clock"
+        return NotArmedError(message, condition.reason, instant)
+
+
+async def refused(error: BusError, robot: Any, lease: str) -> BusError:
+    """Return the error for a write that the bus has refused: another one where the lease that guards it is not armed.
+
+    Args:
+        error: of the bus.
+        robot: with the lease.
+        lease: its path.
+    """
+    if isinstance(error, NotArmedError):
+        return error
+    registers = Registers(robot, lease)
+    condition = await registers.condition()
+    if condition.armed:
+        return error
+    fault = await registers.fault(condition)
+    return NotArmedError(f"{error}: {fault}", fault.reason, fault.instant)
+
+
+class LeaseVerbs(Verbs):
+    """Verbs of a LEASE."""
+
+    def armed(self, *, timeout: float | None = None) -> Lease:
+        """Return a lease for an ``async with`` block: it is armed where that begins, and disarmed where it ends.
+
+        Args:
+            timeout: seconds from each kick to the end that it names; None for the most, TIMEOUT in the spec.
+
+        Raises:
+            ArgumentError: for a time-out that is not above 0, or is above that of the spec.
+        """
+        registers = _registers_of(self)
+        most, name = registers.most_seconds, registers.name
+        what = f"the time-out of {name} is a number of seconds above 0, and {most:g} s at most as its spec says"
+        seconds = most if timeout is None else real_number(timeout, what)
+        if not 0 < seconds <= most:
+            raise ArgumentError(f"{what}, not {timeout!r:.80}")
+        return Lease(registers, seconds)
+
+    async def stop(self) -> bool:
+        """Disarm it, whoever has armed it: all that it guards is safe when this returns.
+
+        Returns:
+            True if it was armed.
+        """
+        registers = _registers_of(self)
+        # The state is asked for on the way: nothing waits before the write.
+        state = Asked(registers.link, registers.address, 1)
+        try:
+            await registers.disarm.set(1)
+            return registers.condition_of((await state.words())[0]).armed
+        finally:
+            state.give_up()
+
+
+class LeasedRobot(RobotVerbs):
+    """Verbs of a robot with a LEASE."""
+
+    def armed(self, *, timeout: float | None = None) -> Lease:
+        """Return the only lease of the robot, as `LeaseVerbs.armed`.
+
+        Raises:
+            ArgumentError: where it has several; and as `LeaseVerbs.armed`.
+        """
+        leases = leases_of(self)
+        if len(leases) != 1:
+            robot: Any = self
+            calls = " or ".join(f"{path}.armed()" for path in leases)
+            raise ArgumentError(
+                f"{robot.interface.name} has {len(leases)} leases, and none is meant by itself: {calls}"
+            )
+        return next(iter(leases.values())).armed(timeout=timeout)
+
+
+def leases_of(robot: Any) -> dict[str, LeaseVerbs]:
+    """Return the leases of a robot by their paths."""
+    found: dict[str, LeaseVerbs] = {}
+    waiting = list(robot._members)  # noqa: SLF001  (it is a base of its class)
+    while waiting:
+        member = waiting.pop(0)
+        if isinstance(member, LeaseVerbs):
+            found[_registers_of(member).name] = member
+        waiting += getattr(member, "_members", ())
+    return found
+
+
+def _registers_of(component: Any) -> Registers:
+    first = component.signals[0]
+    return Registers(first.robot, first.path.rpartition(".")[0])
+
+
+class _Clock:
+    """Bounds of a gateway's clock, in its ticks, of readings of it and of samples that have come.
+
+    Args:
+        hertz: its frequency.
+    """
+
+    def __init__(self, hertz: int) -> None:
+        self._hertz = hertz
+        self.read_at: float | None = None
+        """Instant of this machine's clock at which the last reading had come; None before the first."""
+        self._asked_at = 0.0
+        self._ticks = 0
+        self._seen, self._seen_at = 0, 0.0
+        """Latest that it is known to have been, and the instant at which that was known."""
+
+    def read(self, ticks: int, asked: float, now: float) -> None:
+        """Take a reading that was asked for at an instant and is there now."""
+        if self.read_at is None:
+            self._seen, self._seen_at = ticks, now
+        self._ticks, self._asked_at, self.read_at = ticks, asked, now
+        self.see(ticks, now)
+
+    def see(self, ticks: int, now: float) -> None:
+        """Take an instant that has passed."""
+        if ticks > self.least(now):
+            self._seen, self._seen_at = ticks, now
+
+    def least(self, now: float) -> int:
+        """Return what it is at least: never ahead of the truth."""
+        return self._seen + int((now - self._seen_at) * (1 - MOST_DRIFT) * self._hertz)
+
+    def most(self, now: float) -> int:
+        """Return what it is at most."""
+        return self._ticks + int((now - self._asked_at) * (1 + MOST_DRIFT) * self._hertz) + 1
+
+
+class Lease(Sealed):
+    """The right to move what a LEASE guards, in an ``async with`` block; `LeaseVerbs.armed` makes it.
+
+    In the block the program kicks: by `each` as its loop comes round, or by `kick`. Where the lease has ended, for want
+    of kicks, by an e-stop or because somebody disarmed it, the next of them raises `NotArmedError`.
+    """
+
+    def __init__(self, registers: Registers, seconds: float) -> None:
+        self.timeout = seconds
+        """Seconds from each kick to the end that it names."""
+        self._registers = registers
+        self._link = registers.link
+        hertz = self._link.gateway.clock_hz
+        self._ticks = max(1, int(seconds * hertz))
+        self._clock = _Clock(hertz)
+        self._token = 0
+        self._end = 0
+        self._state: Asked | None = None
+        """State that was asked for with the last kick."""
+        self._is_on = self._was_on = False
+        self._is_over = False
+        """True if it is known to have ended: what is armed now is not its own."""
+
+    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+        __await__ = __enter__ = __exit__ = __aiter__ = __iter__ = refusing(_OPEN)
+
+    def _called(self) -> str:
+        return "a lease"
+
+    def __repr__(self) -> str:
+        """Return what it is of, and whether it is in its block."""
+        state = "in its block" if self._is_on else "over" if self._was_on else "not begun"
+        return f"<lease of {self._registers.name}, {state}: {self.timeout:g} s>"
+
+    async def __aenter__(self) -> Self:
+        """Arm, behind all that was asked for before.
+
+        Raises:
+            NotArmedError: where it could not be armed.
+        """
+        if self._was_on:
+            raise ArgumentError(
+                f"this lease of {self._registers.name} was used before: `armed` makes one for each block"
+            )
+        self._was_on = True
+        await self._link.fence()
+        try:
+            # A machine that is busy may be late once, with an end that is as near as a time-out.
+            for _ in range(ATTEMPTS - 1):
+                await self._read_clock()
+                with contextlib.suppress(_LateError):
+                    await self._arm()
+                    break
+            else:
+                await self._read_clock()
+                await self._arm()
+        except BaseException as error:
+            await self._let_go(error)
+            raise
+        self._is_on = True
+        return self
+
+    async def _read_clock(self) -> None:
+        asked = running().time()
+        ticks = await self._registers.clock.get()
+        self._clock.read(int(ticks), asked, running().time())
+
+    async def _arm(self) -> None:
+        registers = self._registers
+        self._token = secrets.randbits(TOKEN_BITS)
+        self._end = self._clock.least(running().time()) + self._ticks
+        # One right behind the other, so that no other program's arm comes in between.
+        before, _, after = await gather(registers.condition(), registers.arm.set(self._word()), registers.condition())
+        self._is_over = before.armed or not after.armed
+        if before.armed:
+            raise NotArmedError(f"{registers.name} cannot be armed: another program has armed it", "taken")
+        if after.armed:
+            return
+        if after.estop_open:
+            raise NotArmedError(f"{registers.name} cannot be armed: its e-stop is open", "estop")
+        message = f"{registers.name} was not armed: its end, {self.timeout:g} s ahead, came before the word did"
+        raise _LateError(message, "late")
+
+    def _word(self) -> int:
+        return self._token << TIME_BITS | self._end % (1 << TIME_BITS)
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        """Disarm.
+
+        Where the link is lost the lease runs out by itself, which a note on the error says.
+        """
+        self._is_on = False
+        if self._state is not None:
+            self._state.give_up()
+        if error is not None:
+            await self._let_go(error)
+        elif not self._has_ended():
+            await self._disarm()
+
+    def _has_ended(self) -> bool:
+        return self._is_over or self._clock.least(running().time()) >= self._end
+
+    async def _disarm(self) -> None:
+        try:
+            await self._registers.disarm.set(1)
+        except UnityLinkError as lost:
+            lost.add_note(self._note())
+            raise
+
+    async def _let_go(self, error: BaseException) -> None:
+        """Disarm after an error, which is not hidden by one of its own; waits no longer than the lease lasts."""
+        if self._has_ended():
+            return
+        disarm = self._registers.disarm.signal.address
+        try:
+            await self._link.post(disarm, 1)
+            if isinstance(error, (Exception, CancelledError, KeyboardInterrupt)):
+                async with running().timeout(self.timeout):
+                    await self._link.read(self._registers.address)
+        except (UnityLinkError, TimeoutError):
+            error.add_note(self._note())
+
+    def _note(self) -> str:
+        name = self._registers.name
+        return f"{name} could not be disarmed for sure: it runs out by itself, {self.timeout:g} s after the last kick"
+
+    # Kicks
+
+    async def each(self, group: _Group) -> AsyncIterator[Any]:
+        """Iterate over the samples of a group, and kick with each: as the loop comes round.
+
+        The end of the lease is a time-out behind the instant at which the gateway took the newest sample that has come:
+        one that has waited on its way prolongs the lease by that much less.
+
+        Args:
+            group: of the robot, published with timestamps.
+
+        Raises:
+            ArgumentError: for a group of another gateway, or without timestamps.
+            NotArmedError: where the lease has ended.
+            SamplesLostError: where the loop's body is much too slow.
+            LinkLostError: when the link ends.
+        """
+        self._check_on()
+        if any(proxy.link is not self._link for proxy in group.proxies):
+            raise ArgumentError(f"{group.name} has signals of another gateway than {self._registers.name} is of")
+        await self._read_clock()
+        last: int | None = None
+        with group.feed.listen(buffer=BUFFER) as listener:
+            batch = await self._first(listener)
+            while True:
+                samples = list(batch)
+                if samples[-1].time is None:
+                    advice = f"declare it with them, as in group {group.name}(RATE=500, TIMESTAMPS)"
+                    raise ArgumentError(f"{group.name} has no timestamps, of which kicks are made: {advice}")
+                last = self._ticks_of(samples[-1].time, last)
+                self._clock.see(last, running().time())
+                for sample in samples:
+                    self._check_on()
+                    await self._kick(last + self._ticks)
+                    yield sample
+                batch = await listener.next()
+
+    async def _first(self, listener: Any) -> Any:
+        """Wait for the first samples, and kick meanwhile: a group begins more slowly than it goes on."""
+        give_up = running().time() + LONGEST_START
+        while running().time() < give_up:
+            await self.kick()
+            with contextlib.suppress(TimeoutError):
+                async with running().timeout(self.timeout / 4):
+                    return await listener.next()
+        return await listener.next()
+
+    def _ticks_of(self, time: float, last: int | None) -> int:
+        """Return the gateway's clock at the time of a sample; `last` is that of the one before."""
+        timestamp = self._link.timestamp_of(time)
+        if last is not None:
+            return last + (timestamp - last) % _TURN
+        # The nearest one: a compiled gateway is ahead of this machine's clock by the cycles that an answer takes.
+        most = self._clock.most(running().time())
+        return most + (timestamp - most + _TURN // 2) % _TURN - _TURN // 2
+
+    async def kick(self) -> None:
+        """Move the end of the lease to a time-out from now.
+
+        The gateway's clock is estimated, never ahead of the truth, and behind it by no more than the answer of its
+        reading was on its way and what the clocks drift apart in `READ_AGAIN` seconds; then it is read again, which is
+        waited for.
+
+        Raises:
+            ArgumentError: outside of the block.
+            NotArmedError: where the lease has ended.
+            LinkLostError: when the link has ended.
+        """
+        self._check_on()
+        read_at = self._clock.read_at
+        if read_at is None or running().time() - read_at > READ_AGAIN:
+            await self._read_clock()
+        await self._kick(self._clock.least(running().time()) + self._ticks)
+
+    def _check_on(self) -> None:
+        if not self._is_on:
+            raise ArgumentError(f"a lease is kicked in its block: async with {self._registers.name}.armed() as lease")
+
+    async def _kick(self, end: int) -> None:
+        """Kick, and look at what the gateway has said of the lease since the kick before."""
+        registers = self._registers
+        if self._state is not None and (self._state.done() or self._has_ended()):
+            state, self._state = self._state, None
+            try:
+                condition = registers.condition_of((await state.words())[0])
+            except GatewayResetError:
+                # The link goes on, and the lease does not: a reset disarms.
+                condition = await registers.condition()
+            if not condition.armed:
+                self._is_over = True
+                raise await registers.fault(condition)
+        if self._has_ended():
+            self._is_over = True
+            condition = await registers.condition()
+            if condition.armed:
+                raise NotArmedError(f"{registers.name} has run out, and another program has armed it since", "silence")
+            raise await registers.fault(condition)
+        if end > self._end:
+            self._end = end
+            signal = registers.kick.signal
+            await self._link.post_many(signal.addresses, signal.encode(self._word()))
+        if self._state is None:
+            self._state = Asked(self._link, registers.address, 1)
+
+
+class LeaseModel(Model):
+    """A lease on `sim:`, to the cycle as the entity has it, but for the two cycles that a word takes."""
+
+    def __init__(self, component: ComponentSpec, part: Any, around: Any) -> None:
+        super().__init__(component, part, around)
+        self._token = self._end = 0
+
+    def reset(self) -> None:
+        """Disarm, as if nobody had armed it."""
+        self.part.armed, self.part.state, self.part.reason, self.part.fault_time = False, 0, 0, 0
+        self.part.enable = 0
+        self.around.make_safe()
+
+    def step(self, dt: float) -> None:  # noqa: ARG002  (the clock says more)
+        """End the lease where its end has come."""
+        self.part.clock = self.around.now
+        if self.part.armed and self.around.now >= self._end:
+            self._fall("silence", self._end - 1)
+
+    def written(self, name: str) -> None:
+        """Arm, kick, disarm, or look at the e-stop."""
+        part = self.part
+        if name == "arm":
+            self._take(part.arm, is_arm=True)
+        elif name == "kick":
+            self._take(part.kick, is_arm=False)
+        elif name == "disarm" and part.armed:
+            part.armed, part.state, part.reason, part.enable = False, 0, _REASONS.index("disarmed"), 0
+            self.around.make_safe()
+        elif name == "estop":
+            part.estop_open = not part.estop
+            if part.armed and part.estop_open:
+                self._fall("estop", self.around.now)
+
+    def _take(self, word: int, *, is_arm: bool) -> None:
+        part, now = self.part, self.around.now
+        token, ahead = word >> TIME_BITS, (word - now) % (1 << TIME_BITS)
+        if part.armed and now + 1 >= self._end:
+            # The word would act one cycle later, when the lease has ended.
+            self._fall("silence", self._end - 1)
+        may = token == self._token if part.armed else is_arm
+        # It acts two cycles later, and an end that has come by then is none.
+        if not may or part.estop_open or not 3 <= ahead <= self._most or (part.armed and now + ahead <= self._end):
+            return
+        part.armed, part.state, part.enable = True, _ARMED, 1
+        self._token, self._end = token, now + ahead
+
+    @property
+    def _most(self) -> int:
+        most_us = int(self.generics.get("most_us", 100_000))
+        return min(max(-(-most_us * self.around.clock_hz // 1_000_000), 3), 1 << 30)
+
+    def _fall(self, reason: str, instant: int) -> None:
+        part = self.part
+        part.armed, part.state, part.reason, part.enable = False, _FAULT, _REASONS.index(reason), 0
+        part.fault_time = instant
+        self.around.make_safe()

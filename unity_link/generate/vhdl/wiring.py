@@ -1,0 +1,260 @@
+"""Cores of an interface, and registers that are pins: all between the register bank and the pins.
+
+A core has no bus. Its ports are the registers of its component, its pins, and what its entity wants of the gateway.
+Placements of one entity that look the same are gathered: they share one instance, whose ports have the bits of all of
+them, the first placement in the lowest.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+from unity_link.errors import UnsupportedError
+from unity_link.generate.vhdl.names import RESERVED
+from unity_link.quoting import vhdl_literal
+from unity_link.spec import KindName, Way
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator, Mapping
+
+    from unity_link.generate.vhdl.names import Scope
+    from unity_link.generate.vhdl.records import Pins
+    from unity_link.spec import ComponentSpec, Core, Interface, Signal
+
+_DESIGN_NAMES = (
+    *("clk", "rst", "clk_ready", "not_ready", "physical", "baud", "flow_control", "clock_hz", "id_digits", "groups"),
+    *("checked_frames", "crc_bits", "crc_polynomial", "block_words", "group_words", "sample_depth", "node", "build_id"),
+    *("base_frequency_millihertz", "rx_fifo_depth", "tx_fifo_depth", "bus_timeout", "masked_write", "queue_commands"),
+    *("timestamps", "triggers", "send_immediate", "half_duplex", "driver_lead", "driver_tail", "stream_wait"),
+    *("offer_cycles", "trigger", "triggers_now", "offered", "offered_for", "base_tick", "timestamp", "sample_strobe"),
+    *("sample_access", "chain_clk", "chain_load_n", "chain_out", "chain_in", "chain_half_period", "from_chain"),
+    *(f"uart_{pin}" for pin in ("rxd", "txd", "rts_n", "cts_n", "de")),
+    *(f"ft_{pin}" for pin in ("clkout", "data", "data_in", "data_out", "data_oe", "rxf_n", "txe_n", "rd_n", "wr_n")),
+    *("ft_oe_n", "ft_siwu_n"),
+    *(f"in_{pin}" for pin in ("data", "lost", "valid", "ready")),
+    *(f"out_{pin}" for pin in ("data", "valid", "ready", "flush")),
+    *(f"wb_{pin}" for pin in ("cyc", "stb", "we", "adr", "to_bank", "to_gateway", "ack", "err", "stall")),
+)
+"""Names in the generated designs beside those of pins."""
+_INPUTS = {"tick": "base_tick", "now": "timestamp"}
+"""Ports of the gateway's that an entity can want, and its signals for them."""
+
+
+class PinPort(NamedTuple):
+    """A port of the design for a pin, or for a row of pins."""
+
+    name: str
+    path: str
+    """Path in the interface."""
+    way: Way
+    width: int
+    """Width of a vector; 0 for a single pin."""
+    at: str | None
+    """Pin of the board, by its name; of a row, the name of the row."""
+
+    @property
+    def type(self) -> str:
+        """Its type in VHDL."""
+        return f"std_logic_vector({self.width - 1} downto 0)" if self.width else "std_logic"
+
+    @property
+    def ports(self) -> tuple[tuple[str, str], ...]:
+        """Name and direction of each port of an entity that has no pins itself: of an INOUT there are three."""
+        if self.way is Way.INOUT:
+            return (f"{self.name}_in", "in"), (f"{self.name}_out", "out"), (f"{self.name}_oe", "out")
+        return ((self.name, self.way.lower()),)
+
+
+class Wire(NamedTuple):
+    """A port of an instance, as a signal of the design, and the assignments that join it with others."""
+
+    port: str
+    signal: str
+    width: int
+    joins: tuple[tuple[str, str], ...]
+    """Targets and values."""
+
+
+class Instance(NamedTuple):
+    """An entity in the design, for one placement or for several."""
+
+    label: str
+    library: str
+    entity: str
+    paths: str
+    generics: tuple[tuple[str, str], ...]
+    inputs: tuple[tuple[str, str], ...]
+    """Ports that the gateway feeds, and its signals."""
+    wires: tuple[Wire, ...]
+
+
+class Triggering(NamedTuple):
+    """A group that cores trigger, by its number."""
+
+    group: int
+    value: str
+
+
+class Wiring:
+    """The cores of an interface, and its pins.
+
+    Args:
+        interface: of a spec.
+        wires: ports of the register bank for each signal, by its path.
+        scope: names of the package.
+        windows: names of the bank's master ports.
+
+    Raises:
+        UnsupportedError: where a port of a core has a name that is taken.
+    """
+
+    def __init__(self, interface: Interface, wires: Mapping[str, Pins], scope: Scope, windows: Iterable[str]) -> None:
+        self._interface = interface
+        self._wires = wires
+        self._scope = scope
+        scope.take(*_DESIGN_NAMES, *windows)
+        self.pins: list[PinPort] = []
+        """All pins, in the order of the spec."""
+        self.instances: list[Instance] = []
+        self.joins: list[tuple[str, str]] = []
+        """Targets and values of registers that are output pins."""
+        self.buttons: list[tuple[PinPort, str]] = []
+        """Registers that are input pins, and the signals that they are read from."""
+        self.triggers: dict[int, list[str]] = {}
+        """Signals that trigger groups, by the numbers of these."""
+        self._numbers = {group.name: group.number for group in interface.groups}
+        for signal in interface.signals.values():
+            if signal.pin is not None and signal.path in wires:
+                self._pin_register(signal)
+        for placements in _gathered(interface.cores):
+            self.instances.append(self._instance(placements))
+
+    @property
+    def wants(self) -> set[str]:
+        """Signals of the gateway that instances want."""
+        return {value for instance in self.instances for _, value in instance.inputs}
+
+    @property
+    def triggerings(self) -> list[Triggering]:
+        """The groups that cores trigger."""
+        return [Triggering(group, " or ".join(signals)) for group, signals in sorted(self.triggers.items())]
+
+    def _pin_register(self, signal: Signal) -> None:
+        single = signal.kind.name is KindName.BOOL
+        way = Way.OUT if signal.access.writes else Way.IN
+        name = self._scope.unique(signal.path)
+        port = PinPort(name, signal.path, way, 0 if single else signal.width, signal.pin)
+        self.pins.append(port)
+        wires = self._wires[signal.path]
+        if way is Way.OUT:
+            self.joins.append((name, f"{wires.got}(0)" if single else wires.got))
+        else:
+            self.buttons.append((port, wires.given))
+
+    def _instance(self, placements: list[ComponentSpec]) -> Instance:
+        first = placements[0]
+        core = first.core
+        assert core is not None
+        self._check_ports(first, core)
+        label = self._scope.unique(f"{core.entity}_of_{first.path}")
+        wires = [
+            *(wire for index in range(len(first.signals)) for wire in self._of_signal(label, placements, index)),
+            *(self._of_trigger(label, placements, index) for index in range(len(core.triggers))),
+            *(wire for index in range(len(core.pins)) for wire in self._of_pin(label, placements, index)),
+        ]
+        generics = {"axes": str(len(placements)), "clock_hz": "clock_hz"}
+        generics |= {name: vhdl_literal(value) for name, value in core.generics.items()}
+        inputs = {"clk": "clk", "rst": "rst"} | {want: _INPUTS[want] for want in core.wants if want in _INPUTS}
+        if "armed" in core.wants:
+            wires.append(self._wire(label, "armed", 0, [self._armed(part) for part in placements], drives=True))
+        return Instance(
+            label,
+            core.library,
+            core.entity,
+            ", ".join(part.path for part in placements),
+            tuple(generics.items()),
+            tuple(inputs.items()),
+            tuple(wires),
+        )
+
+    def _check_ports(self, component: ComponentSpec, core: Core) -> None:
+        """Refuse names of ports that VHDL, or the contract of cores, has another meaning for."""
+        signals = [signal.name for signal in component.signals]
+        others = [*(pin.name for pin in core.pins), *(trigger.name for trigger in core.triggers)]
+        for name in [*signals, *others]:
+            if name.lower() in RESERVED or name.lower() in {"clk", "rst", *core.wants}:
+                what = "a word of VHDL" if name.lower() in RESERVED else "a port that it has for something else"
+                raise UnsupportedError(
+                    f"{component.path}.{name} cannot be a port of {core.entity}: {name.lower()} is {what}"
+                )
+
+    def _of_signal(self, label: str, placements: list[ComponentSpec], index: int) -> Iterator[Wire]:
+        signals = [part.signals[index] for part in placements]
+        name, width = signals[0].name.lower(), signals[0].width
+        if signals[0].access.writes:
+            yield self._wire(label, name, width, [self._wires[one.path].got for one in signals], drives=True)
+            written = [self._wires[one.path].written for one in signals]
+            yield self._wire(label, f"{name}_written", 0, written, drives=True)
+        else:
+            yield self._wire(label, name, width, [self._wires[one.path].given for one in signals], drives=False)
+
+    def _armed(self, part: ComponentSpec) -> str:
+        """Return what is '1' while the lease of a component is armed; always, where it has none."""
+        leases = (signal.safe.lease for signal in part.signals if signal.safe is not None)
+        lease = next(leases, None)
+        return "'1'" if lease is None else f"{self._wires[f'{lease}.armed'].given}(0)"
+
+    def _of_trigger(self, label: str, placements: list[ComponentSpec], index: int) -> Wire:
+        triggers = [part.core.triggers[index] for part in placements if part.core is not None]
+        wire = self._wire(label, triggers[0].name.lower(), 0, [""] * len(triggers), drives=False)
+        for axis, trigger in enumerate(triggers):
+            number = self._numbers.get(trigger.group) if trigger.group is not None else None
+            if number is not None:
+                self.triggers.setdefault(number, []).append(f"{wire.signal}({axis})")
+        return wire
+
+    def _of_pin(self, label: str, placements: list[ComponentSpec], index: int) -> Iterator[Wire]:
+        pins = [part.core.pins[index] for part in placements if part.core is not None]
+        endings = ("_in", "_out", "_oe") if pins[0].way is Way.INOUT else ("",)
+        ports = [
+            PinPort(self._scope.unique(pin.path, *endings), pin.path, pin.way, 0, pin.at) if pin.is_used else None
+            for pin in pins
+        ]
+        self.pins += filter(None, ports)
+        for place, ending in enumerate(endings):
+            is_input = place == 0 and pins[0].way is not Way.OUT
+            nothing = f"'{pins[0].unwired}'" if is_input else ""
+            names = [nothing if port is None else port.ports[place][0] for port in ports]
+            yield self._wire(label, f"{pins[0].name.lower()}{ending}", 0, names, drives=is_input)
+
+    def _wire(self, label: str, port: str, width: int, names: list[str], *, drives: bool) -> Wire:
+        """Return the port of an instance; with `drives`, what is named drives it, one name for each placement.
+
+        A width of 0 is a single bit of each.
+        """
+        signal = self._scope.unique(f"{label}_{port}")
+        joins = []
+        for axis, name in enumerate(names):
+            bits = f"{signal}({(axis + 1) * width - 1} downto {axis * width})" if width else f"{signal}({axis})"
+            if name:
+                joins.append((bits, name) if drives else (name, bits))
+        return Wire(port, signal, len(names) * max(width, 1), tuple(joins))
+
+
+def _gathered(parts: Iterable[ComponentSpec]) -> list[list[ComponentSpec]]:
+    """Return the placements that share an instance: those of one entity with equal generics and equal ports."""
+    found: dict[object, list[ComponentSpec]] = {}
+    for part in parts:
+        core = part.core
+        assert core is not None
+        key = (
+            core.word,
+            core.entity,
+            core.wants,
+            tuple(sorted(core.generics.items())),
+            tuple((signal.name, signal.width, signal.access.writes) for signal in part.signals),
+            tuple((pin.name, pin.way) for pin in core.pins),
+            tuple(trigger.name for trigger in core.triggers),
+        )
+        found.setdefault(key, []).append(part)
+    return list(found.values())

@@ -1,0 +1,187 @@
+"""Cores: components in files of their own, found by their word.
+
+A word in capitals that no file of a spec declares is a core. ``STEPPER`` is the component of that name in
+``stepper/stepper.ul``, in the first of these places that has one:
+
+1. the folder ``cores`` beside the spec;
+2. packages with an entry point of the group ``unity_link.cores``, which is named as the folder;
+3. the cores that are installed with Unity-Link.
+
+Such a file is read for its components alone: nothing of a core is executed to check a spec.
+"""
+
+from __future__ import annotations
+
+import importlib.machinery
+import importlib.metadata
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from unity_link.spec.context import Context
+from unity_link.spec.loading import Declared, Loader, read_text
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from unity_link.spec.diagnostics import Reporter, SourceText
+    from unity_link.spec.syntax import ComponentDeclaration, Placement
+
+ENTRY_POINTS = "unity_link.cores"
+_PACKAGE = Path(__file__).resolve().parents[1]
+_GATEWARE = next(path for path in (_PACKAGE / "gateware", _PACKAGE.parent / "gateware") if (path / "rtl").exists())
+INSTALLED = _GATEWARE / "cores"
+"""Folder of the cores that are installed with the package."""
+_WORD = re.compile(r"[A-Z][A-Z0-9_]*")
+
+
+class CoreFolder(NamedTuple):
+    """Folder of a core."""
+
+    word: str
+    path: Path
+    package: str = ""
+    """Package of Python that the folder is in; empty where it is in none."""
+
+    @property
+    def python(self) -> str:
+        """Its Python: a module to import, or the path of a file; empty where there is none. It is not executed."""
+        name = self.path.name
+        if self.is_installed:
+            return f"unity_link.cores.{name}" if (_PACKAGE / "cores" / f"{name}.py").is_file() else ""
+        file = self.path / f"{name}.py"
+        if not file.is_file():
+            return ""
+        return f"{self.package}.{name}.{name}" if self.package else str(file.resolve())
+
+    @property
+    def map(self) -> Path:
+        """The file that declares its component."""
+        return self.path / f"{self.path.name}.ul"
+
+    @property
+    def is_installed(self) -> bool:
+        """Return whether it is one of the package's own, whose VHDL is in the gateware's library."""
+        return self.path.parent == INSTALLED
+
+    @property
+    def vhdl(self) -> list[Path]:
+        """Its VHDL, sorted by name."""
+        return sorted(self.path.glob("*.vhd"))
+
+
+class FoundCore(NamedTuple):
+    """A core that a spec names: its folder, its declaration, and what is known in its file."""
+
+    folder: CoreFolder
+    declared: Declared[ComponentDeclaration]
+    context: Context
+    sources: list[SourceText]
+
+
+def is_word(name: str) -> bool:
+    """Return whether a name is written as the words of cores are."""
+    return _WORD.fullmatch(name) is not None
+
+
+def core_folders(beside: Path | None) -> Iterator[dict[str, list[CoreFolder]]]:
+    """Return the folders of all cores by their words, one dictionary for each rank, the first rank first.
+
+    Args:
+        beside: the folder of the spec; None for a spec that is no file.
+    """
+    if beside is not None:
+        yield _in(beside / "cores")
+    packaged: dict[str, list[CoreFolder]] = {}
+    for point in importlib.metadata.entry_points(group=ENTRY_POINTS):
+        for path in _package_folders(point.module):
+            folder = CoreFolder(point.name.upper(), path / point.name, point.module)
+            if folder.map.is_file():
+                packaged.setdefault(folder.word, []).append(folder)
+    yield packaged
+    yield _in(INSTALLED)
+
+
+def _in(folder: Path) -> dict[str, list[CoreFolder]]:
+    try:
+        found = [CoreFolder(path.name.upper(), path) for path in sorted(folder.iterdir()) if is_word(path.name.upper())]
+    except OSError:
+        return {}
+    words: dict[str, list[CoreFolder]] = {}
+    for one in found:
+        if one.map.is_file():
+            words.setdefault(one.word, []).append(one)
+    return words
+
+
+def _package_folders(module: str) -> list[Path]:
+    """Return the folders of a package, which is not imported."""
+    top, *inner = module.split(".")
+    spec = importlib.machinery.PathFinder.find_spec(top)
+    return [] if spec is None else [Path(path, *inner) for path in spec.submodule_search_locations or ()]
+
+
+class Cores:
+    """The cores that one spec can name, each read once.
+
+    Args:
+        reporter: receiver of faults.
+        beside: the folder of the spec; None for a spec that is no file.
+    """
+
+    def __init__(self, reporter: Reporter, beside: Path | None) -> None:
+        self._reporter = reporter
+        self._beside = beside
+        self._ranks: list[dict[str, list[CoreFolder]]] | None = None
+        self._found: dict[str, FoundCore | None] = {}
+        self.sources: list[SourceText] = []
+        """Sources of the cores that are named."""
+
+    @property
+    def words(self) -> list[str]:
+        """Words of all cores that there are."""
+        return sorted({word for rank in self._folders() for word in rank})
+
+    def _folders(self) -> list[dict[str, list[CoreFolder]]]:
+        if self._ranks is None:
+            self._ranks = list(core_folders(self._beside))
+        return self._ranks
+
+    def find(self, source: SourceText, member: Placement) -> FoundCore | None:
+        """Return the core that a placement names; None where there is none, or it was reported to be wrong."""
+        word = str(member.type)
+        if word not in self._found:
+            folders = next((rank[word] for rank in self._folders() if word in rank), [])
+            if len(folders) > 1:
+                places = " and ".join(str(folder.path) for folder in folders)
+                message = f"there are several cores {word}: {places}"
+                self._reporter.error(source, member.type.place, "core-twice", message, help="uninstall one of them")
+            self._found[word] = self._read(source, member, folders[0]) if len(folders) == 1 else None
+        return self._found[word]
+
+    def has(self, word: str) -> bool:
+        """Return whether there is a core of a word, be it wrong or not."""
+        return any(word in rank for rank in self._folders())
+
+    def _read(self, source: SourceText, member: Placement, folder: CoreFolder) -> FoundCore | None:
+        place = member.type.place
+        try:
+            text = read_text(folder.map)
+        except ValueError as error:
+            self._reporter.error(source, place, "core", str(error))
+            return None
+        loader = Loader(self._reporter)
+        # The installed ones are named without the place of the installation, which is another on each machine.
+        name = f"cores/{folder.path.name}/{folder.map.name}" if folder.is_installed else str(folder.map)
+        loader.load(name, text, folder.map)
+        self.sources += loader.declarations.sources
+        declared = loader.declarations.components.get(folder.word)
+        if declared is None or declared.node.public:
+            if not self._reporter.failed:
+                self._reporter.error(source, place, "core", f"{name} declares no component {folder.word}")
+            return None
+        for group in loader.declarations.groups.values():
+            message = f"the core {folder.word} declares a group, and groups are those of the spec that names a core"
+            advice = "take the group as a parameter, as in GROUP=none"
+            self._reporter.error(group.source, group.node.name.place, "misplaced", message, help=advice)
+        return FoundCore(folder, declared, Context(loader.declarations, self._reporter), loader.declarations.sources)

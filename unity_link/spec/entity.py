@@ -1,0 +1,203 @@
+"""The hardware of a component: its entity in VHDL, and the pins and triggers that it has beside its signals."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from unity_link.spec.arguments import PIN, TRIGGER, Binder, Bound
+from unity_link.spec.diagnostics import did_you_mean, listed
+from unity_link.spec.expressions import LEFT_OUT, Result, describe
+from unity_link.spec.model import Core, Pin, Trigger, Way
+from unity_link.spec.syntax import Argument, ComponentDeclaration, Name, Placement, SignalDeclaration, Text
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from unity_link.spec.building import Builder, Where
+    from unity_link.spec.diagnostics import SourceText
+    from unity_link.spec.expressions import Evaluator
+    from unity_link.spec.syntax import Word
+
+ENTITY_WORD = "ENTITY"
+_SLOTS = {"PIN": PIN, "TRIGGER": TRIGGER}
+PORT_WORDS = tuple(_SLOTS)
+"""Words that stand in the place of an access, for ports without an address."""
+WANTS = {"TICK": "tick", "TIME": "now", "ARMED": "armed"}
+"""Words of an entity for inputs beside clock and reset, and the ports that they are."""
+_IDENTIFIER = re.compile(r"[a-z](_?[a-z0-9])*", re.IGNORECASE)
+_PRINTABLE = re.compile(r"[ -~]*")
+_GIVEN = ("axes", "clock_hz")
+"""Generics that the design gives by itself."""
+_LARGEST = (1 << 31) - 1
+
+
+def pins_of(node: ComponentDeclaration) -> list[Word]:
+    """Return the names of the pins of a component."""
+    return [member.name for member in node.members if isinstance(member, SignalDeclaration) and member.access == "PIN"]
+
+
+class Hardware:
+    """The hardware of a component while its members are built.
+
+    Args:
+        evaluator: of its source.
+        where: the place that the component is put to.
+    """
+
+    def __init__(self, evaluator: Evaluator, where: Where) -> None:
+        self._evaluator = evaluator
+        self._where = where
+        self._entity: tuple[str, list[str], dict[str, int | bool | str]] | None = None
+        self._placed: Placement | None = None
+        self._ports: dict[str, tuple[int, int]] = {}
+        self._pins: list[Pin] = []
+        self._triggers: list[Trigger] = []
+
+    def set_entity(self, member: Placement) -> None:
+        """Take an ENTITY, of which a component has one at most."""
+        place = member.type.place
+        if self._placed is not None:
+            self._fault(place, "name-twice", "ENTITY stands twice in this component")
+            return
+        self._placed = member
+        if member.addresses is not None or member.members is not None:
+            self._fault(place, "misplaced", "ENTITY has neither addresses nor members")
+        if not self._where.path:
+            message = "an interface is the whole design, and ENTITY stands in a component of it"
+            self._fault(place, "misplaced", message)
+            return
+        first, rest = member.arguments[:1], member.arguments[1:]
+        name = first[0].value.value if first and isinstance(first[0].value, Text) and first[0].name is None else None
+        if name is None or not _IDENTIFIER.fullmatch(name):
+            place = first[0].place if first else place
+            message = "ENTITY begins with the name of an entity in VHDL"
+            self._fault(place, "bad-entity", message, 'as in ENTITY("ul_pwm", width=WIDTH);')
+            return
+        wants: list[str] = []
+        generics: dict[str, int | bool | str] = {}
+        for argument in rest:
+            if argument.name is None:
+                wants += self._want(argument)
+            elif argument.name.lower() in {*map(str.lower, generics), *_GIVEN}:
+                what = "is given by the design" if argument.name.lower() in _GIVEN else "is given twice"
+                self._fault(argument.place, "argument-twice", f"{argument.name} {what}")
+            else:
+                generics |= self._generic(argument)
+        self._entity = name.lower(), list(dict.fromkeys(wants)), generics
+
+    def _want(self, argument: Argument) -> Iterator[str]:
+        word = argument.value.name if isinstance(argument.value, Name) else None
+        if word in WANTS:
+            yield WANTS[word]
+            return
+        message = f"ENTITY takes the inputs {listed(WANTS, 'and')}, and generics by their names"
+        advice = did_you_mean(word, WANTS) if word is not None else ""
+        self._fault(argument.place, "unknown-argument", message, advice)
+
+    def _generic(self, argument: Argument) -> dict[str, int | bool | str]:
+        assert argument.name is not None
+        name, value = argument.name, self._evaluator.evaluate(argument.value, self._where.scope)
+        if value is None or value is LEFT_OUT:
+            return {}
+        if isinstance(value, float) and value.is_integer():
+            value = int(value)
+        if not _IDENTIFIER.fullmatch(name):
+            self._fault(name.place, "bad-entity", f"'{name}' cannot be the name of a generic in VHDL")
+        elif isinstance(value, int | str) and _fits(value):
+            return {name.lower(): value}
+        else:
+            message = f"{name} is {_described(value)}, and a generic is a whole number of 32 bits, a truth or a string"
+            self._fault(argument.value.place, "bad-entity", message)
+        return {}
+
+    def add_port(self, builder: Builder, source: SourceText, member: SignalDeclaration) -> None:
+        """Take a pin or a trigger."""
+        word = str(member.access)
+        if member.address is not None or member.bits is not None or member.kind is not None:
+            message = f"{member.name} is a {word.lower()}, which has neither an address nor a kind"
+            self._fault(member.name.place, "misplaced", message, f"as in @{member.name}: {word}(...);")
+        if not _IDENTIFIER.fullmatch(member.name):
+            self._fault(member.name.place, "bad-pin", f"'{member.name}' cannot be the name of a port in VHDL")
+            return
+        self._ports[str(member.name)] = member.name.place
+        binder = Binder(self._evaluator, self._where.scope)
+        bound = binder.bind(member.access, member.access.place, member.arguments, _SLOTS[word], by_place=2)
+        if word == "TRIGGER":
+            self._triggers.append(builder.trigger(source, member, binder.places.get("GROUP", member.place), bound))
+        else:
+            self._pins += self._pin(member, bound)
+
+    def _pin(self, member: SignalDeclaration, bound: Bound) -> Iterator[Pin]:
+        way = bound.get("WAY")
+        if way is None:
+            return
+        if way not in Way.__members__:
+            message = f"a pin is {listed(Way.__members__)}, not {way}"
+            self._fault(member.access.place, "bad-pin", message, did_you_mean(way, Way.__members__))
+            return
+        name = str(member.name)
+        path = f"{self._where.path}.{name}" if self._where.path else name
+        at = self._where.pins.get(name)
+        yield Pin(
+            name=name,
+            path=path,
+            way=Way[way],
+            at=None if at is LEFT_OUT else at,
+            is_used=at is not LEFT_OUT,
+            unwired=bound.get("UNWIRED", 0),
+        )
+
+    def refuse_parts(self) -> None:
+        """Refuse an entity whose component holds more than signals."""
+        if self._placed is not None:
+            message = "a component with an ENTITY has signals, pins and triggers, and no FIFO port, part or module"
+            self._fault(self._placed.type.place, "bad-entity", message)
+
+    def check_leases(self, leases: set[str]) -> None:
+        """Refuse an entity whose signals are guarded by several leases: its input ARMED is that of one."""
+        if self._placed is not None and len(leases) > 1:
+            message = f"the signals of an entity are guarded by one lease, not by {listed(sorted(leases), 'and')}"
+            self._fault(self._placed.type.place, "bad-safe", message)
+
+    def core(self, component: Word, signals: set[str]) -> Core | None:
+        """Return the hardware of a component whose signals have these names; None where it has none.
+
+        Ports without an entity behind them are reported.
+        """
+        if self._placed is None:
+            for name, place in self._ports.items():
+                message = f"{name} is a port of no entity: {component} has no ENTITY"
+                self._fault(place, "bad-entity", message, 'as in ENTITY("ul_pwm", width=WIDTH);')
+            return None
+        for name in signals:
+            if not _IDENTIFIER.fullmatch(name):
+                message = f"'{name}' cannot be the name of a port in VHDL"
+                self._fault(self._placed.type.place, "bad-entity", message)
+        if self._entity is None:
+            return None
+        entity, wants, generics = self._entity
+        folder = self._where.core
+        return Core(
+            word="" if folder is None else folder.word,
+            entity=entity,
+            library="unity_link" if folder is not None and folder.is_installed else "work",
+            vhdl=() if folder is None or folder.is_installed else tuple(map(str, folder.vhdl)),
+            wants=tuple(wants),
+            generics=generics,
+            pins=tuple(self._pins),
+            triggers=tuple(self._triggers),
+            python="" if folder is None else folder.python,
+        )
+
+    def _fault(self, place: tuple[int, int], code: str, message: str, advice: str = "") -> None:
+        self._evaluator.fault(place, code, message, advice)
+
+
+def _fits(value: int | str) -> bool:
+    """Return whether a value can be that of a generic."""
+    return bool(_PRINTABLE.fullmatch(value)) if isinstance(value, str) else -_LARGEST <= value <= _LARGEST
+
+
+def _described(value: Result) -> str:
+    return f"the number {value:.12g}" if isinstance(value, float) else describe(value)
