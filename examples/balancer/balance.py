@@ -1,0 +1,43 @@
+"""Balances the robot of `balancer.ul`, until it is told to stop: Ctrl-C, kill -9 and a pulled cable do it alike.
+
+python balance.py [URL]
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import sys
+from pathlib import Path
+
+import unity_link
+
+HERE = Path(__file__).parent
+Robot = unity_link.load(HERE / "balancer.ul")
+SIMULATED = f"sim:{HERE}/balancer.ul?model={HERE}/plant.py:Balancer"
+TILT, RATE, SPEED, WAY = 28.6, 2.9, 0.82, 0.99
+"""Volts for each rad, rad/s, rad/s of the wheels and rad of the wheels."""
+MOST_TILT = 0.5
+
+
+async def balance(url: str) -> None:
+    """Keep the robot upright, where it stands."""
+    async with unity_link.connect(url) as link:
+        robot = Robot(link)
+        await robot.fallen.set(False)
+        async with robot.drive.armed(timeout=0.15) as lease:
+            async for sample in lease.each(robot.groups["state"]):
+                tilt = sample[robot.tilt]
+                if abs(tilt) > MOST_TILT:
+                    await robot.fallen.set(True)
+                    break
+                volts = TILT * tilt + RATE * sample[robot.rate]
+                volts += SPEED * sample[robot.wheel.velocity] + WAY * sample[robot.wheel.position]
+                volts = min(max(volts, -12.0), 12.0)
+                await robot.left.value.post(volts)
+                await robot.right.value.post(volts)
+
+
+if __name__ == "__main__":
+    with contextlib.suppress(KeyboardInterrupt):
+        asyncio.run(balance(sys.argv[1] if len(sys.argv) > 1 else SIMULATED))

@@ -1,0 +1,70 @@
+"""The balancer of the examples stands while its program runs, and its motors are off when that has died."""
+
+from __future__ import annotations
+
+import asyncio
+import importlib.util
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+import unity_link
+from support.simulated_time import on_simulated_time
+from unity_link.virtual.build import simulate
+
+if TYPE_CHECKING:
+    from types import ModuleType
+
+FOLDER = Path(__file__).parents[2] / "examples" / "balancer"
+
+
+def imported(name: str) -> ModuleType:
+    """Return a module of the example."""
+    spec = importlib.util.spec_from_file_location(f"balancer_{name}", FOLDER / f"{name}.py")
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@on_simulated_time
+async def test_it_stands_and_goes_back_to_its_place() -> None:
+    program, plant = imported("balance"), imported("plant")
+    gateway = simulate(FOLDER / "balancer.ul", plant.Balancer)
+    running = asyncio.ensure_future(program.balance(gateway))
+    robot: Any = gateway.robot
+    await asyncio.sleep(3)
+    assert robot.drive.armed
+    assert abs(robot.lean) < 0.02
+    robot.pushed = True
+    await asyncio.sleep(0.1)
+    robot.pushed = False
+    await asyncio.sleep(4)
+    assert abs(robot.lean) < 0.02
+    assert abs(robot.angle) < 0.5
+    running.cancel()
+    with pytest.raises(asyncio.CancelledError):
+        await running
+    assert (robot.left.value, robot.right.value, robot.drive.enable) == (0, 0, 0)
+
+
+@on_simulated_time
+async def test_its_motors_are_off_when_its_loop_stands_still() -> None:
+    program, plant = imported("balance"), imported("plant")
+    gateway = simulate(FOLDER / "balancer.ul", plant.Balancer)
+    robot: Any = gateway.robot
+    async with unity_link.connect(gateway) as link:
+        own = program.Robot(link)
+        async with own.drive.armed(timeout=0.15) as lease:
+            async for _ in lease.each(own.groups["state"]):
+                await own.left.value.set(6)
+                break
+            assert robot.left.value == pytest.approx(6, abs=0.01)
+            await asyncio.sleep(0.2)
+            assert (robot.left.value, robot.drive.enable) == (0, 0)
+            await asyncio.sleep(3)
+            assert abs(robot.lean) == plant.LYING
+            with pytest.raises(unity_link.NotArmedError):
+                await own.left.value.set(6)
