@@ -1,9 +1,10 @@
-"""Leases on the compiled gateware: what is at its pins, to the clock cycle, when a program is silent."""
+"""Cores and leases on the compiled gateware: what is at its pins, to the clock cycle."""
 
 from __future__ import annotations
 
 import asyncio
 import contextlib
+import math
 import random
 from typing import TYPE_CHECKING, Any
 
@@ -29,7 +30,11 @@ public rover() {
   @speed = 0x11: signed 16 READWRITE(SAFE(-5, drive));
   @free = 0x12: unsigned 8 READWRITE(PIN="gn", RESET=3);
   @button = 0x13[0]: bool READ(PIN="btn0", PUBLISH(state));
+  left: PWM(LIMIT=12, UNIT="V", FREQUENCY=5000, LEASE=drive) @(0x20, pwm="gp4", dir="gp5");
+  wheel: ENCODER(FILTER=3, GROUP=state) @(0x28, a="gp6", b="gp7", z=none);
+  line: GPIO(LEASE=drive) @(0x30, pin="gp9");
 }
+
 """
 
 
@@ -137,6 +142,79 @@ async def test_samples_that_the_loop_takes_keep_the_lease(rover: Rover) -> None:
             assert rover.see("lamp", "drive_enable") == (1, 1)
         assert rover.see("lamp", "drive_enable") == (0, 0)
         assert await robot.drive.reason.get() == "disarmed"
+
+
+@pytest.mark.rtl
+@on_simulated_time
+async def test_a_pwm_has_the_duty_of_its_value_and_the_sign_and_stops_in_the_middle_of_a_pulse(rover: Rover) -> None:
+    ports = rover.ports
+    clock_hz = rover.gateway.info.clock_hz
+    async with unity_link.connect(rover.gateway) as link:
+        robot = unity_link.load(rover.spec)(link)
+        async with robot.drive.armed(timeout=0.05) as lease:
+            for volts in (3, -9, 12, 0):
+                await robot.left.value.set(volts)
+                # The value counts from the next period on.
+                await asyncio.sleep(0.001)
+                ports["left_pwm"].take_counts()
+                await lease.kick()
+                begun = rover.bare.cycles
+                await asyncio.sleep(0.02)
+                await link.fence()
+                (count,) = ports["left_pwm"].take_counts()
+                duty = count.high / (rover.bare.cycles - begun)
+                assert duty == pytest.approx(abs(volts) / 12, abs=0.02)
+                assert rover.see("left_dir") == (volts < 0,)
+                await lease.kick()
+            await robot.left.value.set(12)
+            await asyncio.sleep(0.001)
+            # Cycles are worked out when something looks.
+            assert await robot.left.value.get() == 12
+            assert rover.see("left_pwm") == (1,)
+            await robot.drive.stop()
+            ports["left_pwm"].take_counts()
+            rover.bare.run(clock_hz // 1000)
+            assert ports["left_pwm"].take_counts() == [(0, 0)]
+
+
+@pytest.mark.rtl
+@on_simulated_time
+async def test_an_encoder_counts_what_its_pins_show_and_knows_how_fast(rover: Rover) -> None:
+    async with unity_link.connect(rover.gateway) as link:
+        robot = unity_link.load(rover.spec)(link)
+        levels = ((0, 0), (1, 0), (1, 1), (0, 1))
+        spacing, turns = 100, 500
+        begin = rover.bare.cycles + 1000
+        for edge in range(1, turns + 1):
+            for pin, level in zip(("wheel_a", "wheel_b"), levels[edge % 4], strict=True):
+                rover.ports[pin].drive(level, begin + edge * spacing)
+        rover.bare.run(1000 + turns * spacing // 2)
+        count = math.tau / 4096
+        assert await robot.wheel.velocity.get() == pytest.approx(
+            count * rover.gateway.info.clock_hz / spacing, rel=0.02
+        )
+        rover.bare.run(1000 + turns * spacing // 2)
+        assert await robot.wheel.position.get() == pytest.approx(turns * count)
+        assert await robot.wheel.errors.get() == 0
+        await asyncio.sleep(2)
+        assert await robot.wheel.velocity.get() == 0
+
+
+@pytest.mark.rtl
+@on_simulated_time
+async def test_a_gpio_counts_edges_and_is_driven_under_a_lease_alone(rover: Rover) -> None:
+    async with unity_link.connect(rover.gateway) as link:
+        robot = unity_link.load(rover.spec)(link)
+        assert await robot.line.level.get() is False
+        rover.ports["line_pin_in"].drive(1)
+        await asyncio.sleep(0.001)
+        assert await robot.line.level.get() is True
+        assert await robot.line.edges.get() == 1
+        async with robot.drive.armed(timeout=0.05):
+            await robot.line.output.set(True)
+            await robot.line.drive.set(True)
+            assert rover.see("line_pin_out", "line_pin_oe") == (1, 1)
+        assert rover.see("line_pin_oe") == (0,)
 
 
 WAYS = ("dies", "stands still", "goes on writing", "kicks late", "is disarmed", "loses the e-stop", "resets")
