@@ -43,8 +43,8 @@ apart meanwhile, 2 ms, and by the time that the answer was on its way."""
 LONGEST_START = 1.0
 """Seconds for which `Lease.each` kicks while it waits for the first sample of a group."""
 NEAREST = 0.98
-"""Part of TIMEOUT that a kick asks for at most: what is further ahead is refused, and the clock of a compiled gateway is
-ahead by the cycles that its answers took."""
+"""Part of TIMEOUT that a kick asks for at most: what is further ahead is refused, and the clock of a compiled gateway
+is ahead by the cycles that its answers took."""
 ATTEMPTS = 3
 """Arms of a lease whose end has come before they could take effect."""
 BUFFER = 16_384
@@ -149,8 +149,8 @@ class LeaseVerbs(Verbs):
         """Return a lease for an ``async with`` block: it is armed where that begins, and disarmed where it ends.
 
         Args:
-            timeout: seconds from each kick to the end that it names; None for the most. Of TIMEOUT in the spec it is 98 %
-                at most.
+            timeout: seconds from each kick to the end that it names; None for the most, which is 98 % of TIMEOUT in the
+                spec.
 
         Raises:
             ArgumentError: for a time-out that is not above 0, or is above that of the spec.

@@ -32,7 +32,7 @@ def _plain(value: Any) -> Any:
             factory = field.default_factory
             default = field.default if factory is msgspec.NODEFAULT else factory()
             # The Python of a core beside the spec is copied, and its place is that of one machine.
-            is_of_here = field.name == "span" or (field.name == "python" and item.endswith(".py"))
+            is_of_here = field.name in {"span", "vhdl"} or (field.name == "python" and item.endswith(".py"))
             if not is_of_here and item != default:
                 fields[field.encode_name] = _plain(item)
         return fields

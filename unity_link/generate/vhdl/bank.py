@@ -233,6 +233,9 @@ class Bank:
             )
             for path, signal in signals.items()
         )
+        armed = {_armed_by(register.signal) for register in self.registers}
+        self.leases = tuple(register for register in self.registers if register.signal.path in armed)
+        """Registers that tell whether the leases are armed that guard others."""
         self.words = tuple(_words(self.registers))
         self.windows = tuple(_windows(interface))
         wires = {register.signal.path: register.pins for register in self.registers if register.is_wired}
@@ -280,12 +283,6 @@ class Bank:
 
     def _address(self, address: int) -> str:
         return f"unsigned'({bit_literal(address, self.interface.address_bits)})"
-
-    @property
-    def leases(self) -> tuple[Register, ...]:
-        """The registers that tell whether the leases are armed that guard others."""
-        paths = {_armed_by(register.signal) for register in self.registers}
-        return tuple(register for register in self.registers if register.signal.path in paths)
 
     @property
     def guarded(self) -> tuple[Register, ...]:
