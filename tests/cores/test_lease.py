@@ -326,7 +326,7 @@ async def test_a_lease_is_used_in_its_block_and_once() -> None:
             await lease.kick()
         with pytest.raises(ArgumentError, match="write `async with` before this lease"):
             lease.__enter__()
-        assert repr(lease) == "<lease of drive, not begun: 0.1 s>"
+        assert repr(lease) == "<lease of drive, not begun: 0.098 s>"
         async with lease:
             assert "in its block" in repr(lease)
             with pytest.raises(ArgumentError, match="pickled"):

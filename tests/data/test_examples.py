@@ -55,8 +55,7 @@ def test_an_example_without_a_gateway_says_so_in_a_line(name: str) -> None:
 
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.name)
 def test_a_notebook_runs(path: Path, tmp_path: Path) -> None:
-    for file in EXAMPLES.iterdir():
-        shutil.copy(file, tmp_path)
+    shutil.copytree(EXAMPLES, tmp_path, dirs_exist_ok=True)
     # By its command: in this process, sockets that the client leaves to the collector would be warnings.
     execute = [
         str(Path(sys.executable).with_name("jupyter-execute")),

@@ -61,6 +61,12 @@ class Scara(Jointed):
     j3: Any
     j4: Any
 
+    def start(self) -> None:
+        super().start()
+        # On compiled gateware only programs set what they write, so the other robot does without.
+        for joint in self.joints():
+            joint.spd_sp = 2
+
     def joints(self) -> list[Any]:
         return [self.j1, self.j2, self.j3, self.j4]
 

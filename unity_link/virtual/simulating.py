@@ -130,7 +130,7 @@ class SimulatedGateway(BareGateway, Generic[R_co]):
     @property
     def next_due(self) -> float | None:
         """Instant at which the gateway has something to do, a trigger fires, or the robot's time is to pass."""
-        times = [self._gateway.next_due, None if self.robot is None else self.robot.next_step]
+        times = [self._gateway.next_due, None if self.robot is None or self._is_wired else self.robot.next_step]
         times += [self._now if edge is None else edge for _, edge in self._rates.values()]
         return min((time for time in times if time is not None), default=None)
 

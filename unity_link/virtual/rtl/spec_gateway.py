@@ -129,6 +129,12 @@ class SpecGateway(RtlGateway):
 
     # Time
 
+    @property
+    def next_due(self) -> float | None:
+        """Instant at which `advance` should be called next: where no cycle counts, that of the robot's next step."""
+        due = super().next_due
+        return self._robot.next_step if due is None and self._robot is not None else due
+
     def _pass_time(self, now: float) -> None:
         """Let cycles and the robot's time pass up to `now`."""
         robot = self._robot
