@@ -148,6 +148,23 @@ def test_a_package_brings_cores_which_are_not_imported(tmp_path: Path, monkeypat
         compile_text("public robot() { a: BLINK() @(4); }")
 
 
+@pytest.mark.parametrize(
+    ("placed", "warns"),
+    [
+        ('a: PWM() @(0, pwm="gp0");', True),
+        ('a[2]: PWM() @(i, pwm="gp" + i);', True),
+        ("a: PWM() @(0, pwm=none, dir=none);", False),
+        ("a: PWM(LEASE=d) @(0);", False),
+        ('a: GPIO() @(0, pin="gp0");', False),
+        ("a: ENCODER() @(0);", False),
+    ],
+)
+def test_an_output_that_no_lease_guards_is_warned_of_once(placed: str, warns: bool) -> None:  # noqa: FBT001
+    spec = compile_text(f"public robot() {{ d: LEASE() @(0x80); {placed} }}")
+    assert [one.code for one in spec.warnings] == ["no-lease"] * warns
+    assert all("no lease guards a: it goes on" in one.message for one in spec.warnings)
+
+
 def test_every_installed_core_is_a_component_with_an_entity() -> None:
     *_, installed = core_folders(None)
     assert installed
