@@ -159,7 +159,7 @@ def test_a_package_brings_cores_which_are_not_imported(tmp_path: Path, monkeypat
         ("a: ENCODER() @(0);", False),
     ],
 )
-def test_an_output_that_no_lease_guards_is_warned_of_once(placed: str, warns: bool) -> None:  # noqa: FBT001
+def test_an_output_that_no_lease_guards_is_warned_of_once(placed: str, warns: bool) -> None:
     spec = compile_text(f"public robot() {{ d: LEASE() @(0x80); {placed} }}")
     assert [one.code for one in spec.warnings] == ["no-lease"] * warns
     assert all("no lease guards a: it goes on" in one.message for one in spec.warnings)
