@@ -80,7 +80,7 @@ class _Condition(NamedTuple):
     estop_open: bool
 
 
-class Registers:
+class LeaseRegisters:
     """The registers of a lease.
 
     Args:
@@ -134,7 +134,7 @@ async def refused(error: BusError, robot: Any, lease: str) -> BusError:
     """
     if isinstance(error, NotArmedError):
         return error
-    registers = Registers(robot, lease)
+    registers = LeaseRegisters(robot, lease)
     condition = await registers.condition()
     if condition.armed:
         return error
@@ -210,9 +210,9 @@ def leases_of(robot: Any) -> dict[str, LeaseVerbs]:
     return found
 
 
-def _registers_of(component: Any) -> Registers:
+def _registers_of(component: Any) -> LeaseRegisters:
     first = component.signals[0]
-    return Registers(first.robot, first.path.rpartition(".")[0])
+    return LeaseRegisters(first.robot, first.path.rpartition(".")[0])
 
 
 class _Clock:
@@ -259,7 +259,7 @@ class Lease(Sealed):
     of kicks, by an e-stop or because somebody disarmed it, the next of them raises `NotArmedError`.
     """
 
-    def __init__(self, registers: Registers, seconds: float) -> None:
+    def __init__(self, registers: LeaseRegisters, seconds: float) -> None:
         self.timeout = seconds
         """Seconds from each kick to the end that it names."""
         self._registers = registers

@@ -65,7 +65,7 @@ class PinPort(NamedTuple):
         return ((self.name, self.way.lower()),)
 
 
-class Wire(NamedTuple):
+class EntityPort(NamedTuple):
     """A port of an instance, as a signal of the design, and the assignments that join it with others."""
 
     port: str
@@ -85,7 +85,7 @@ class Instance(NamedTuple):
     generics: tuple[tuple[str, str], ...]
     inputs: tuple[tuple[str, str], ...]
     """Ports that the gateway feeds, and its signals."""
-    wires: tuple[Wire, ...]
+    wires: tuple[EntityPort, ...]
 
 
 class Triggering(NamedTuple):
@@ -188,7 +188,7 @@ class Wiring:
                     f"{component.path}.{name} cannot be a port of {core.entity}: {name.lower()} is {what}"
                 )
 
-    def _of_signal(self, label: str, placements: list[ComponentSpec], index: int) -> Iterator[Wire]:
+    def _of_signal(self, label: str, placements: list[ComponentSpec], index: int) -> Iterator[EntityPort]:
         signals = [part.signals[index] for part in placements]
         name, width = signals[0].name.lower(), signals[0].width
         if signals[0].access.writes:
@@ -204,7 +204,7 @@ class Wiring:
         lease = next(leases, None)
         return "'1'" if lease is None else f"{self._wires[f'{lease}.armed'].given}(0)"
 
-    def _of_trigger(self, label: str, placements: list[ComponentSpec], index: int) -> Wire:
+    def _of_trigger(self, label: str, placements: list[ComponentSpec], index: int) -> EntityPort:
         triggers = [part.core.triggers[index] for part in placements if part.core is not None]
         wire = self._wire(label, triggers[0].name.lower(), 0, [""] * len(triggers), drives=False)
         for axis, trigger in enumerate(triggers):
@@ -213,7 +213,7 @@ class Wiring:
                 self.triggers.setdefault(number, []).append(f"{wire.signal}({axis})")
         return wire
 
-    def _of_pin(self, label: str, placements: list[ComponentSpec], index: int) -> Iterator[Wire]:
+    def _of_pin(self, label: str, placements: list[ComponentSpec], index: int) -> Iterator[EntityPort]:
         pins = [part.core.pins[index] for part in placements if part.core is not None]
         endings = ("_in", "_out", "_oe") if pins[0].way is Way.INOUT else ("",)
         ports = [
@@ -227,7 +227,7 @@ class Wiring:
             names = [nothing if port is None else port.ports[place][0] for port in ports]
             yield self._wire(label, f"{pins[0].name.lower()}{ending}", 0, names, drives=is_input)
 
-    def _wire(self, label: str, port: str, width: int, names: list[str], *, drives: bool) -> Wire:
+    def _wire(self, label: str, port: str, width: int, names: list[str], *, drives: bool) -> EntityPort:
         """Return the port of an instance; with `drives`, what is named drives it, one name for each placement.
 
         A width of 0 is a single bit of each.
@@ -238,7 +238,7 @@ class Wiring:
             bits = f"{signal}({(axis + 1) * width - 1} downto {axis * width})" if width else f"{signal}({axis})"
             if name:
                 joins.append((bits, name) if drives else (name, bits))
-        return Wire(port, signal, len(names) * max(width, 1), tuple(joins))
+        return EntityPort(port, signal, len(names) * max(width, 1), tuple(joins))
 
 
 def _gathered(parts: Iterable[ComponentSpec]) -> list[list[ComponentSpec]]:

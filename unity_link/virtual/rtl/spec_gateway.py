@@ -19,7 +19,7 @@ from unity_link.virtual.bus import AccessError
 from unity_link.virtual.faults import Failing
 from unity_link.virtual.rtl.gateway import RtlGateway
 from unity_link.virtual.rtl.specs import ports_of
-from unity_link.virtual.rtl.wiring import PinLevels, Wiring
+from unity_link.virtual.rtl.wiring import PinLevels, RobotPorts
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -46,7 +46,7 @@ class SpecGateway(RtlGateway):
         self._interface = interface
         self._bank = Bank(interface)
         self._robot: SimulatedRobot | None = None
-        self._wiring: Wiring | None = None
+        self._wiring: RobotPorts | None = None
         super().__init__(configuration)
         super().attach_elsewhere(Failing(ErrorCode.BUS_ERROR))
         self._rest_pins()
@@ -118,7 +118,7 @@ class SpecGateway(RtlGateway):
             ArgumentError: where the robot has set what only programs write.
         """
         offered = {path for group in self._interface.groups if group.trigger for path in group.signals}
-        self._wiring = Wiring(self, robot, ports_of(self._interface), offered)
+        self._wiring = RobotPorts(self, robot, ports_of(self._interface), offered)
         robot.is_wired = True
         robot.wire_pins(self._pins())
         self._robot = robot

@@ -160,7 +160,7 @@ def _impossible(cell: Cell, fault: SignalFault) -> ArgumentError:
     )
 
 
-class Wiring:
+class RobotPorts:
     """All signals of a robot that are in the register bank.
 
     Args:
