@@ -10,6 +10,7 @@ undriven or undefined signal, which shows up in `numeric_std` and would otherwis
 
 from __future__ import annotations
 
+import fcntl
 import hashlib
 import itertools
 import os
@@ -94,7 +95,10 @@ def run_bench(  # noqa: PLR0913 - each says one thing of the run, by its name
     log_file, results_file = run_dir / "simulation.log", run_dir / "results.xml"
     runner = get_runner("ghdl")
     try:
-        _build_once(runner, toplevel, libraries, build_dir)
+        # Of two at once, one would keep its library beside the other's, and GHDL finds them out of step.
+        with (build_dir / "lock").open("w") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            _build_once(runner, toplevel, libraries, build_dir)
         runner.test(
             test_module=module,
             hdl_toplevel=toplevel,
