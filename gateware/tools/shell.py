@@ -1,4 +1,4 @@
-"""What stands around a core that is placed alone: it has more ports than an FPGA has pins.
+"""Shell of registers for placing a core alone, which has more ports than an FPGA has pins.
 
 Inputs come from the registers of a chain that is filled from a pin. Outputs end where they leave the core, and are kept
 there. So the shell has no logic, and no way in it is longer than those from register to register inside the core.

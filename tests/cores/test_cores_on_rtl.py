@@ -248,7 +248,7 @@ async def live_and_end(rover: Rover, way: str, chance: random.Random) -> tuple[i
                         await robot.lamp.set(True)
                         await asyncio.sleep(timeout / 20)
             case "kicks late":
-                # The last kick again and again, as a line that repeats, and one that nobody made with this lease.
+                # The last kick, repeated as by a line that repeats, and a kick with another token.
                 for _ in range(30):
                     await link.post_many(robot.drive.kick.signal.addresses, stale)
                     await link.post_many(robot.drive.kick.signal.addresses, [stale[0] + 1000, stale[1] ^ 1 << 20])

@@ -479,7 +479,7 @@ class Contract:
 
 
 class Story:
-    """What happens to a rover, and to the rules beside it."""
+    """A rover and the rules of its lease, driven side by side."""
 
     def __init__(self) -> None:
         self.world, self.contract = World(), Contract()

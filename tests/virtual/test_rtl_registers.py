@@ -87,7 +87,7 @@ class Both(NamedTuple):
             assert answers[0] or request.startswith("WS")
 
     def act(self, path: str, what: str, raw: int) -> None:
-        """Have both models do something with a signal."""
+        """Apply an action on a signal to both models."""
         results: list[Any] = []
         for gateway in (self.sim, self.rtl):
             cell = gateway.robot.cells[path]
@@ -172,7 +172,7 @@ class Story:
         return st.one_of(reads, writes, *([st.one_of(acts)] if acts else []))
 
     def tell(self, both: Both, now: float, what: str, *rest: Any) -> None:
-        """Have a step happen in both."""
+        """Apply a step to both."""
         if what in ("put", "take"):
             signal, raw = rest
             both.act(signal.path, what, raw)

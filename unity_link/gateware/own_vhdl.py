@@ -117,7 +117,7 @@ def read_own(top: Path | None, others: Sequence[Path] = ()) -> Own:
 
 
 def check_entities(interface: Interface, own: Own | None) -> None:
-    """See that the entities of all components have a file; those of installed cores are of the gateware.
+    """Check that the entities of all components have a file; those of installed cores are of the gateware.
 
     Raises:
         ArgumentError: for the first one that none has.

@@ -51,5 +51,5 @@ class Asked:
         """Want the answer no more."""
         self._request.cancel()
         if not self._waiter.cancel() and not self._waiter.cancelled():
-            # An error that nobody looks at is none.
+            # Retrieved, so that the event loop does not log it as never retrieved.
             self._waiter.exception()

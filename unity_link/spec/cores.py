@@ -29,8 +29,8 @@ if TYPE_CHECKING:
 
 ENTRY_POINTS = "unity_link.cores"
 _PACKAGE = Path(__file__).resolve().parents[1]
-_GATEWARE = next(path for path in (_PACKAGE / "gateware", _PACKAGE.parent / "gateware") if (path / "rtl").exists())
-INSTALLED = _GATEWARE / "cores"
+_HERE = _PACKAGE / "gateware"
+INSTALLED = (_HERE if (_HERE / "rtl").exists() else _PACKAGE.parent / "gateware") / "cores"
 """Folder of the cores that are installed with the package."""
 _WORD = re.compile(r"[A-Z][A-Z0-9_]*")
 

@@ -79,7 +79,7 @@ class Axis:
 
 
 class Velocity:
-    """What the divider knows of an axis."""
+    """State of an axis in the divider."""
 
     def __init__(self) -> None:
         self.value = 0

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class Inputs(NamedTuple):
-    """What goes in, as the entity takes it; a bit of each for an axis."""
+    """Inputs of the entity, each with one bit for an axis."""
 
     pin_in: int = 0
     output: int = 0

@@ -44,7 +44,7 @@ class Settings:
 
 
 class Word(NamedTuple):
-    """What is written to arm or kick."""
+    """Value written to `arm` or `kick`."""
 
     token: int = 0
     end: int = 0
