@@ -19,6 +19,8 @@ entity probe is
     armed : in std_logic_vector(axes - 1 downto 0);
     set : in std_logic_vector(axes * 8 - 1 downto 0);
     set_written : in std_logic_vector(axes - 1 downto 0);
+    goal : in std_logic_vector(axes * 24 - 1 downto 0);
+    goal_written : in std_logic_vector(axes - 1 downto 0);
     seen : out std_logic_vector(axes * 3 - 1 downto 0);
     long : out std_logic_vector(axes * 40 - 1 downto 0);
     hit : out std_logic_vector(axes - 1 downto 0);
@@ -45,7 +47,7 @@ begin
         long(40 * axis + 39 downto 40 * axis) <= now(39 downto 0);
         hit(axis) <= touch_in(axis) and not set_written(axis);
         touch_out(axis) <= set(8 * axis);
-        touch_oe(axis) <= set(8 * axis + 1) and not rst;
+        touch_oe(axis) <= set(8 * axis + 1) and not rst and not (goal(24 * axis) and goal_written(axis));
       end if;
 
     end process watch;

@@ -55,7 +55,7 @@ class Surroundings(Protocol):
         """Publish a group that is declared with TRIGGER."""
 
     def make_safe(self) -> None:
-        """Set all signals that the component guards, as a lease does, to their safe values."""
+        """Set all signals that the component guards, as a lease does, to their safe values; not those with HOLD."""
 
 
 class Model:

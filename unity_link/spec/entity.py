@@ -12,7 +12,7 @@ from unity_link.spec.model import Core, Pin, Trigger, Way
 from unity_link.spec.syntax import Argument, ComponentDeclaration, Name, Placement, SignalDeclaration, Text
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
 
     from unity_link.spec.building import Builder, Where
     from unity_link.spec.diagnostics import SourceText
@@ -159,6 +159,15 @@ class Hardware:
         if self._placed is not None and len(leases) > 1:
             message = f"the signals of an entity are guarded by one lease, not by {listed(sorted(leases), 'and')}"
             self._fault(self._placed.type.place, "bad-safe", message)
+
+    def check_holds(self, signals: Mapping[str, tuple[int, int]]) -> None:
+        """Refuse signals with HOLD in a component whose entity is not told that the lease has ended."""
+        if self._entity is not None and "armed" in self._entity[1]:
+            return
+        for name, place in signals.items():
+            message = f"{name} keeps its value when the lease ends, and no core stops then"
+            advice = "HOLD stands in a component whose ENTITY has the input ARMED; elsewhere name a safe value"
+            self._fault(place, "bad-safe", message, advice)
 
     def core(self, component: Word, signals: set[str]) -> Core | None:
         """Return the hardware of a component whose signals have these names; None where it has none.

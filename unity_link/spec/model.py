@@ -108,8 +108,9 @@ class Core(msgspec.Struct, frozen=True, kw_only=True):
 class Safe(msgspec.Struct, frozen=True):
     """The safe state of a signal."""
 
-    bits: int
-    """Its bits while the lease is not armed."""
+    bits: int | None
+    """Its bits while the lease is not armed; None for HOLD: it keeps those that it has, and its core stops by a rule of
+    its own."""
     lease: str
     """Path of the lease."""
 
@@ -146,7 +147,7 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
     reset: int = 0
     """Bits after a reset, of what is written."""
     safe: Safe | None = None
-    """Value that it has, and keeps, while a lease is not armed; None for a signal that no lease guards."""
+    """Its state while a lease is not armed; None for a signal that no lease guards."""
     pin: str | None = None
     """Pin of the board that the signal is, by the board's name; where it has several bits, the row of pins."""
     module: int | None = None

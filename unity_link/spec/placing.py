@@ -98,7 +98,10 @@ class Contents:
         """Return the hardware behind the component, once its members are built; None where it has none."""
         if self.parts or self.modules or any(signal.fifo for signal in self.signals):
             self._hardware.refuse_parts()
-        self._hardware.check_leases({signal.safe.lease for signal in self.signals if signal.safe is not None})
+        guarded = {signal.name: signal.safe for signal in self.signals if signal.safe is not None}
+        self._hardware.check_leases({safe.lease for safe in guarded.values()})
+        holds = {name: self._names[name.lower()] for name, safe in guarded.items() if safe.bits is None}
+        self._hardware.check_holds(holds)
         return self._hardware.core(self._node.name, {signal.name for signal in self.signals})
 
     def fill(self, members: Sequence[SignalDeclaration | Placement], module: int | None, base: int) -> None:

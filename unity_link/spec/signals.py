@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from unity_link.spec.syntax import SignalDeclaration
 
 PLAIN_KINDS = [name.value for name in KindName if name is not KindName.ENUM]
+HOLD = "HOLD"
+"""The word for what has no safe number, in SAFE."""
 _FIXED = re.compile(r"(\d+)\.(\d+)")
 
 
@@ -78,7 +80,7 @@ class SignalReader:
         reset = self._initial("RESET", arguments.get("RESET"), kind, access, arguments, binder)
         safe = self._safe(kind, access, arguments, binder)
         lowest = bits.lowest if bits is not None else 0
-        start = safe.bits if safe is not None else reset
+        start = safe.bits if safe is not None and safe.bits is not None else reset
         return SignalParts(kind, lowest, access, arguments, publishing, start, safe, binder.places)
 
     def _bits(self, node: SignalDeclaration, scope: Mapping[str, Result]) -> BitRange | None:
@@ -272,11 +274,14 @@ class SignalReader:
         clause: Bound | None = arguments.get("SAFE")
         if clause is None or "LEASE" not in clause:
             return None
+        value, lease = clause.get("VALUE"), clause["LEASE"].name
+        names = () if kind.enumeration is None else kind.enumeration.values
+        if value == HOLD and all(one.name != HOLD for one in names):
+            return Safe(None, lease) if self._check_begins("SAFE", access, arguments, binder) else None
         if "RESET" in arguments:
             message = "a signal with SAFE begins with its safe value, and has no RESET"
             self._fault(binder.places["RESET"], "bad-reset", message, "leave out RESET")
-        bits = self._initial("SAFE", clause.get("VALUE"), kind, access, arguments, binder)
-        return Safe(bits, clause["LEASE"].name)
+        return Safe(self._initial("SAFE", value, kind, access, arguments, binder), lease)
 
     def _initial(
         self, word: str, value: Value | str | None, kind: Kind, access: Access, arguments: Bound, binder: Binder
@@ -284,12 +289,9 @@ class SignalReader:
         """Return the bits of a value that a signal has by itself, under RESET or SAFE; 0 where there is none."""
         if value is None:
             return 0
-        place, code = binder.places[word], f"bad-{word.lower()}"
-        if not access.writes or "FIFO" in arguments:
-            which = "a FIFO port, which begins empty" if "FIFO" in arguments else "only read"
-            message = f"{word} is the value of a register that nobody has written, and this signal is {which}"
-            self._fault(place, code, message, "leave it out")
+        if not self._check_begins(word, access, arguments, binder):
             return 0
+        place, code = binder.places[word], f"bad-{word.lower()}"
         low, high = arguments.get("MIN"), arguments.get("MAX")
         is_number = isinstance(value, int | float) and not isinstance(value, bool)
         if is_number and not ((low is None or low <= value) and (high is None or value <= high)):
@@ -301,6 +303,15 @@ class SignalReader:
         except ArgumentError as error:
             self._fault(place, code, f"{word}: {error}")
             return 0
+
+    def _check_begins(self, word: str, access: Access, arguments: Bound, binder: Binder) -> bool:
+        """Return whether a signal is a register, of which RESET and SAFE are; else that is reported."""
+        if access.writes and "FIFO" not in arguments:
+            return True
+        which = "a FIFO port, which begins empty" if "FIFO" in arguments else "only read"
+        message = f"{word} is the value of a register that nobody has written, and this signal is {which}"
+        self._fault(binder.places[word], f"bad-{word.lower()}", message, "leave it out")
+        return False
 
     def _check_fifo(self, kind: Kind, bits: BitRange | None, arguments: Bound, binder: Binder) -> None:
         if "FIFO" not in arguments:

@@ -277,13 +277,15 @@ class Registers:
         return [cell for cell, part in cells if cell.write(part, word)]
 
     def make_safe(self, lease: str) -> None:
-        """Set all signals that a lease guards to their safe values.
+        """Set all signals that a lease guards to their safe values, those with HOLD excepted.
 
         Args:
             lease: its path.
         """
         for cell in self._guarded.get(lease, ()):
             assert cell.signal.safe is not None
+            if cell.signal.safe.bits is None:
+                continue
             cell.raw = cell.signal.safe.bits
             cell.value = cell.signal.kind.decode(cell.raw)
 

@@ -196,7 +196,8 @@ class Stimuli:
                 yield from self._write(word, self._number(self._data_bits, 1, path, word.address))
             yield from (self._give(lease, 0), "pass(2);")
             for register in guarded:
-                self._stored[register.signal.path] = register.signal.reset
+                if register.signal.safe is not None and register.signal.safe.bits is not None:
+                    self._stored[register.signal.path] = register.signal.reset
             # Those of other leases have what they had.
             yield from (self._see(register) for register in self._bank.guarded)
             for word in words:
