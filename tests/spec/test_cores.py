@@ -165,6 +165,27 @@ def test_an_output_that_no_lease_guards_is_warned_of_once(placed: str, warns: bo
     assert all("no lease guards a: it goes on" in one.message for one in spec.warnings)
 
 
+PLAN = """
+SCHEDULE(): @(at) { ENTITY("ul_schedule", TIME, STAGE); @entry = at: unsigned 32 WRITE(); }
+timer(SCHEDULE=none): @(at) { @wide = at: unsigned 40 WRITE(TIMED(SCHEDULE)); }
+"""
+
+
+def test_timed_signals_have_places_on_the_stage_of_their_schedule_in_the_order_of_their_addresses() -> None:
+    placed = (
+        "plan: SCHEDULE() @(0x80); other: SCHEDULE() @(0x84); last: timer(plan) @(0x20); first: timer(plan) @(0x10);"
+    )
+    more = "@there = 0x12: unsigned 5 READWRITE(TIMED(other)); @byte = 0x30[15:8]: WRITE(TIMED(plan));"
+    interface = compile_text(f"public robot() {{ {placed} {more} never: timer() @(0x40); }}{PLAN}").interface()
+    assert interface.stages == {
+        "first.wide": range(2), "there": range(1), "last.wide": range(2, 4), "byte": range(4, 5)
+    }  # fmt: skip
+    assert interface.signals["never.wide"].timed is None
+    core = interface.cores[0].core
+    assert core is not None
+    assert set(core.wants) == {"now", "stage", "armed"}
+
+
 def test_every_installed_core_is_a_component_with_an_entity() -> None:
     *_, installed = core_folders(None)
     assert installed

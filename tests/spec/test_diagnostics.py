@@ -27,6 +27,7 @@ def underlined(text: str, found: Diagnostic) -> str:
 
 JOINT = "\njoint(name): @(pos, vel) { @pos: READ(ID=name + \":p\"); @vel: READ(ID=name + \":v\"); }"  # fmt: skip
 MODE = "\nenum mode { off, on = 5 }"
+PLAN = '\nSCHEDULE(): @(at) { ENTITY("ul_schedule", TIME, STAGE); @entry = at: unsigned 32 WRITE(); }'
 CASES = [
     # Syntax. What is given: the spec; the rule; the sentence; what is underlined; the advice, or a part of it.
     ("public x() { @a = 1: READ(); ", "syntax", "this block has no end", "{", "close it with '}'"),
@@ -109,7 +110,7 @@ CASES = [
     ("public x() { m: c() @(0); }\nc(): @(at) { @a = at: READ(); @p: PIN(OUT); }", "bad-entity", "p is a port of no entity: c has no ENTITY", "p", 'as in ENTITY("ul_pwm", width=WIDTH);'),
     ("public x() { m: c() @(0); }\nc(): @(at) { ENTITY(blink); @a = at: READ(); }", "bad-entity", "ENTITY begins with the name of an entity in VHDL", "blink", 'as in ENTITY("ul_pwm", width=WIDTH);'),
     ('public x() { m: c() @(0); }\nc(): @(at) { ENTITY("a b"); @a = at: READ(); }', "bad-entity", "ENTITY begins with the name of an entity in VHDL", '"a b"', ""),
-    ('public x() { m: c() @(0); }\nc(): @(at) { ENTITY("b", TOCK); @a = at: READ(); }', "unknown-argument", "ENTITY takes the inputs TICK, TIME and ARMED, and generics by their names", "TOCK", "mean 'TICK'?"),
+    ('public x() { m: c() @(0); }\nc(): @(at) { ENTITY("b", TOCK); @a = at: READ(); }', "unknown-argument", "ENTITY takes the words TICK, TIME, ARMED and STAGE, and generics by their names", "TOCK", "mean 'TICK'?"),
     ('public x() { m: c() @(0); }\nc(): @(at) { ENTITY("b", n=0.5); @a = at: READ(); }', "bad-entity", "n is the number 0.5, and a generic is a whole number of 32 bits, a truth or a string", "0.5", ""),
     ('public x() { m: c() @(0); }\nc(): @(at) { ENTITY("b", n_=1); @a = at: READ(); }', "bad-entity", "'n_' cannot be the name of a generic in VHDL", "n_", ""),
     ('public x() { m: c() @(0); }\nc(): @(at) { ENTITY("b", axes=1); @a = at: READ(); }', "argument-twice", "axes is given by the design", "axes=1", ""),
@@ -128,6 +129,19 @@ CASES = [
     ("public x() { @a = 1: WRITE(RESET=3, FIFO); }", "bad-reset", "RESET is the value of a register that nobody has written, and this signal is a FIFO port", "RESET=3", "leave it out"),
     ("public x() { @a = 1: unsigned 4 WRITE(RESET=16); }", "bad-reset", "RESET: 16 is outside of", "RESET=16", ""),
     ("public x() { @a = 1: WRITE(MIN=1, MAX=5, RESET=6); }", "bad-reset", "RESET is 6, outside of the signal's limits, 1 to 5", "RESET=6", ""),
+    # Schedules.
+    ("public x() { p: SCHEDULE() @(0x80); @a = 1: READ(TIMED(p)); }" + PLAN, "bad-timed", "TIMED is for a register that is written at an instant, and this signal is only read", "TIMED(p)", "leave it out"),
+    ("public x() { p: SCHEDULE() @(0x80); @a = 1: WRITE(FIFO, TIMED(p)); }" + PLAN, "bad-timed", "TIMED is for a register that is written at an instant, and this signal is a FIFO port", "TIMED(p)", "leave it out"),
+    ("public x() { p: SCHEDULE() @(0x80); @a = 1[7:0]: WRITE(TIMED(p)); @b = 1[15:8]: WRITE(); }" + PLAN, "bad-timed", "a is timed, and b is written in the same word, at address 0x1", "TIMED(p)", "give each its own address"),
+    ("public x() { p: SCHEDULE() @(0x80); @b = 1[15:8]: WRITE(); @a = 1[7:0]: WRITE(TIMED(p)); @c = 1[31:16]: READ(); }" + PLAN, "bad-timed", "a is timed, and b is written in the same word, at address 0x1", "TIMED(p)", "give each its own address"),
+    ("public x() { d: LEASE() @(0x80); e: LEASE() @(0xA0); p: SCHEDULE() @(0xC0); @a = 1: WRITE(SAFE(0, d), TIMED(p)); @b = 2: WRITE(TIMED(p)); @c = 3: WRITE(SAFE(0, e), TIMED(p)); }" + PLAN, "bad-timed", "a and c are timed by p, and guarded by d and e: a schedule has one lease", "TIMED(p)", "give each lease a SCHEDULE of its own"),
+    ("public x() { GATEWAY(DATA_BITS=16); p: SCHEDULE() @(0x80); }" + PLAN, "bad-timed", "p takes words of 32 bits, and the gateway has 16", "SCHEDULE", "as GATEWAY(DATA_BITS=32); has"),
+    ("public x() { p: SCHEDULE() @(0x80); pool: MEMORY(BASE=0x20, SIZE=8) { @a = 1: WRITE(TIMED(p)); } }" + PLAN, "bad-timed", "a is a register of the module around it, which no schedule can write", "TIMED(p)", "leave it out"),
+    ("public x() { p: SCHEDULE() @(0x80); @a = 1: WRITE(TIMED(p)); }\nSCHEDULE(): @(b) { @entry = b: WRITE(); }", "bad-timed", "a is timed by p, whose ENTITY has no STAGE", "TIMED(p)", ""),
+    ("public x() { d: LEASE() @(0x80); @a = 1: WRITE(TIMED(d)); }", "bad-argument", "SCHEDULE is the name of a SCHEDULE of the interface, not the lease 'd'", "d", ""),
+    ("public x() { p: SCHEDULE() @(0x80); @a = 1: WRITE(SAFE(0, p)); }" + PLAN, "bad-argument", "LEASE is the name of a LEASE of the interface, not the schedule 'p'", "p", ""),
+    ("public x() { @a = 1: WRITE(TIMED(plan)); }", "unknown-name", "nothing is called 'plan' here", "plan", ""),
+    ("public x() { @a = 1: WRITE(TIMED()); }", "argument-missing", "TIMED needs SCHEDULE, the name of a SCHEDULE of the interface", "TIMED()", ""),
     # Leases.
     ("public x() { d: LEASE() @(0x80); @a = 1: READ(SAFE(0, d)); }", "bad-safe", "SAFE is the value of a register that nobody has written, and this signal is only read", "SAFE(0, d)", "leave it out"),
     ("public x() { d: LEASE() @(0x80); @a = 1: WRITE(MIN=1, SAFE(0, d)); }", "bad-safe", "SAFE is 0, outside of the signal's limits, 1 to ...", "SAFE(0, d)", ""),

@@ -10,7 +10,16 @@ import enum
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from unity_link.spec.diagnostics import did_you_mean, listed
-from unity_link.spec.expressions import LEFT_OUT, Evaluator, GroupReference, LeaseReference, LeftOut, Result, describe
+from unity_link.spec.expressions import (
+    LEFT_OUT,
+    Evaluator,
+    GroupReference,
+    LeaseReference,
+    LeftOut,
+    Result,
+    ScheduleReference,
+    describe,
+)
 from unity_link.spec.model import ParameterReference
 from unity_link.spec.syntax import Argument, Call, Expression, Name
 
@@ -32,6 +41,7 @@ class Shape(enum.StrEnum):
     VALUE = "a value of the signal"
     WORD = "IN, OUT or INOUT"
     LEASE = "the name of a LEASE of the interface"
+    SCHEDULE = "the name of a SCHEDULE of the interface"
 
 
 class ArgumentSlot(NamedTuple):
@@ -79,6 +89,7 @@ ACCESS = (
             ArgumentSlot("LEASE", Shape.LEASE, required=True),
         ),
     ),
+    ArgumentSlot("TIMED", Shape.CLAUSE, clause=(ArgumentSlot("SCHEDULE", Shape.SCHEDULE, required=True),)),
     ArgumentSlot("PIN", Shape.TEXT),
 )
 PIN = (ArgumentSlot("WAY", Shape.WORD, required=True), ArgumentSlot("UNWIRED", Shape.WHOLE, 0, 1))
@@ -114,6 +125,7 @@ _TYPES: dict[Shape, tuple[type, ...]] = {
     Shape.FLAG: (bool,),
     Shape.VALUE: (int, float, bool, str),
     Shape.LEASE: (LeaseReference,),
+    Shape.SCHEDULE: (ScheduleReference,),
 }
 
 Bound: TypeAlias = dict[str, Any]

@@ -70,6 +70,11 @@ class Builder:
         self._full = False
         self._evaluators: dict[int, tuple[Evaluator, SignalReader]] = {}
 
+    @property
+    def data_bits(self) -> int:
+        """Width of the gateway's words."""
+        return self._draft.data_bits
+
     def tools(self, source: SourceText) -> tuple[Evaluator, SignalReader]:
         """Return what computes expressions and reads signals in one source."""
         tools = self._evaluators.get(id(source))
@@ -131,6 +136,7 @@ class Builder:
             poll_hz=bound["POLL"].get("RATE") if "POLL" in bound else None,
             reset=parts.reset,
             safe=parts.safe,
+            timed=parts.timed,
             pin=bound.get("PIN"),
             module=module,
             doc="\n".join(node.doc),
@@ -139,7 +145,8 @@ class Builder:
         for group in groups:
             group.signals.append((signal, SignalPlace(source, node.name.place)))
         identity = SignalPlace(source, parts.places.get("ID", node.name.place))
-        self._draft.signals.append(Placed(signal, address.place, identity))
+        timed = SignalPlace(source, parts.places.get("TIMED", node.name.place))
+        self._draft.signals.append(Placed(signal, address.place, identity, timed))
         return signal
 
     def _address(self, evaluator: Evaluator, node: SignalDeclaration, where: Where) -> Address:

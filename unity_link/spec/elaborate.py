@@ -12,14 +12,23 @@ from typing import TYPE_CHECKING
 from unity_link.spec.arguments import GATEWAY, Binder, Bound
 from unity_link.spec.building import Address, Builder, Where
 from unity_link.spec.context import Context
-from unity_link.spec.expressions import Evaluator, GroupReference, LeaseReference, LeftOut, Result, describe
+from unity_link.spec.expressions import (
+    Evaluator,
+    GroupReference,
+    LeaseReference,
+    LeftOut,
+    PlacedReference,
+    Result,
+    ScheduleReference,
+    describe,
+)
 from unity_link.spec.interface import InterfaceDraft, SignalPlace
 from unity_link.spec.model import Interface, Parameter, ParameterReference
 from unity_link.spec.placing import GATEWAY_WORD, put_component
 from unity_link.spec.syntax import ComponentDeclaration, Placement
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Callable, Mapping
 
     from unity_link.spec.cores import Cores
     from unity_link.spec.diagnostics import Reporter
@@ -27,20 +36,20 @@ if TYPE_CHECKING:
 
 DEFAULT_ADDRESS_BITS = 8
 DEFAULT_DATA_BITS = 32
-LEASE_WORD = "LEASE"
-"""Word of the core that others refer to by name, as in SAFE(0, drive)."""
+_REFERENCES: dict[str, Callable[[str], PlacedReference]] = {"LEASE": LeaseReference, "SCHEDULE": ScheduleReference}
+"""Words of the cores that others refer to by name, as in SAFE(0, drive) and TIMED(plan)."""
 
 
-def _leases(node: ComponentDeclaration) -> list[str]:
-    """Return the names of the leases of an interface, which its members can refer to."""
-    return [
-        str(member.name)
+def _references(node: ComponentDeclaration) -> dict[str, PlacedReference]:
+    """Return the leases and schedules of an interface, which its members can refer to, by their names."""
+    return {
+        str(member.name): _REFERENCES[member.type](str(member.name))
         for member in node.members
         if isinstance(member, Placement)
-        and member.type == LEASE_WORD
+        and member.type in _REFERENCES
         and member.name is not None
         and member.count is None
-    ]
+    }
 
 
 class Elaborator:
@@ -76,13 +85,13 @@ class Elaborator:
         scope: dict[str, Result] = dict(self._context.globals)
         for item in node.parameters:
             value = None if item.default is None else evaluator.evaluate(item.default, scope)
-            if isinstance(value, GroupReference | LeaseReference | ParameterReference | LeftOut):
+            if isinstance(value, GroupReference | PlacedReference | ParameterReference | LeftOut):
                 message = f"the parameter of a public interface cannot be {describe(value)}"
                 evaluator.fault(item.place, "bad-argument", message)
                 value = None
             parameters.append(Parameter(str(item.name), value))
             scope[str(item.name)] = ParameterReference(str(item.name)) if value is None else value
-        scope |= {name: LeaseReference(name) for name in _leases(node)}
+        scope |= _references(node)
         self._context.check_parameters(evaluator, node)
         address_bits, data_bits = self._widths(evaluator, node, scope)
         draft = InterfaceDraft(self._context.reporter, address_bits, data_bits)
@@ -90,6 +99,7 @@ class Elaborator:
         module, base = builder.module_of_all(source, node, scope)
         where = Where("", {}, scope, module, base, (str(node.name),))
         root = put_component(builder, declared, where, str(node.name))
+        draft.check_timed({part.path for part in root.walk() if part.core is not None and part.core.stages})
         groups = draft.check()
         enumerations = {
             placed.signal.kind.enumeration.name: placed.signal.kind.enumeration

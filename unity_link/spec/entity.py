@@ -23,8 +23,8 @@ ENTITY_WORD = "ENTITY"
 _SLOTS = {"PIN": PIN, "TRIGGER": TRIGGER}
 PORT_WORDS = tuple(_SLOTS)
 """Words that stand in the place of an access, for ports without an address."""
-WANTS = {"TICK": "tick", "TIME": "now", "ARMED": "armed"}
-"""Words of an entity for inputs beside clock and reset, and the ports that they are."""
+WANTS = {"TICK": ("tick",), "TIME": ("now",), "ARMED": ("armed",), "STAGE": ("stage", "armed")}
+"""Words of an entity for ports beside clock and reset, and what it has by them."""
 _IDENTIFIER = re.compile(r"[a-z](_?[a-z0-9])*", re.IGNORECASE)
 _PRINTABLE = re.compile(r"[ -~]*")
 _GIVEN = ("axes", "clock_hz")
@@ -89,9 +89,9 @@ class Hardware:
     def _want(self, argument: Argument) -> Iterator[str]:
         word = argument.value.name if isinstance(argument.value, Name) else None
         if word in WANTS:
-            yield WANTS[word]
+            yield from WANTS[word]
             return
-        message = f"ENTITY takes the inputs {listed(WANTS, 'and')}, and generics by their names"
+        message = f"ENTITY takes the words {listed(WANTS, 'and')}, and generics by their names"
         advice = did_you_mean(word, WANTS) if word is not None else ""
         self._fault(argument.place, "unknown-argument", message, advice)
 

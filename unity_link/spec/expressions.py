@@ -33,6 +33,12 @@ class LeaseReference(NamedTuple):
     name: str
 
 
+class ScheduleReference(NamedTuple):
+    """A component of the interface that is a schedule, by its name."""
+
+    name: str
+
+
 class LeftOut(enum.Enum):
     """The constant ``none``: an argument with this value is one that is not given."""
 
@@ -40,7 +46,9 @@ class LeftOut(enum.Enum):
 
 
 LEFT_OUT = LeftOut.NONE
-Result: TypeAlias = int | float | str | bool | GroupReference | LeaseReference | ParameterReference | LeftOut | None
+PlacedReference: TypeAlias = LeaseReference | ScheduleReference
+"""A component of the interface that others name."""
+Result: TypeAlias = int | float | str | bool | GroupReference | PlacedReference | ParameterReference | LeftOut | None
 CONSTANTS: dict[str, Result] = {"true": True, "false": False, "pi": math.pi, "none": LEFT_OUT}
 MOST_BITS = 128
 """Most bits of a whole number. An address has at most 32 bits, a value 64; a mistyped shift would fill the memory."""
@@ -81,6 +89,8 @@ def describe(value: Result) -> str:  # noqa: PLR0911  (one for each kind of valu
             return f"the group '{value.name}'"
         case LeaseReference():
             return f"the lease '{value.name}'"
+        case ScheduleReference():
+            return f"the schedule '{value.name}'"
         case ParameterReference():
             return f"the parameter '{value.name}', whose value is given only when the interface is opened"
         case LeftOut():

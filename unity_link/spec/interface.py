@@ -72,6 +72,8 @@ class Placed(NamedTuple):
     signal: Signal
     address: SignalPlace
     id: SignalPlace
+    timed: SignalPlace
+    """Place of its TIMED."""
 
 
 class InterfaceDraft:
@@ -96,6 +98,40 @@ class InterfaceDraft:
         self._number_groups()
         groups = {draft.name: self._group(draft) for draft in self.groups.values() if draft.signals}
         return tuple(self._timed(group, list(groups.values())) for group in groups.values())
+
+    def check_timed(self, schedules: set[str]) -> None:
+        """Check the signals that schedules write.
+
+        Args:
+            schedules: paths of the components whose entities can write to others.
+        """
+        leases: dict[str, Placed] = {}
+        for placed in self.signals:
+            signal = placed.signal
+            if signal.timed is None:
+                continue
+            if signal.timed not in schedules:
+                message = f"{signal.path} is timed by {signal.timed}, whose ENTITY has no STAGE"
+                self._error(placed.timed, "bad-timed", message)
+            if signal.module is not None and self._is_hardware(signal.module):
+                message = f"{signal.path} is a register of the module around it, which no schedule can write"
+                self._error(placed.timed, "bad-timed", message, "leave it out")
+            first = leases.setdefault(signal.timed, placed).signal if signal.safe is not None else signal
+            if first.safe is not None and signal.safe is not None and first.safe.lease != signal.safe.lease:
+                message = (
+                    f"{first.path} and {signal.path} are timed by {signal.timed}, and guarded by {first.safe.lease} "
+                    f"and {signal.safe.lease}: a schedule has one lease"
+                )
+                self._error(placed.timed, "bad-timed", message, "give each lease a SCHEDULE of its own")
+
+    def _is_hardware(self, index: int | None) -> bool:
+        """Return whether a module, or one around it, is hardware of its own; a MEMORY without a name is only a base."""
+        while index is not None:
+            module = self.modules[index][0]
+            if module.type != "MEMORY" or module.name is not None:
+                return True
+            index = module.parent
+        return False
 
     def _error(
         self,
@@ -145,7 +181,7 @@ class InterfaceDraft:
 
     def _check_addresses(self) -> None:
         most = 1 << self.address_bits
-        for signal, place, _ in self.signals:
+        for signal, place, *_ in self.signals:
             last = signal.address + signal.words - 1
             if signal.address < 0 or last >= most:
                 wrong = last if 0 <= signal.address < most else signal.address
@@ -175,6 +211,7 @@ class InterfaceDraft:
         """Check one address at which several signals stand."""
         self._check_leases(address, sharing)
         writers = [placed.signal for placed in sharing if placed.signal.access.writes]
+        self._check_timed_word(address, [placed for placed in sharing if placed.signal.access.writes])
         taken: dict[str, list[Placed]] = {"reads": [], "writes": []}
         for placed in sharing:
             signal = placed.signal
@@ -206,6 +243,16 @@ class InterfaceDraft:
                 )
                 self._error(placed.address, "bad-safe", message, "give each its own address, or both one lease")
                 return
+
+    def _check_timed_word(self, address: int, written: list[Placed]) -> None:
+        """Check that a timed signal is written alone: a masked write puts back what it read of the others."""
+        timed = next((placed for placed in written if placed.signal.timed is not None), None)
+        if timed is not None and len(written) > 1:
+            other = next(one.signal for one in written if one is not timed)
+            message = (
+                f"{timed.signal.path} is timed, and {other.path} is written in the same word, at address {address:#x}"
+            )
+            self._error(timed.timed, "bad-timed", message, "give each its own address")
 
     def _report_overlap(self, address: int, first: Placed, second: Placed) -> None:
         message = (

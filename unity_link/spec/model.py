@@ -25,6 +25,9 @@ from unity_link.errors import ArgumentError
 from unity_link.spec.diagnostics import NOWHERE, Diagnostic, Span
 from unity_link.spec.kinds import Enumeration, Kind, Value  # noqa: TC001
 
+STAGE_BITS = 32
+"""Bits that a schedule writes at once."""
+
 
 class Access(enum.StrEnum):
     """Access to a signal."""
@@ -97,12 +100,17 @@ class Core(msgspec.Struct, frozen=True, kw_only=True):
     vhdl: tuple[str, ...] = ()
     """Files of its VHDL, in the folder of a core that is not installed with the gateware."""
     wants: tuple[str, ...] = ()
-    """Inputs beside clock, reset and signals: ``tick``, ``now``, ``armed``."""
+    """Ports beside clock, reset and signals: ``tick``, ``now``, ``armed``, and ``stage`` for those of a schedule."""
     generics: dict[str, int | bool | str] = {}
     pins: tuple[Pin, ...] = ()
     triggers: tuple[Trigger, ...] = ()
     python: str = ""
     """Its verbs and its quick model: a module to import, or the path of a file; empty where it has none."""
+
+    @property
+    def stages(self) -> bool:
+        """Return whether it writes to registers of others, at an instant."""
+        return "stage" in self.wants
 
 
 class Safe(msgspec.Struct, frozen=True):
@@ -148,6 +156,8 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
     """Bits after a reset, of what is written."""
     safe: Safe | None = None
     """Its state while a lease is not armed; None for a signal that no lease guards."""
+    timed: str | None = None
+    """Path of the schedule that can write it at an instant; None where none can."""
     pin: str | None = None
     """Pin of the board that the signal is, by the board's name; where it has several bits, the row of pins."""
     module: int | None = None
@@ -367,6 +377,21 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
     def vhdl(self) -> tuple[str, ...]:
         """Files of VHDL of its cores, but for those that are installed with the gateware."""
         return tuple(dict.fromkeys(path for part in self.cores if part.core is not None for path in part.core.vhdl))
+
+    @functools.cached_property
+    def stages(self) -> dict[str, range]:
+        """The places of timed signals on the stage of their schedule, by their paths: one for each 32 bits of a value.
+
+        They are counted from 0 for each schedule, in the order of the addresses.
+        """
+        free: dict[str, int] = {}
+        found: dict[str, range] = {}
+        for signal in sorted(self.signals.values(), key=lambda one: one.address):
+            if signal.timed is not None:
+                first = free.get(signal.timed, 0)
+                free[signal.timed] = first + -(-signal.width // STAGE_BITS)
+                found[signal.path] = range(first, free[signal.timed])
+        return found
 
     @functools.cached_property
     def written_bits(self) -> dict[int, int]:

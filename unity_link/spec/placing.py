@@ -16,7 +16,7 @@ from unity_link.spec.diagnostics import did_you_mean, listed
 from unity_link.spec.entity import ENTITY_WORD, PORT_WORDS, Hardware, pins_of
 from unity_link.spec.expressions import LEFT_OUT, Evaluator, LeftOut, Result, describe
 from unity_link.spec.interface import SignalPlace
-from unity_link.spec.model import ComponentArray, ComponentSpec, Core, Signal, Way
+from unity_link.spec.model import STAGE_BITS, ComponentArray, ComponentSpec, Core, Signal, Way
 from unity_link.spec.modules import MODULES
 from unity_link.spec.syntax import (
     INDEX_NAME,
@@ -308,6 +308,7 @@ class Contents:
         component = put_component(self._builder, declared, where, str(member.name), index, given)
         if not index:
             self._warn_of_no_lease(member, component)
+            self._check_stage(member, component)
         return component if not member.doc else _documented(component, member)
 
     def _warn_of_no_lease(self, member: Placement, component: ComponentSpec) -> None:
@@ -320,6 +321,13 @@ class Contents:
         message = f"no lease guards {member.name}: it goes on when the program that writes to it has died"
         advice = "name a LEASE of the interface, as in LEASE=drive"
         self._context.reporter.warning(self._source, member.type.place, "no-lease", message, help=advice)
+
+    def _check_stage(self, member: Placement, component: ComponentSpec) -> None:
+        """Refuse a schedule of a gateway whose words are narrower than its own."""
+        bits = self._builder.data_bits
+        if component.core is not None and component.core.stages and bits < STAGE_BITS:
+            message = f"{member.name} takes words of {STAGE_BITS} bits, and the gateway has {bits}"
+            self._evaluator.fault(member.type.place, "bad-timed", message, f"as GATEWAY(DATA_BITS={STAGE_BITS}); has")
 
     def _addresses(
         self,

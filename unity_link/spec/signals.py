@@ -51,6 +51,8 @@ class SignalParts(NamedTuple):
     reset: int
     """Bits after a reset."""
     safe: Safe | None
+    timed: str | None
+    """Path of the schedule that can write it."""
     places: Mapping[str, tuple[int, int]]
 
 
@@ -81,7 +83,8 @@ class SignalReader:
         safe = self._safe(kind, access, arguments, binder)
         lowest = bits.lowest if bits is not None else 0
         start = safe.bits if safe is not None and safe.bits is not None else reset
-        return SignalParts(kind, lowest, access, arguments, publishing, start, safe, binder.places)
+        timed = self._timed(access, arguments, binder)
+        return SignalParts(kind, lowest, access, arguments, publishing, start, safe, timed, binder.places)
 
     def _bits(self, node: SignalDeclaration, scope: Mapping[str, Result]) -> BitRange | None:
         if node.bits is None:
@@ -282,6 +285,18 @@ class SignalReader:
             message = "a signal with SAFE begins with its safe value, and has no RESET"
             self._fault(binder.places["RESET"], "bad-reset", message, "leave out RESET")
         return Safe(self._initial("SAFE", value, kind, access, arguments, binder), lease)
+
+    def _timed(self, access: Access, arguments: Bound, binder: Binder) -> str | None:
+        clause: Bound | None = arguments.get("TIMED")
+        if clause is None or "SCHEDULE" not in clause:
+            return None
+        if not access.writes or "FIFO" in arguments:
+            which = "a FIFO port" if "FIFO" in arguments else "only read"
+            message = f"TIMED is for a register that is written at an instant, and this signal is {which}"
+            self._fault(binder.places["TIMED"], "bad-timed", message, "leave it out")
+            return None
+        schedule: str = clause["SCHEDULE"].name
+        return schedule
 
     def _initial(
         self, word: str, value: Value | str | None, kind: Kind, access: Access, arguments: Bound, binder: Binder

@@ -32,9 +32,11 @@ def triggered(trigger: Trigger) -> str:
 
 
 def at_hardware(signal: Signal) -> Iterator[str]:
-    """Return what hardware has of a register beside its bits: the value after a reset, and pins of the board."""
+    """Return what hardware has of a register beside its bits: its value after a reset, its schedule, its pins."""
     if signal.reset:
         value = signal.kind.decode(signal.reset)
         yield f"{str(value).lower() if isinstance(value, bool) else value} after a reset"
+    if signal.timed is not None:
+        yield f"timed by {signal.timed}"
     if signal.pin is not None:
         yield f"at {signal.pin}" if signal.kind.name is KindName.BOOL else f"at {signal.width} pins of {signal.pin}"
