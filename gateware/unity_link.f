@@ -32,6 +32,7 @@ rtl/datalink/ul_plain_rx.vhd
 rtl/datalink/ul_plain_tx.vhd
 rtl/physical/ul_ft245_pads.vhd
 cores/encoder/ul_encoder_velocity.vhd
+cores/schedule/ul_schedule.vhd
 rtl/application/ul_gateway_clock.vhd
 rtl/physical/ul_ft245_async.vhd
 rtl/physical/ul_ft245_sync.vhd

@@ -34,6 +34,7 @@ set_global_assignment -name VHDL_FILE [file join $gateware rtl/datalink/ul_plain
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/datalink/ul_plain_tx.vhd] -library unity_link -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/physical/ul_ft245_pads.vhd] -library unity_link -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware cores/encoder/ul_encoder_velocity.vhd] -library unity_link -hdl_version VHDL_2008
+set_global_assignment -name VHDL_FILE [file join $gateware cores/schedule/ul_schedule.vhd] -library unity_link -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/application/ul_gateway_clock.vhd] -library unity_link -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/physical/ul_ft245_async.vhd] -library unity_link -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/physical/ul_ft245_sync.vhd] -library unity_link -hdl_version VHDL_2008

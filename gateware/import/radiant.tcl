@@ -34,6 +34,7 @@ prj_add_source -work unity_link [file join $gateware rtl/datalink/ul_plain_rx.vh
 prj_add_source -work unity_link [file join $gateware rtl/datalink/ul_plain_tx.vhd]
 prj_add_source -work unity_link [file join $gateware rtl/physical/ul_ft245_pads.vhd]
 prj_add_source -work unity_link [file join $gateware cores/encoder/ul_encoder_velocity.vhd]
+prj_add_source -work unity_link [file join $gateware cores/schedule/ul_schedule.vhd]
 prj_add_source -work unity_link [file join $gateware rtl/application/ul_gateway_clock.vhd]
 prj_add_source -work unity_link [file join $gateware rtl/physical/ul_ft245_async.vhd]
 prj_add_source -work unity_link [file join $gateware rtl/physical/ul_ft245_sync.vhd]

@@ -34,6 +34,7 @@ read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/datalink/ul_pla
 read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/datalink/ul_plain_tx.vhd]
 read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/physical/ul_ft245_pads.vhd]
 read_vhdl -vhdl2008 -library unity_link [file join $gateware cores/encoder/ul_encoder_velocity.vhd]
+read_vhdl -vhdl2008 -library unity_link [file join $gateware cores/schedule/ul_schedule.vhd]
 read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/application/ul_gateway_clock.vhd]
 read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/physical/ul_ft245_async.vhd]
 read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/physical/ul_ft245_sync.vhd]
