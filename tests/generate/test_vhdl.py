@@ -259,6 +259,15 @@ OF_CORES = {
     "a register that is not made safe": (r"gait_bits +<= \"0101\";\n +end if;", "null; end if;"),
     "a register with another value after reset": (r'row_bits +<= "0101"', 'row_bits <= "0111"'),
     "a safe value that another one has": (r"(low_bits +<= x\"0)7\"", r'\g<1>6"'),
+    "a commit that a write goes before": (r"(lamp_pending\(0\) = '1' and)", r"taken = '0' and \1"),
+    "a commit without a lease": (r"(line_0_goal_pending\(0\) = '1') and \S+ = '1'", r"\1"),
+    "a stage that survives a lease": (r" or drive_armed_from_core\(0\) = '0'( then\n +line_0_goal_p)", r"\1"),
+    "a stage that is not cleared": (r"plan_stage_clear = '1'", "false"),
+    "a commit that leaves a stage": (r"wide_pending +<= \(others => '0'\);(\n +if right_value_p)", r"\1"),
+    "a commit of others alone": (r"gait_pending\(0\) = '1'", "false"),
+    "a commit of half a value": (r"wide_pending\(1\) = '1'", "false"),
+    "a commit without a pulse": (r"(plain_shadow\(15 downto 0\);\n +)\S+ +<= '1';", r"\1null;"),
+    "a place that another one has": (r'x"0001"( =>\n +line_0_goal_s)', r'x"000A"\1'),
 }
 """Faults of the bank of a spec with cores."""
 

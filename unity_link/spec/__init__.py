@@ -31,6 +31,7 @@ from typing import TYPE_CHECKING
 from unity_link.spec.diagnostics import Diagnostic, Reporter, SourceText, Span, SpecError
 from unity_link.spec.kinds import Enumeration, EnumValue, Kind, KindName, Value
 from unity_link.spec.model import (
+    STAGE_BITS,
     Access,
     ComponentArray,
     ComponentSpec,
@@ -54,6 +55,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 __all__ = [
+    "STAGE_BITS",
     "Access",
     "ComponentArray",
     "ComponentSpec",

@@ -13,8 +13,8 @@ from unity_link.errors import UnsupportedError
 from unity_link.generate.vhdl.names import Scope, identifier
 from unity_link.generate.vhdl.records import Pins, Records
 from unity_link.generate.vhdl.types import bit_literal, enumeration_type, from_bits, to_bits
-from unity_link.generate.vhdl.wiring import Wiring
-from unity_link.spec import Access, KindName
+from unity_link.generate.vhdl.wiring import STAGE_PORTS, Wiring
+from unity_link.spec import STAGE_BITS, Access, KindName
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -68,6 +68,14 @@ def slice_at(signal: Signal, address: int) -> Slice:
     return Slice(min(low + signal.width - first, signal.word_bits) - 1, low, first)
 
 
+class StageWord(NamedTuple):
+    """A word that a schedule writes: its place on the stage, and which bits of a register it is."""
+
+    place: int
+    high: int
+    low: int
+
+
 class Register(NamedTuple):
     """A signal of the bank."""
 
@@ -80,8 +88,17 @@ class Register(NamedTuple):
     """True where its hardware's side is a vector that a core or a pin has, and no element of a record."""
     armed: str = ""
     """Signal that is '1' while its lease is armed; empty for a register that no lease guards."""
+    places: range = range(0)
+    """Its places on the stage of its schedule."""
     chain: str = ""
     """Its bits on the chain of shift registers of a board, as a range of VHDL."""
+
+    @property
+    def staged(self) -> tuple[StageWord, ...]:
+        """Its words on the stage of its schedule."""
+        lows = range(0, self.signal.width, STAGE_BITS)
+        words = zip(self.places, lows, strict=False)
+        return tuple(StageWord(at, min(low + STAGE_BITS, self.signal.width) - 1, low) for at, low in words)
 
     @property
     def got_bits(self) -> str:
@@ -139,6 +156,21 @@ class Offer(NamedTuple):
     name: str
     valid: str
     ready: str
+
+
+class Stage(NamedTuple):
+    """The registers that a schedule writes."""
+
+    path: str
+    """Path of the schedule."""
+    name: str
+    """Prefix of the bank's ports for it."""
+    registers: tuple[Register, ...]
+
+    @property
+    def ports(self) -> tuple[tuple[str, str], ...]:
+        """Names and types of these ports."""
+        return tuple((f"{self.name}_{port}", type_) for port, type_ in STAGE_PORTS.items())
 
 
 class BankWord(NamedTuple):
@@ -217,6 +249,8 @@ class Bank:
             "_to_core",
             "_from_core",
             "_written",
+            "_shadow",
+            "_pending",
         )
         self.names = {path: self._scope.unique(path, *endings) for path in interface.signals}
         """Names of all signals, those of modules too."""
@@ -230,17 +264,26 @@ class Bank:
                 _wires(signal, self.names[path]) if path in wired else self.records.pins[path],
                 is_wired=path in wired,
                 armed=f"{_wires(signals[lease], self.names[lease]).given}(0)" if (lease := _armed_by(signal)) else "",
+                places=interface.stages.get(path, range(0)),
             )
             for path, signal in signals.items()
         )
         armed = {_armed_by(register.signal) for register in self.registers}
         self.leases = tuple(register for register in self.registers if register.signal.path in armed)
         """Registers that tell whether the leases are armed that guard others."""
+        self.stages = tuple(self._stages())
         self.words = tuple(_words(self.registers))
         self.windows = tuple(_windows(interface))
         wires = {register.signal.path: register.pins for register in self.registers if register.is_wired}
         masters = (f"{port.name}_{pin}" for port in self.ports for pin in MASTER_PINS)
-        self.wiring = Wiring(interface, wires, self._scope, masters)
+        self.wiring = Wiring(interface, wires, {stage.path: stage.name for stage in self.stages}, self._scope, masters)
+
+    def _stages(self) -> Iterator[Stage]:
+        for part in self.interface.cores:
+            timed = tuple(register for register in self.registers if register.signal.timed == part.path)
+            if timed:
+                endings = (f"_{port}" for port in STAGE_PORTS)
+                yield Stage(part.path, self._scope.unique(part.path, *endings), timed)
 
     @property
     def has_chain(self) -> bool:

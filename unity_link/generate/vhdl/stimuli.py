@@ -11,12 +11,12 @@ import random
 from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.generate.vhdl.types import bit_literal
-from unity_link.spec import KindName, Signal
+from unity_link.spec import STAGE_BITS, KindName, Signal
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
 
-    from unity_link.generate.vhdl.bank import Bank, BankWord, Register
+    from unity_link.generate.vhdl.bank import Bank, BankWord, Register, Stage
 
 ROUNDS = 3
 _UNUSED_ADDRESSES = 8
@@ -41,6 +41,8 @@ class Stimuli:
         self._stored: dict[str, int] = {
             register.signal.path: register.signal.reset for register in bank.registers if register.signal.access.writes
         }
+        self._staged: dict[str, int] = {}
+        """Values on the stages of schedules, by the paths of the signals."""
         self._gathered: dict[int, int] = {}
         """Words written to values that are not whole yet, by their addresses."""
         self._word_at = {word.address: word for word in bank.words}
@@ -60,6 +62,7 @@ class Stimuli:
             *((f"What hardware gives can be read, round {one}.", self._reads(one)) for one in range(1, ROUNDS + 1)),
             *((f"What is written reaches hardware, round {one}.", self._writes(one)) for one in range(1, ROUNDS + 1)),
             ("While a lease is not armed, what it guards is safe, and refuses to be written.", self._leases()),
+            ("What a schedule writes is taken over at once, while its lease is armed.", self._schedules()),
             ("Fields of one word are written by reading it first.", self._fields()),
             ("Accesses in a row take a cycle each.", self._rows()),
             ("A value of several words is read from one instant.", self._instants()),
@@ -206,6 +209,79 @@ class Stimuli:
             yield from (self._give(lease, 1), "pass(2);")
             yield from (self._see(register) for register in guarded)
 
+    def _schedules(self) -> Iterator[str]:
+        for stage in self._bank.stages:
+            name, every = stage.name, stage.registers
+            yield from self._put_on_stage(stage, every, 1)
+            yield f"{name}_stage_index <= {bit_literal(0xFFFF, 16)};"
+            yield from _for_a_cycle(f"{name}_stage_write")
+            yield from (self._see(register) for register in every)
+            yield from self._commit(stage, every)
+            yield from self._commit(stage, ())
+            # What is staged twice has the second value, and what is cleared has none.
+            yield from self._put_on_stage(stage, every[::2], 1)
+            yield from self._put_on_stage(stage, every[::2], 2)
+            yield from self._commit(stage, every[::2])
+            yield from self._put_on_stage(stage, every, 3)
+            yield from _for_a_cycle(f"{name}_stage_clear")
+            yield from self._commit(stage, ())
+            yield from self._commit_beside_a_write(stage)
+            yield from self._commit_without_a_lease(stage)
+
+    def _put_on_stage(self, stage: Stage, registers: Sequence[Register], round_: int) -> Iterator[str]:
+        for register in registers:
+            raw = self._staged[register.signal.path] = self._number(
+                register.signal.width, round_, "stage", register.signal.path
+            )
+            for word in register.staged:
+                data = raw >> word.low & (1 << STAGE_BITS) - 1
+                yield f"{stage.name}_stage_index <= {bit_literal(word.place, 16)};"
+                yield f"{stage.name}_stage_data <= {bit_literal(data, STAGE_BITS)};"
+                yield from _for_a_cycle(f"{stage.name}_stage_write")
+
+    def _commit(self, stage: Stage, changed: Sequence[Register]) -> Iterator[str]:
+        """Commit, and see which registers have what is staged for them, and that these alone pulse."""
+        for register in changed:
+            self._stored[register.signal.path] = self._staged[register.signal.path]
+        yield from _for_a_cycle(f"{stage.name}_commit")
+        yield "pass(1);"
+        pulses = "".join(str(int(register in changed)) for register in self.strobes)
+        yield f'check(strobes = "{pulses}", "what pulses by {stage.path}");'
+        yield from (self._see(register) for register in stage.registers)
+        yield "pass(1);"
+        yield f'check(unsigned(strobes) = 0, "a pulse behind those by {stage.path}");'
+
+    def _commit_beside_a_write(self, stage: Stage) -> Iterator[str]:
+        """See that a commit goes before a write that is taken in the same cycle."""
+        register = stage.registers[0]
+        address = register.signal.addresses[-1]
+        yield from self._put_on_stage(stage, [register], 1)
+        yield f"{stage.name}_commit <= '1';"
+        word = self._data(self._number(self._data_bits, 2, address))
+        yield f"write({self._at(address)}, {word}, {self._first_strobe[address]}, 1);"
+        yield f"{stage.name}_commit <= '0';"
+        self._stored[register.signal.path] = self._staged[register.signal.path]
+        yield self._see(register)
+
+    def _commit_without_a_lease(self, stage: Stage) -> Iterator[str]:
+        guarded = [register for register in stage.registers if register.armed]
+        armed = {register.armed for register in guarded}
+        for lease in (one for one in self._bank.leases if f"{one.pins.given}(0)" in armed):
+            yield from self._put_on_stage(stage, guarded, 1)
+            yield from (self._give(lease, 0), "pass(2);")
+            yield from self._put_on_stage(stage, guarded, 2)
+            for register in self._bank.guarded:
+                safe = register.signal.safe
+                if register.armed in armed and safe is not None and safe.bits is not None:
+                    self._stored[register.signal.path] = safe.bits
+            yield from (self._give(lease, 1), "pass(2);")
+            yield from self._commit(stage, ())
+            # In the cycle in which the lease ends, nothing acts either.
+            yield from self._put_on_stage(stage, guarded, 3)
+            yield self._give(lease, 0)
+            yield from self._commit(stage, ())
+            yield from (self._give(lease, 1), "pass(2);")
+
     def _fields(self) -> Iterator[str]:
         for word in self._bank.words:
             fields = [register for register in word.written if register.signal.is_field]
@@ -329,6 +405,11 @@ class Stimuli:
             if 0 <= address <= highest and address not in taken and not any(address in one for one in windows)
         ]
         return [*some[: _UNUSED_ADDRESSES - 1], *some[_UNUSED_ADDRESSES - 1 :][-1:]]
+
+
+def _for_a_cycle(signal: str) -> tuple[str, ...]:
+    """Write a '1' for one cycle."""
+    return f"{signal} <= '1';", "pass(1);", f"{signal} <= '0';"
 
 
 def _after(round_: int) -> str:

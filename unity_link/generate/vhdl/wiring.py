@@ -21,6 +21,14 @@ if TYPE_CHECKING:
     from unity_link.generate.vhdl.records import Pins
     from unity_link.spec import ComponentSpec, Core, Interface, Signal
 
+STAGE_PORTS = {
+    "stage_write": "std_logic",
+    "stage_index": "std_logic_vector(15 downto 0)",
+    "stage_data": "std_logic_vector(31 downto 0)",
+    "stage_clear": "std_logic",
+    "commit": "std_logic",
+}
+"""Ports of a schedule's entity that write to registers of others, and their types."""
 _DESIGN_NAMES = (
     *("clk", "rst", "clk_ready", "not_ready", "physical", "baud", "flow_control", "clock_hz", "id_digits", "groups"),
     *("checked_frames", "crc_bits", "crc_polynomial", "block_words", "group_words", "sample_depth", "node", "build_id"),
@@ -83,8 +91,8 @@ class Instance(NamedTuple):
     entity: str
     paths: str
     generics: tuple[tuple[str, str], ...]
-    inputs: tuple[tuple[str, str], ...]
-    """Ports that the gateway feeds, and its signals."""
+    joined: tuple[tuple[str, str], ...]
+    """Ports that are joined with signals of the design as they are, and these."""
     wires: tuple[EntityPort, ...]
 
 
@@ -101,6 +109,7 @@ class Wiring:
     Args:
         interface: of a spec.
         wires: ports of the register bank for each signal, by its path.
+        stages: prefixes of the register bank's ports for each schedule that writes to registers, by its path.
         scope: names of the package.
         windows: names of the bank's master ports.
 
@@ -108,9 +117,17 @@ class Wiring:
         UnsupportedError: where a port of a core has a name that is taken.
     """
 
-    def __init__(self, interface: Interface, wires: Mapping[str, Pins], scope: Scope, windows: Iterable[str]) -> None:
+    def __init__(
+        self,
+        interface: Interface,
+        wires: Mapping[str, Pins],
+        stages: Mapping[str, str],
+        scope: Scope,
+        windows: Iterable[str],
+    ) -> None:
         self._interface = interface
         self._wires = wires
+        self._stages = stages
         self._scope = scope
         scope.take(*_DESIGN_NAMES, *windows)
         self.pins: list[PinPort] = []
@@ -131,8 +148,8 @@ class Wiring:
 
     @property
     def wants(self) -> set[str]:
-        """Signals of the gateway that instances want."""
-        return {value for instance in self.instances for _, value in instance.inputs}
+        """Signals of the design that instances are joined with."""
+        return {value for instance in self.instances for _, value in instance.joined}
 
     @property
     def triggerings(self) -> list[Triggering]:
@@ -164,7 +181,10 @@ class Wiring:
         ]
         generics = {"axes": str(len(placements)), "clock_hz": "clock_hz"}
         generics |= {name: vhdl_literal(value) for name, value in core.generics.items()}
-        inputs = {"clk": "clk", "rst": "rst"} | {want: _INPUTS[want] for want in core.wants if want in _INPUTS}
+        joined = {"clk": "clk", "rst": "rst"} | {want: _INPUTS[want] for want in core.wants if want in _INPUTS}
+        if core.stages:
+            stage = self._stages.get(first.path)
+            joined |= {port: "open" if stage is None else f"{stage}_{port}" for port in STAGE_PORTS}
         if "armed" in core.wants:
             wires.append(self._wire(label, "armed", 0, [self._armed(part) for part in placements], drives=True))
         return Instance(
@@ -173,7 +193,7 @@ class Wiring:
             core.entity,
             ", ".join(part.path for part in placements),
             tuple(generics.items()),
-            tuple(inputs.items()),
+            tuple(joined.items()),
             tuple(wires),
         )
 
@@ -182,7 +202,8 @@ class Wiring:
         signals = [signal.name for signal in component.signals]
         others = [*(pin.name for pin in core.pins), *(trigger.name for trigger in core.triggers)]
         for name in [*signals, *others]:
-            if name.lower() in RESERVED or name.lower() in {"clk", "rst", *core.wants}:
+            taken = {"clk", "rst", *core.wants, *(STAGE_PORTS if core.stages else ())}
+            if name.lower() in RESERVED or name.lower() in taken:
                 what = "a word of VHDL" if name.lower() in RESERVED else "a port that it has for something else"
                 raise UnsupportedError(
                     f"{component.path}.{name} cannot be a port of {core.entity}: {name.lower()} is {what}"
@@ -199,8 +220,9 @@ class Wiring:
             yield self._wire(label, name, width, [self._wires[one.path].given for one in signals], drives=False)
 
     def _armed(self, part: ComponentSpec) -> str:
-        """Return what is '1' while the lease of a component is armed; always, where it has none."""
-        leases = (signal.safe.lease for signal in part.signals if signal.safe is not None)
+        """Return what is '1' while the lease of a component, or of what it writes, is armed; or always."""
+        timed = (signal for signal in self._interface.signals.values() if signal.timed == part.path)
+        leases = (signal.safe.lease for signal in (*part.signals, *timed) if signal.safe is not None)
         lease = next(leases, None)
         return "'1'" if lease is None else f"{self._wires[f'{lease}.armed'].given}(0)"
 
@@ -255,6 +277,7 @@ def _gathered(parts: Iterable[ComponentSpec]) -> list[list[ComponentSpec]]:
             tuple((signal.name, signal.width, signal.access.writes) for signal in part.signals),
             tuple((pin.name, pin.way) for pin in core.pins),
             tuple(trigger.name for trigger in core.triggers),
+            part.path if core.stages else "",
         )
         found.setdefault(key, []).append(part)
     return list(found.values())
