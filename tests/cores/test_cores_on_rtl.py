@@ -45,7 +45,8 @@ class Rover:
         spec = path / "rover.ul"
         spec.write_text(SPEC)
         self.spec = compile_file(spec)
-        self.gateway = simulate(spec, rtl=True)
+        # As quick as a board: an answer takes no time of the wall, and cycles.
+        self.gateway = simulate(spec, rtl=True, clock_hz=2_400_000)
         self.bare: Any = self.gateway._gateway
         self.fell: list[int] = []
 
@@ -215,6 +216,21 @@ async def test_a_gpio_counts_edges_and_is_driven_under_a_lease_alone(rover: Rove
             await robot.line.drive.set(True)
             assert rover.see("line_pin_out", "line_pin_oe") == (1, 1)
         assert rover.see("line_pin_oe") == (0,)
+
+
+@pytest.mark.rtl
+@on_simulated_time
+async def test_requests_without_a_pause_do_not_run_the_clock_away(rover: Rover) -> None:
+    async with unity_link.connect(rover.gateway) as link:
+        robot = unity_link.load(rover.spec)(link)
+        async with robot.drive.armed(timeout=0.02) as lease:
+            begun = asyncio.get_running_loop().time()
+            for _ in range(2000):
+                await robot.lamp.set(True)
+                await lease.kick()
+                assert rover.bare.cycles - rover.now() < 0.006 * rover.gateway.info.clock_hz
+            # So they take the time that the gateware takes for them.
+            assert asyncio.get_running_loop().time() - begun > 0.03
 
 
 WAYS = ("dies", "stands still", "goes on writing", "kicks late", "is disarmed", "loses the e-stop", "resets")

@@ -53,6 +53,36 @@ def test_the_configuration_is_that_of_the_generated_gateway() -> None:
     assert other.features == Feature(0x11) | Feature.ADDRESSED
 
 
+@pytest.mark.parametrize(
+    ("core", "group", "fields", "clock_hz", "base_hz"),
+    [
+        pytest.param("LEASE()", "RATE=200", {}, 200_000, 5000, id="a clock that a PC keeps pace with"),
+        pytest.param("PWM()", "RATE=200", {}, 320_000, 10_000, id="16 cycles in a period of 20 kHz"),
+        pytest.param("PWM(FREQUENCY=1000)", "RATE=300", {}, 201_600, 4800, id="a multiple of the rates"),
+        pytest.param("LEASE()", "RATE=20000", {}, 480_000, 20_000, id="a rate that is above the usual base"),
+        pytest.param("LEASE()", "DIVISOR=100", {}, 2_400_000, 100_000, id="a divisor counts from the gateware's own"),
+        pytest.param("PWM()", "RATE=200", {"clock_hz": 1_000_000}, 1_000_000, 20_000, id="the user's clock"),
+        pytest.param("PWM()", "RATE=200", {"base_frequency_millihertz": 1_000_000}, 320_000, 1000, id="and base"),
+        pytest.param("", "RATE=200", {"clock_hz": 1_000_000}, 1_000_000, 20_000, id="without cores as well"),
+    ],
+)
+def test_the_clock_of_a_spec_with_cores_is_one_that_a_pc_keeps_pace_with(
+    core: str, group: str, fields: dict[str, int], clock_hz: int, base_hz: int
+) -> None:
+    placed = f"core: {core} @(0x20);" if core else ""
+    text = (
+        f"group state({group}); public robot() {{ GATEWAY(ADDRESS_BITS=12); {placed} @a = 1: READ(PUBLISH(state)); }}"
+    )
+    info = configuration_of(compile_text(text).interface(), fields, None).info
+    assert (info.clock_hz, info.base_frequency_millihertz) == (clock_hz, base_hz * 1000)
+
+
+def test_a_clock_that_is_too_slow_for_its_rates_is_refused() -> None:
+    text = "group state(RATE=20000); public robot() { @a = 1: READ(PUBLISH(state)); }"
+    with pytest.raises(ArgumentError, match="a clock of at least 480000 Hz, was expected"):
+        configuration_of(compile_text(text).interface(), {"clock_hz": 100_000}, None)
+
+
 def test_that_of_a_node_is_what_the_model_of_one_is() -> None:
     info = build_shared_line([7], info=configurations()["default"].info).info
     build = configuration_of_node(info, 7)
@@ -78,7 +108,10 @@ def test_doc_comments_and_places_of_a_spec_are_no_reason_to_build_it_anew(tmp_pa
 @pytest.mark.parametrize(
     ("fields", "words"),
     [
-        ({"clock_hz": 1_000_000}, "leaves 10 cycles of a clock of 1000000 Hz, and 16 groups take 24: at most 41666 Hz"),
+        (
+            {"clock_hz": 1_000_000, "base_frequency_millihertz": 100_000_000},
+            "leaves 10 cycles of a clock of 1000000 Hz, and 16 groups take 24: at most 41666 Hz",
+        ),
         ({"group_words": 255}, "sample_depth is 256, and one sample of a group of 255 words takes 257: at least 512"),
         ({"data_bits": 64}, r"data_bits is 64: the register bank of rover has the 32 of its spec; GATEWAY"),
         ({"address_bits": 9}, "address_bits is 9: the register bank of rover has the 8 of its spec"),

@@ -18,27 +18,29 @@ _MOST = (1 << 31) - 1
 """Highest base frequency in mHz: a whole number of VHDL."""
 
 
-def base_millihertz(groups: Iterable[GroupSpec]) -> int:
+def base_millihertz(groups: Iterable[GroupSpec], usual: int = _OWN) -> int:
     """Return the base frequency of a gateway that is generated for groups.
 
-    It is the gateware's own where that has all rates, else one that they all divide, else one that reaches them all.
-    Where a group has a divisor, it is the gateware's own: the author has counted from that.
+    It is the usual one where that has all rates, else one that they all divide, else one that reaches them all. Where a
+    group has a divisor, it is the gateware's own: the author has counted from that.
     """
     published = [group for group in groups if group.number is not None]
     rates = [float(group.rate_hz * 1000) for group in published if group.rate_hz is not None]
-    if not rates or any(group.divisor is not None for group in published):
+    if any(group.divisor is not None for group in published):
         return _OWN
+    if not rates:
+        return usual
     lowest, highest = math.ceil(max(rates)), math.floor(min(min(rates) * DIVISOR[1], _MOST))
-    start = min(max(_OWN, lowest), highest)
+    start = min(max(usual, lowest), highest)
     if not all(rate.is_integer() for rate in rates):
         return start
     common = math.lcm(*(int(rate) for rate in rates))
     if common > highest:
         return start
-    if start <= _OWN and _OWN % common == 0:
-        # Rates that programs choose divide a part of the gateware's own frequency better than another number.
-        parts = _OWN // common
-        return _OWN // next(part for part in range(-(-_OWN // start), parts + 1) if parts % part == 0)
+    if start <= usual and usual % common == 0:
+        # Rates that programs choose divide a part of the usual frequency better than another number.
+        parts = usual // common
+        return usual // next(part for part in range(-(-usual // start), parts + 1) if parts % part == 0)
     return max(start // common, 1) * common
 
 

@@ -243,11 +243,21 @@ def simulated(
 
 @overload
 def simulate(
-    spec: str | Path, model: None = None, *, interface: str | None = None, rtl: bool = False
+    spec: str | Path,
+    model: None = None,
+    *,
+    interface: str | None = None,
+    rtl: bool = False,
+    clock_hz: int | None = None,
 ) -> SimulatedGateway: ...
 @overload
 def simulate(
-    spec: str | Path, model: type[M], *, interface: str | None = None, rtl: bool = False
+    spec: str | Path,
+    model: type[M],
+    *,
+    interface: str | None = None,
+    rtl: bool = False,
+    clock_hz: int | None = None,
 ) -> SimulatedGateway[M]: ...
 def simulate(
     spec: str | Path,
@@ -255,6 +265,7 @@ def simulate(
     *,
     interface: str | None = None,
     rtl: bool = False,
+    clock_hz: int | None = None,
 ) -> SimulatedGateway:
     """Return a virtual gateway with the robot of a spec behind it, which `unity_link.connect` opens.
 
@@ -263,13 +274,15 @@ def simulate(
         model: a subclass of `SimulatedRobot`; None: the registers are memory.
         interface: which public interface, where there are several.
         rtl: take the compiled gateware instead of a model of it.
+        clock_hz: frequency of its clock; None: that of a board, and of compiled gateware one that a PC keeps pace with.
 
     Raises:
-        ArgumentError: where the model is none of this spec.
+        ArgumentError: where the model is none of this spec, or the clock is too slow for it.
         ConnectError: where the gateware can't be compiled here.
         SpecError: with everything that is wrong with the spec.
     """
-    wanted = Wanted(robot=str(spec), interface=interface, rtl=rtl)
+    configuration = {} if clock_hz is None else {"clock_hz": clock_hz}
+    wanted = Wanted(robot=str(spec), interface=interface, rtl=rtl, configuration=configuration)
     return simulated(find_interface(wanted.robot, interface), model, wanted)
 
 

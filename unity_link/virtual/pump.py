@@ -6,6 +6,10 @@ one due instant to the next, as far as the loop's time has come. It never does m
 than this machine can make runs late. What is later than `MOST_LAG`, or becomes due while the medium is blocked, waits
 in the gateway as far as there is room, and is otherwise counted as overruns.
 
+A gateway that leaves time out (compiled gateware) but is quicker than time is late because the loop stood still. It
+may take `LONGEST_TURN` to catch up: what comes to it next, such as a kick that is too late, finds that this time has
+passed.
+
 Where a turn takes so long that the next instant is past when it ends, the pump rests for `REST` before it goes on: many
 samples in one turn of the loop cost little more than one, and a turn for each would take all of the loop's time.
 """
@@ -25,10 +29,14 @@ MOST_STEPS = 2048
 """Due instants that are passed before the loop gets its turn."""
 MOST_TURN = 0.02
 """Seconds that may go by before the loop gets its turn."""
+LONGEST_TURN = 0.5
+"""The same of one that leaves time out, where the loop stood still and it is quicker than time."""
 REST = 0.001
 """Seconds between the turns of a pump that is late: as finely as a loop sleeps anyway."""
 MOST_LAG = 1.0
 """Seconds by which the gateway's time may be behind that of the loop."""
+LONGEST_PAUSE = 10.0
+"""The same as for `LONGEST_TURN`."""
 
 
 class PumpedGateway(Protocol):
@@ -86,6 +94,9 @@ class Pump:
         self._timer: asyncio.TimerHandle | None = None
         self._armed_for = 0.0
         self._closed = False
+        self._reached = loop.time()
+        self._is_slow = False
+        """True if the last turn took longer than the time that has passed at the gateway in it."""
         gateway.wake = self._arm
         self._arm()
 
@@ -120,13 +131,16 @@ class Pump:
         """Go on to `now`, or as far as one turn can; gives the gateway's time then."""
         gateway, published, steps = self.gateway, 0, 0
         reached, began = now, self._loop.time()
+        may_pause = gateway.leaves_time_out and not self._is_slow
+        most_lag, longest = (LONGEST_PAUSE, LONGEST_TURN) if may_pause else (MOST_LAG, MOST_TURN)
         while not self._closed and (due := gateway.next_due) is not None and due <= now:
-            if self.blocked or now - due > MOST_LAG:
+            if self.blocked or now - due > most_lag:
                 has_room = gateway.leaves_time_out and not self.blocked
                 frames = gateway.advance(now, None if has_room else 0)
-                due = now
-            elif published >= MOST_BYTES or steps >= MOST_STEPS or self._loop.time() - began >= MOST_TURN:
-                return reached
+                # What was left out did not take its time.
+                due = self._reached = now
+            elif published >= MOST_BYTES or steps >= MOST_STEPS or self._loop.time() - began >= longest:
+                break
             else:
                 frames = gateway.advance(due)
             reached = due
@@ -134,7 +148,12 @@ class Pump:
             steps += 1
             if frames:
                 self._send(frames)
-        return now
+        else:
+            reached = now
+        if reached > self._reached:
+            self._is_slow = self._loop.time() - began > reached - self._reached
+            self._reached = reached
+        return reached
 
     def _arm(self, not_before: float = 0.0) -> None:
         """See to it that the loop comes back when something is due."""

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import ctypes
 import functools
+import time
 import weakref
 from collections.abc import Iterable, Iterator, Mapping, MutableMapping
 from typing import TYPE_CHECKING, NamedTuple
@@ -25,6 +26,7 @@ from unity_link.virtual.bus import AccessError, Device, Devices, DevicesEverywhe
 from unity_link.virtual.gateway import BareGateway
 from unity_link.virtual.rtl.configurations import Configuration, find
 from unity_link.virtual.rtl.library import DeviceFunction, EventFunction, load
+from unity_link.virtual.rtl.pace import Pace
 from unity_link.virtual.rtl.ports import Port
 
 if TYPE_CHECKING:
@@ -34,9 +36,11 @@ SLICE = 0.001
 """Seconds between two calls of `advance` while groups may be running."""
 MOST_LATE = 10 * SLICE
 """Seconds of the gateware's clock that pass in one call at most, while groups are running."""
+MOST_AHEAD = 0.005
+"""Seconds by which answers to requests that come at once put the gateware's clock ahead at most, while groups run."""
 _MOST_TO_QUIET = 50_000_000
-# Then it never rests; what is not answered yet is, as its clock goes on.
-_MOST_WHILE_TICKING = 256
+MOST_WHILE_TICKING = 256
+"""Clock cycles in which it answers at once while groups run: it never rests then, and the rest comes with time."""
 _UNLIMITED = ctypes.c_size_t(-1).value
 _BEHIND_MEMORY, _BEHIND_DEVICE = 0, 3
 _ANSWERS = {ErrorCode.BUS_ERROR: 1, ErrorCode.BUS_TIMEOUT: 2}
@@ -122,6 +126,7 @@ class RtlGateway(BareGateway):
         # In cycles; those of a fraction don't come in whole ones.
         self._base_tick = max(1, self.info.clock_hz * 1000 // self.info.base_frequency_millihertz)
         self._memory = RtlMemory(self._library, self._handle, self.info)
+        self._pace = Pace(build.name, self.info.clock_hz, is_free=build.design is not None)
 
     @property
     def memory(self) -> MutableMapping[int, int]:
@@ -202,7 +207,8 @@ class RtlGateway(BareGateway):
         """
         self._pass_time(now)
         self._library.ul_push(self._handle, data, len(data))
-        self._run_until_quiet()
+        ahead = round((self._time() - now) * self.info.clock_hz)
+        self._run_until_quiet(min(MOST_WHILE_TICKING, max(0, round(MOST_AHEAD * self.info.clock_hz) - ahead)))
         return self._pull()
 
     def advance(self, now: float, room: int | None = None) -> bytes:
@@ -333,8 +339,10 @@ class RtlGateway(BareGateway):
         missing = max(0, round((now - self._time()) * self.info.clock_hz))
         if self.ticking or self._is_held_up:
             most = round(MOST_LATE * self.info.clock_hz)
+            began, left_out = time.perf_counter(), max(0, missing - most) / self.info.clock_hz
             self._run(min(missing, most))
-            self._origin += max(0, missing - most) / self.info.clock_hz
+            self._origin += left_out
+            self._pace.add(now, min(missing, most), time.perf_counter() - began, left_out)
         else:
             self._library.ul_skip(self._handle, missing - missing % self._base_tick)
 
@@ -342,8 +350,8 @@ class RtlGateway(BareGateway):
         self._library.ul_run(self._handle, cycles)
         self._raise_fault()
 
-    def _run_until_quiet(self) -> None:
-        self._library.ul_run_until_quiet(self._handle, _MOST_TO_QUIET, _MOST_WHILE_TICKING)
+    def _run_until_quiet(self, most_while_ticking: int = MOST_WHILE_TICKING) -> None:
+        self._library.ul_run_until_quiet(self._handle, _MOST_TO_QUIET, most_while_ticking)
         self._raise_fault()
 
     def _pull(self) -> bytes:

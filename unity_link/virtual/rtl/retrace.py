@@ -22,7 +22,7 @@ from unity_link.protocol.messages import Codec, ErrorCode, GroupFlag
 from unity_link.protocol.transcript import FrameCutter
 from unity_link.virtual.bus import AccessError
 from unity_link.virtual.rtl.configurations import configurations
-from unity_link.virtual.rtl.gateway import RtlGateway
+from unity_link.virtual.rtl.gateway import MOST_WHILE_TICKING, RtlGateway
 from unity_link.virtual.rtl.snooped import SnoopedFrame, number_after, sample_body
 
 if TYPE_CHECKING:
@@ -226,9 +226,9 @@ class Retrace(RtlGateway):
         self._show_in_window()
         super()._run(cycles)
 
-    def _run_until_quiet(self) -> None:
+    def _run_until_quiet(self, most_while_ticking: int = MOST_WHILE_TICKING) -> None:
         self._show_in_window()
-        super()._run_until_quiet()
+        super()._run_until_quiet(most_while_ticking)
 
     def _show_in_window(self) -> None:
         if self._window is not None:

@@ -29,6 +29,7 @@ from unity_link.generate.vhdl.bank import Bank
 from unity_link.generate.vhdl.folder import read_vhdl
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.crc import USUAL_POLYNOMIALS
+from unity_link.spec.rates import base_millihertz
 from unity_link.virtual.generics import FEATURES, generics_of, info_of
 from unity_link.virtual.rtl.compiling import cache_folder, compiler, running
 from unity_link.virtual.rtl.configurations import Configuration, Design
@@ -41,7 +42,13 @@ if TYPE_CHECKING:
 
 log = logging.getLogger("unity_link.rtl")
 _LEAST_CLOCK_HZ = 500_000
-"""A clock that a PC keeps pace with."""
+"""A clock that a PC keeps pace with while cycles in which nothing happens are skipped."""
+_CLOCK_OF_CORES_HZ = 200_000
+"""A clock that a PC keeps pace with where each cycle counts, as cores move by themselves."""
+_LEAST_CYCLES = 16
+"""Cycles in a period of what the generics of a core ask for in Hz, so that a pulse has as many widths."""
+_USUAL_BASES = tuple(digit * 10**power for power in range(7, 2, -1) for digit in (10, 5, 2))
+"""Base frequencies in mHz, the quickest first: that of the gateware by itself, and rounder parts of it."""
 _ROUND_CYCLES = 8
 """Clock cycles of a base tick beside one for each group (gateware/rtl/application/ul_subscription_manager.vhd)."""
 _KINDS = {
@@ -55,11 +62,27 @@ _OF_THE_BANK = frozenset({"address_bits", "data_bits", "wb_pipelined", "fingerpr
 _FIFOS = {"receive_fifo_bytes": "rx_fifo_depth", "transmit_fifo_bytes": "tx_fifo_depth"}
 
 
-def with_clock(generics: Mapping[str, int]) -> dict[str, int]:
+def with_clock(generics: Mapping[str, int], least_hz: int = _LEAST_CLOCK_HZ) -> dict[str, int]:
     """Return generics with the slowest clock that their groups allow: a PC simulates a million cycles a second."""
     base_hz = generics["base_frequency_millihertz"] / 1000
-    ticks = max(1, -(-_LEAST_CLOCK_HZ // base_hz), generics["groups"] + _ROUND_CYCLES)
+    ticks = max(1, -(-least_hz // base_hz), generics["groups"] + _ROUND_CYCLES)
     return {"clock_hz": round(base_hz * ticks), **generics}
+
+
+def _least_clock_of(interface: Interface) -> int:
+    """Return the slowest clock that makes sense for an interface."""
+    if not interface.cores:
+        return _LEAST_CLOCK_HZ
+    generics = [item for part in interface.cores if part.core is not None for item in part.core.generics.items()]
+    rates = [int(value) for name, value in generics if name.endswith("_hz")]
+    return max([_CLOCK_OF_CORES_HZ, *(_LEAST_CYCLES * rate for rate in rates)])
+
+
+def _base_of(interface: Interface, clock_hz: int, groups: int) -> int:
+    """Return the base frequency in mHz of an interface at a slow clock, with cycles for each group between ticks."""
+    most = clock_hz * 1000 // (groups + _ROUND_CYCLES)
+    usual = next((base for base in _USUAL_BASES if base <= most), _USUAL_BASES[-1])
+    return base_millihertz(interface.groups, usual)
 
 
 def configuration_of(interface: Interface, fields: Mapping[str, int], node: int | None) -> Configuration:
@@ -80,7 +103,12 @@ def configuration_of(interface: Interface, fields: Mapping[str, int], node: int 
                 f"{name} is {fields[name]}: the register bank of {interface.name} has the {getattr(interface, name)} "
                 "of its spec; GATEWAY(...) in the spec changes it"
             )
-    generics = with_clock({**generics_of(interface), **_as_generics(fields), "node": -1 if node is None else node})
+    generics = {**generics_of(interface), **_as_generics(fields), "node": -1 if node is None else node}
+    least = _least_clock_of(interface)
+    if "base_frequency_millihertz" not in fields and ("clock_hz" in fields or interface.cores):
+        base = _base_of(interface, fields.get("clock_hz", least), generics["groups"])
+        generics["base_frequency_millihertz"] = base
+    generics = with_clock(generics, least)
     if not generics["fingerprint"] and "build_id" not in fields:
         generics["build_id"] = 0
     # As the generated gateway finds it.
