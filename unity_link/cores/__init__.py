@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 from unity_link.errors import ANY_ERROR, ArgumentError
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Mapping
     from types import ModuleType
 
     from unity_link.spec.model import ComponentSpec, Core, Interface
@@ -54,6 +54,13 @@ class Surroundings(Protocol):
     def trigger(self, group: str) -> None:
         """Publish a group that is declared with TRIGGER."""
 
+    @property
+    def is_armed(self) -> bool:
+        """Return whether the lease of what the component times, or of its own signals, is armed; True without one."""
+
+    def commit(self, words: Mapping[int, int]) -> None:
+        """Write words of 32 bits to signals that the component times, by their places on its stage."""
+
     def make_safe(self) -> None:
         """Set all signals that the component guards, as a lease does, to their safe values; not those with HOLD."""
 
@@ -80,6 +87,14 @@ class Model:
 
     def reset(self) -> None:
         """Begin anew, as at a reset of the gateway."""
+
+    @property
+    def due(self) -> int | None:
+        """Cycle of the clock at which something happens by itself; `step` is called up to there. None for nothing."""
+        return None
+
+    def disarmed(self) -> None:
+        """Do as the core does when the lease has ended that guards what it writes."""
 
     def step(self, dt: float) -> None:
         """Let time pass, up to `around.now`.

@@ -498,6 +498,11 @@ class LeaseModel(Model):
         self.part.enable = 0
         self.around.make_safe()
 
+    @property
+    def due(self) -> int | None:
+        """Return the end of the lease."""
+        return self._end if self.part.armed else None
+
     def step(self, dt: float) -> None:  # noqa: ARG002  (the clock says more)
         """End the lease where its end has come."""
         self.part.clock = self.around.now

@@ -9,10 +9,10 @@ from unity_link.protocol.configuration import GatewayInfo
 from unity_link.spec import Way
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
 
     from unity_link.spec import ComponentSpec
-    from unity_link.virtual.registers import Registers
+    from unity_link.virtual.registers import Cell, Registers
 
 
 class _Around:
@@ -41,9 +41,20 @@ class _Around:
         """Publish a group that is declared with TRIGGER."""
         self._models.trigger(group)
 
+    @property
+    def is_armed(self) -> bool:
+        """Return whether the lease of what the component times, or of its own signals, is armed; True without one."""
+        return self._models.registers.is_armed(self._path)
+
+    def commit(self, words: Mapping[int, int]) -> None:
+        """Write words of 32 bits to signals that the component times, by their places on its stage."""
+        for cell in self._models.registers.commit(self._path, words):
+            self._models.written(cell.signal.path)
+            self._models.tell(cell)
+
     def make_safe(self) -> None:
         """Set all signals that the component guards to their safe values."""
-        self._models.registers.make_safe(self._path)
+        self._models.make_safe(self._path)
 
 
 class CoreModels:
@@ -52,11 +63,15 @@ class CoreModels:
     Args:
         registers: of the robot.
         trigger: fires the trigger of a group.
+        tell: called with a signal that a core has written.
     """
 
-    def __init__(self, registers: Registers, trigger: Callable[[str], None]) -> None:
+    def __init__(
+        self, registers: Registers, trigger: Callable[[str], None], tell: Callable[[Cell], None] = lambda _: None
+    ) -> None:
         self.registers = registers
         self.trigger = trigger
+        self.tell = tell
         self.now = 0
         """Cycles of the gateway's clock up to which time has passed."""
         self.clock_hz = GatewayInfo().clock_hz
@@ -74,7 +89,8 @@ class CoreModels:
         if not kinds:
             return lambda _: None
         model = kinds[0](component, part, _Around(self, component.path))
-        self._models.append(model)
+        # What a schedule has for the cycle in which a lease ends acts in it, and is safe behind it.
+        self._models.insert(0 if component.core is not None and component.core.stages else len(self._models), model)
         self._of_signal |= {signal.path: (model, signal.name) for signal in component.signals}
         assert component.core is not None
         inputs = {pin.name for pin in component.core.pins if pin.way is not Way.OUT}
@@ -90,10 +106,22 @@ class CoreModels:
         if not self._models:
             return
         ticks = max(self.now, self._ticks_at(now))
-        passed = (ticks - self.now) / self.clock_hz
-        self.now = ticks
+        while True:
+            due = [cycle for model in self._models if (cycle := model.due) is not None]
+            reached = min(max(min(due, default=ticks), self.now + 1), ticks)
+            passed = (reached - self.now) / self.clock_hz
+            self.now = reached
+            for model in self._models:
+                model.step(passed)
+            if reached == ticks:
+                return
+
+    def make_safe(self, lease: str) -> None:
+        """Set all signals that a lease guards to their safe values, and stop what writes them."""
+        self.registers.make_safe(lease)
         for model in self._models:
-            model.step(passed)
+            if lease in self.registers.leases_of(model.component.path):
+                model.disarmed()
 
     def written(self, path: str) -> None:
         """Pass the value that was written to a signal on to the model of its core."""

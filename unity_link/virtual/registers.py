@@ -15,10 +15,11 @@ from typing import TYPE_CHECKING, Literal, Protocol, get_args
 
 from unity_link.errors import ArgumentError
 from unity_link.protocol.messages import ErrorCode
+from unity_link.spec import STAGE_BITS
 from unity_link.virtual.bus import AccessError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Mapping
 
     from unity_link.spec import Interface, ModuleSpec, Signal, Value
 
@@ -213,6 +214,10 @@ class Registers:
             for module in self._modules
             if module.type == "FIFO"
         }
+        self._leases: dict[str, set[str]] = {}
+        """Leases of the signals of components, and of those that these time, by the paths of the components."""
+        self._staged: dict[str, dict[int, tuple[Cell, int]]] = {}
+        """Signals, and which bits of them, by their places on the stages of schedules, by the paths of these."""
         self._guarded: dict[str, list[Cell]] = {}
         """Signals with a safe value, by the paths of their leases."""
         self._read: dict[int, list[tuple[Cell, int]]] = {}
@@ -222,6 +227,11 @@ class Registers:
             reads_back = signal.is_field and signal.access.writes and not signal.fifo
             if signal.safe is not None:
                 self._guarded.setdefault(signal.safe.lease, []).append(cell)
+                for component in (signal.path.rpartition(".")[0], signal.timed):
+                    self._leases.setdefault(component or "", set()).add(signal.safe.lease)
+            for low, place in enumerate(interface.stages.get(signal.path, ())):
+                stage = self._staged.setdefault(signal.timed or "", {})
+                stage[place] = cell, low * STAGE_BITS
             for part, address in enumerate(signal.addresses):
                 if signal.access.reads or reads_back:
                     self._read.setdefault(address, []).append((cell, part))
@@ -275,6 +285,27 @@ class Registers:
                 raise AccessError(ErrorCode.BUS_ERROR)
             cell.check_write(part, word)
         return [cell for cell, part in cells if cell.write(part, word)]
+
+    def leases_of(self, component: str) -> set[str]:
+        """Return the paths of the leases that guard the signals of a component, and those that it times."""
+        return self._leases.get(component, set())
+
+    def is_armed(self, component: str) -> bool:
+        """Return whether these leases are armed."""
+        return all(self.cells[f"{lease}.armed"].raw for lease in self.leases_of(component))
+
+    def commit(self, schedule: str, words: Mapping[int, int]) -> list[Cell]:
+        """Write words of a schedule, by their places on its stage; return the signals that have got a value."""
+        changed: dict[str, Cell] = {}
+        for place, word in words.items():
+            found = self._staged.get(schedule, {}).get(place)
+            if found is None:
+                continue
+            cell, low = found
+            mask = ((1 << STAGE_BITS) - 1) << low & (1 << cell.signal.width) - 1
+            cell.take(cell.raw & ~mask | word << low & mask)
+            changed[cell.signal.path] = cell
+        return list(changed.values())
 
     def make_safe(self, lease: str) -> None:
         """Set all signals that a lease guards to their safe values, those with HOLD excepted.

@@ -183,7 +183,7 @@ class SimulatedRobot(Part):
         robot.fired = deque()
         robot._registers = Registers(interface, loops_back=cls is SimulatedRobot)
         robot._parts = []
-        robot.cores = CoreModels(robot._registers, robot.trigger)
+        robot.cores = CoreModels(robot._registers, robot.trigger, robot.tell_written)
         robot._began = None
         robot._steps = 0
         robot.refusal = ""

@@ -1,0 +1,131 @@
+"""The quick model of a schedule is as the model of its bench, cycle by cycle, which the entity is held equal to."""
+
+from __future__ import annotations
+
+import importlib
+import json
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any
+from unittest import mock
+
+import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+
+from support.searching import examples
+from unity_link.cores.schedule import ScheduleModel, batch_of
+from unity_link.spec import compile_text
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+DEPTH = 16
+pytest.importorskip("cocotb")
+with mock.patch.dict("os.environ", GENERICS=json.dumps({"depth": DEPTH})):
+    bench: Any = importlib.import_module("gateware.cores.schedule.bench_schedule")
+COMPONENT = compile_text(f"public robot() {{ plan: SCHEDULE(DEPTH={DEPTH}) @(0x10); }}").interface().cores[0]
+FATES = ("fates", "late", "refused", "slack")
+
+runs = st.lists(st.tuples(st.integers(0, 9), st.lists(st.integers(0, 2**32 - 1), min_size=1, max_size=6)), max_size=2)
+good = runs.map(lambda some: [word for first, words in some for word in (len(words) << 16 | first, *words)])
+full = st.integers(8, DEPTH - 2).map(lambda count: [count - 1 << 16, *range(count - 1)])
+"""Runs that just fit, or just do not."""
+malformed = st.lists(st.integers(0, 2**18) | st.integers(0, 2**32 - 1), max_size=12)
+"""Runs of a batch that may end anywhere."""
+margin = st.integers(-2, 2) | st.integers(0, 60) | st.sampled_from([-(2**39), 2**39, -1000])
+"""Cycles between the earliest instant of a batch that finds the queue empty, and its own."""
+events = st.lists(
+    st.tuples(
+        st.one_of(
+            st.tuples(st.just("batch"), margin, good | full | malformed, st.sampled_from([0, 0, 0, 0, 1, 2**15])),
+            st.tuples(st.sampled_from(["cancel", "disarm", "arm", "half"])),
+        ),
+        st.integers(0, 3) | st.integers(0, 150),
+    ),
+    max_size=30,
+)
+
+
+class Around:
+    """The simulation around a model."""
+
+    def __init__(self, now: int) -> None:
+        self.now = now
+        self.is_armed = True
+        self.acted: list[tuple[int, dict[int, int]]] = []
+        self.model: ScheduleModel | None = None
+
+    def commit(self, words: Mapping[int, int]) -> None:
+        self.acted.append((self.now, dict(words)))
+
+
+def inputs_of(happened: list[Any], now: int) -> list[tuple[int | None, bool, bool]]:
+    """Return a word, whether to cancel, and whether it is armed, for each cycle."""
+    cycles: list[tuple[int | None, bool, bool]] = []
+    armed = True
+    for (kind, *what), pause in happened:
+        if kind == "batch":
+            instant = (now + len(cycles) + 2 * len(what[1]) + 6 + what[0]) % 2**40
+            words = [len(what[1]) << 24 | what[2] << 8 | instant >> 32, instant & 0xFFFF_FFFF, *what[1]]
+            cycles += [(word, False, armed) for word in words]
+        elif kind == "half":
+            cycles.append((2 << 24, False, armed))
+        elif kind == "cancel":
+            cycles.append((None, True, armed))
+        else:
+            armed = kind == "arm"
+        cycles += [(None, False, armed)] * pause
+    rest: list[tuple[int | None, bool, bool]] = [(None, False, armed)] * 150
+    return [*cycles, *rest, (None, True, True), *[(None, False, True)] * 30]
+
+
+def behind_one_that_waits(count: int) -> list[Any]:
+    """Return a batch of three words that waits with one of them unread, and one of so many words behind it."""
+    return [(("batch", 60, [2 << 16, 1, 2], 0), 20), (("batch", 60, [count - 1 << 16, *range(count - 1)], 0), 0)]
+
+
+@example(happened=behind_one_that_waits(DEPTH - 3), now=1)
+@example(happened=behind_one_that_waits(DEPTH - 2), now=1)
+@settings(max_examples=examples(100), deadline=None)
+@given(happened=events, now=st.sampled_from([1, 2**40 - 300, 2**63]))
+def test_it_is_as_the_model_of_the_bench_in_every_cycle(happened: list[Any], now: int) -> None:
+    around, part = Around(now), SimpleNamespace(entry=0)
+    quick, exact = ScheduleModel(COMPONENT, part, around), bench.Model()
+    expected: list[tuple[int, dict[int, int]]] = []
+    shadows: dict[int, int] = {}
+    for word, cancels, armed in inputs_of(happened, now):
+        given_inputs = bench.Inputs(word, cancels, armed)
+        seen = exact.outputs(given_inputs, reset=False)
+        around.now = now
+        quick.step(0)
+        if around.is_armed and not armed:
+            around.is_armed = False
+            quick.disarmed()
+        around.is_armed = armed
+        assert {name: vars(part)[name] % 2**64 for name in FATES[:3]} == {name: seen[name] for name in FATES[:3]}
+        if word is not None:
+            part.entry = word
+            quick.written("entry")
+        if cancels:
+            quick.written("cancel")
+        if seen["commit"]:
+            expected.append((now + 1, shadows))
+        if seen["commit"] or seen["stage_clear"] or not armed:
+            shadows = {}
+        elif seen["stage_write"]:
+            shadows = {**shadows, seen["stage_index"]: seen["stage_data"]}
+        exact.edge(given_inputs, now)
+        now += 1
+    assert around.acted == expected
+    assert part.room == DEPTH
+
+
+@given(
+    instant=st.integers(0, 2**63),
+    words=st.dictionaries(st.integers(0, 40), st.integers(0, 2**32 - 1), min_size=1, max_size=40),
+)
+def test_a_batch_is_read_as_it_is_written(instant: int, words: dict[int, int]) -> None:
+    header, low, *rest = batch_of(instant, words)
+    assert (header & 0xFF) << 32 | low == instant % 2**40
+    assert header >> 24 == len(rest)
+    assert bench.values_of(rest) == words
