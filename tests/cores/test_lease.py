@@ -19,7 +19,7 @@ from support.bridge_programs import PROGRAM
 from support.searching import examples
 from support.simulated_time import on_simulated_time
 from unity_link import ArgumentError, BusError, LinkLostError, NotArmedError
-from unity_link.cores.lease import READ_AGAIN
+from unity_link.cores.lease import MOST_KICKS, READ_AGAIN
 from unity_link.data import Group, read_interface
 from unity_link.generate.python.model import model_text
 from unity_link.spec import compile_text
@@ -277,6 +277,41 @@ async def test_a_lease_that_has_ended_leaves_that_of_the_next_program_alone() ->
             assert world.seen("drive.armed")
 
 
+@on_simulated_time
+async def test_a_program_sees_that_another_one_has_armed_while_its_own_lease_had_not_run_out() -> None:
+    world = World()
+    async with unity_link.connect(world.gateway) as link:
+        robot = world.kind(link)
+
+        async def move() -> None:
+            async with robot.armed(timeout=0.1) as lease:
+                while True:
+                    await lease.kick()
+                    await asyncio.sleep(0.01)
+
+        moving = asyncio.create_task(move())
+        await asyncio.sleep(0.025)
+        assert await robot.drive.stop()
+        async with robot.armed(timeout=0.1):
+            says = "drive was disarmed, and another program has armed it since"
+            with pytest.raises(NotArmedError, match=says) as ended:
+                await moving
+            assert ended.value.reason == "disarmed"
+            assert world.seen("drive.armed")
+            assert world.seen("drive.arms") == 2
+
+
+@on_simulated_time
+async def test_kicks_without_a_pause_are_held_up_by_the_line_and_do_not_pile_up() -> None:
+    world = World()
+    async with unity_link.connect(SlowLine(world.gateway, bytes_per_second=20_000)) as link:
+        robot = world.kind(link)
+        async with robot.armed() as lease:
+            for _ in range(200):
+                await lease.kick()
+                assert link.statistics.in_flight <= MOST_KICKS + 1
+
+
 @pytest.mark.parametrize("seconds", [0, -1, 0.1000001, float("nan"), float("inf"), "soon", None.__class__])
 @on_simulated_time
 async def test_a_wrong_time_out_is_refused_before_anything_is_sent(seconds: Any) -> None:
@@ -458,6 +493,7 @@ class Contract:
 
     def __init__(self) -> None:
         self.owner: int | None = None
+        self.arms = 0
         self.end = 0
         self.output = 0
         self.closed = True
@@ -475,6 +511,7 @@ class Contract:
             self.fall()
         may = token == self.owner or (is_arm and self.owner is None)
         if may and self.closed and 3 <= end - now <= 5_000_000 and (self.owner is None or end > self.end):
+            self.arms += self.owner is None
             self.owner, self.end = token, end
 
 
@@ -510,6 +547,7 @@ class Story:
         else:
             self.world.gateway.reset()
             self.world.gateway.advance(asyncio.get_running_loop().time())
+            self.contract.arms = 0
         if not (what == "estop" and closed):
             self.contract.fall()
 
@@ -535,6 +573,7 @@ async def test_no_story_keeps_outputs_longer_than_the_last_kick_that_counted(ste
         await story.happen(*step)
         assert story.world.seen("drive.armed") == (story.contract.owner is not None)
         assert round(story.world.seen("left.value") * 100) == story.contract.output
+        assert story.world.seen("drive.arms") == story.contract.arms
 
 
 @given(

@@ -10,12 +10,14 @@ from __future__ import annotations
 import contextlib
 import secrets
 from asyncio import CancelledError
+from collections import deque
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, Self
 
 from unity_link.cores import Model, RobotVerbs, Verbs
 from unity_link.errors import (
     ArgumentError,
     BusError,
+    GatewayError,
     GatewayResetError,
     NotArmedError,
     Sealed,
@@ -28,7 +30,7 @@ from unity_link.link.synchronisation import gather, running
 from unity_link.protocol.numbers import real_number
 
 if TYPE_CHECKING:
-    from collections.abc import AsyncIterator
+    from collections.abc import AsyncIterator, Sequence
     from types import TracebackType
 
     from unity_link.link.link import Link
@@ -47,12 +49,17 @@ NEAREST = 0.98
 is ahead by the cycles that its answers took."""
 ATTEMPTS = 3
 """Arms of a lease whose end has come before they could take effect."""
+MOST_KICKS = 16
+"""Kicks that are under way; the next one waits for the first of them."""
 BUFFER = 16_384
 """Samples that wait for the body of a loop, as in `unity_link.Link.subscribe`."""
 _TURN = 1 << 32
 """Ticks after which a timestamp comes again."""
 _REASONS = ("none_yet", "disarmed", "silence", "estop")
+_ENDED = {"disarmed": "was disarmed", "silence": "has run out", "estop": "was stopped by its e-stop"}
 _ARMED, _FAULT = 1, 2
+MOST_ARMS = 1 << 16
+"""Leases after which their count begins again."""
 _OPEN = "write `async with` before this lease, and `with` where it is one of a blocking link"
 
 
@@ -78,6 +85,8 @@ class _Condition(NamedTuple):
     state: int
     reason: str
     estop_open: bool
+    arms: int
+    """Leases that have begun since the reset, modulo 2 ** 16."""
 
 
 class LeaseRegisters:
@@ -99,19 +108,29 @@ class LeaseRegisters:
         self.arm, self.kick, self.clock = find("arm"), find("kick"), find("clock")
         self.disarm, self.fault_time = find("disarm"), find("fault_time")
         self._fields = tuple(find(field).signal for field in ("armed", "state", "reason", "estop_open"))
+        self._arms = find("arms").signal
         self.address: int = self._fields[0].address
         self.link: Link = self.arm.link
 
-    def condition_of(self, word: int) -> _Condition:
-        """Return what the word of the state says."""
-        armed, state, reason, estop_open = (int(signal.decode(word)) for signal in self._fields)
+    def ask(self) -> Asked:
+        """Ask for the words of the state."""
+        return Asked(self.link, self.address, 2)
+
+    def condition_of(self, words: Sequence[int]) -> _Condition:
+        """Return what the words of the state say."""
+        state_word, arms_word = words
+        armed, state, reason, estop_open = (int(signal.decode(state_word)) for signal in self._fields)
         return _Condition(
-            bool(armed), state, _REASONS[reason] if reason < len(_REASONS) else str(reason), estop_open == 1
+            bool(armed),
+            state,
+            _REASONS[reason] if reason < len(_REASONS) else str(reason),
+            estop_open == 1,
+            int(self._arms.decode(arms_word)),
         )
 
     async def condition(self) -> _Condition:
-        """Read the state."""
-        return self.condition_of(await self.link.read(self.address))
+        """Read the state, in one transaction of the bus."""
+        return self.condition_of((await self.link.read_block(self.address, 2)).tolist())
 
     async def fault(self, condition: _Condition) -> NotArmedError:
         """Return the error for a lease that is not armed."""
@@ -171,10 +190,10 @@ class LeaseVerbs(Verbs):
         """
         registers = _registers_of(self)
         # The state is asked for on the way: nothing waits before the write.
-        state = Asked(registers.link, registers.address, 1)
+        state = registers.ask()
         try:
             await registers.disarm.set(1)
-            return registers.condition_of((await state.words())[0]).armed
+            return registers.condition_of(await state.words()).armed
         finally:
             state.give_up()
 
@@ -271,6 +290,10 @@ class Lease(Sealed):
         self._end = 0
         self._state: Asked | None = None
         """State that was asked for with the last kick."""
+        self._kicks: deque[Asked] = deque()
+        """Kicks that are under way."""
+        self._arms = 0
+        """Count of leases that have begun, with this one."""
         self._is_on = self._was_on = False
         self._is_over = False
         """True if it is known to have ended: what is armed now is not its own."""
@@ -323,17 +346,28 @@ class Lease(Sealed):
         registers = self._registers
         self._token = secrets.randbits(TOKEN_BITS)
         self._end = self._clock.least(running().time()) + self._ticks
-        # One right behind the other, so that no other program's arm comes in between.
-        before, _, after = await gather(registers.condition(), registers.arm.set(self._word()), registers.condition())
-        self._is_over = before.armed or not after.armed
-        if before.armed:
-            raise NotArmedError(f"{registers.name} cannot be armed: another program has armed it", "taken")
-        if after.armed:
+        before, error, after = await gather(registers.condition(), self._write_arm(), registers.condition())
+        self._arms = after.arms
+        is_mine = after.armed and not before.armed and after.arms == (before.arms + 1) % MOST_ARMS and error is None
+        self._is_over = not is_mine
+        if is_mine:
             return
+        if before.armed or after.armed:
+            raise NotArmedError(f"{registers.name} cannot be armed: another program has armed it", "taken")
+        if error is not None:
+            raise error
         if after.estop_open:
             raise NotArmedError(f"{registers.name} cannot be armed: its e-stop is open", "estop")
         message = f"{registers.name} was not armed: its end, {self.timeout:g} s ahead, came before the word did"
         raise _LateError(message, "late")
+
+    async def _write_arm(self) -> BusError | None:
+        """Arm; return the error of a bus, or a server, that refuses."""
+        try:
+            await self._registers.arm.set(self._word())
+        except BusError as error:
+            return error
+        return None
 
     def _word(self) -> int:
         return self._token << TIME_BITS | self._end % (1 << TIME_BITS)
@@ -346,8 +380,8 @@ class Lease(Sealed):
         Where the link is lost the lease runs out by itself, which a note on the error says.
         """
         self._is_on = False
-        if self._state is not None:
-            self._state.give_up()
+        for asked in (*self._kicks, *([] if self._state is None else [self._state])):
+            asked.give_up()
         if error is not None:
             await self._let_go(error)
         elif not self._has_ended():
@@ -464,25 +498,48 @@ class Lease(Sealed):
         if self._state is not None and (self._state.done() or self._has_ended()):
             state, self._state = self._state, None
             try:
-                condition = registers.condition_of((await state.words())[0])
+                condition = registers.condition_of(await state.words())
             except GatewayResetError:
                 # The link goes on, and the lease does not: a reset disarms.
                 condition = await registers.condition()
-            if not condition.armed:
-                self._is_over = True
-                raise await registers.fault(condition)
+            await self._check_mine(condition)
+        while self._kicks and (self._kicks[0].done() or len(self._kicks) == MOST_KICKS):
+            await self._take_answer(self._kicks.popleft())
         if self._has_ended():
             self._is_over = True
-            condition = await registers.condition()
-            if condition.armed:
-                raise NotArmedError(f"{registers.name} has run out, and another program has armed it since", "silence")
-            raise await registers.fault(condition)
+            await self._check_mine(await registers.condition())
+            raise NotArmedError(f"{registers.name} is not armed for this program any more: its end has come", "silence")
         if end > self._end:
             self._end = end
             signal = registers.kick.signal
-            await self._link.post_many(signal.addresses, signal.encode(self._word()))
+            # The words are one transaction: where they were several, those of another program could come in between.
+            self._kicks.append(Asked(self._link, signal.address, write=signal.encode(self._word())))
         if self._state is None:
-            self._state = Asked(self._link, registers.address, 1)
+            self._state = registers.ask()
+
+    async def _take_answer(self, kick: Asked) -> None:
+        """Take the answer to a kick: where it was refused, the lease may be another program's."""
+        try:
+            await kick.words()
+        except GatewayResetError:
+            pass
+        except GatewayError:
+            await self._check_mine(await self._registers.condition())
+
+    async def _check_mine(self, condition: _Condition) -> None:
+        """Check that it has not ended.
+
+        Raises:
+            NotArmedError: where it has; also where another one has begun since.
+        """
+        if condition.armed and condition.arms == self._arms:
+            return
+        self._is_over = True
+        if not condition.armed:
+            raise await self._registers.fault(condition)
+        how = _ENDED.get(condition.reason, "has ended")
+        message = f"{self._registers.name} {how}, and another program has armed it since"
+        raise NotArmedError(message, condition.reason)
 
 
 class LeaseModel(Model):
@@ -495,6 +552,7 @@ class LeaseModel(Model):
     def reset(self) -> None:
         """Disarm, as if nobody had armed it."""
         self.part.armed, self.part.state, self.part.reason, self.part.fault_time = False, 0, 0, 0
+        self.part.arms = 0
         self.part.enable = 0
         self.around.make_safe()
 
@@ -534,6 +592,7 @@ class LeaseModel(Model):
         # It acts two cycles later, and an end that has come by then is none.
         if not may or part.estop_open or not 3 <= ahead <= self._most or (part.armed and now + ahead <= self._end):
             return
+        part.arms = (part.arms + (not part.armed)) % MOST_ARMS
         part.armed, part.state, part.enable = True, _ARMED, 1
         self._token, self._end = token, now + ahead
 

@@ -1,55 +1,48 @@
-"""Words that a program asks for without waiting, to look at the answer when it comes by again."""
+"""Requests that a program makes without waiting, to look at their answers when it comes by again."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
-from unity_link import protocol
-from unity_link.protocol.requests import Request
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from unity_link.link.link import Link
 
 
 class Asked:
-    """Consecutive words, of one transaction of the bus, that were asked for.
+    """A request that is on its way, or waits for room behind those before it; one transaction of the bus.
 
     Args:
         link: an open link.
-        address: of the first word.
-        count: number of words, at most ``gateway.block_words``.
+        address: of the first of the consecutive words that are read or written.
+        count: number of words to read, at most ``gateway.block_words``.
+        write: words to write in place of that.
 
     Raises:
         LinkLostError: where the link has ended.
     """
 
-    def __init__(self, link: Link, address: int, count: int) -> None:
-        flow = link._flow  # noqa: SLF001  (the same room)
-        codec = flow.codec
-        # Imported here, not in the callback that takes the answer.
-        self._joined = protocol.arrays.joined
-        digits = count * codec.info.data_digits
-        self._request = Request(codec, "RM", codec.fields("RM", address, count), digits)
-        self._request.owner = self._waiter = flow.create_future()
-        flow.submit(self._request)
+    def __init__(self, link: Link, address: int, count: int = 0, *, write: Sequence[int] = ()) -> None:
+        self._waiter, self._cancel = link._begin_block(address, count, write)  # noqa: SLF001  (the same room)
 
     def done(self) -> bool:
         """Return whether the answer is there."""
         return self._waiter.done()
 
     async def words(self) -> list[int]:
-        """Return the words; waits for them where they are not there yet.
+        """Return the words that were read; waits for the answer where it is not there yet.
 
         Raises:
             LinkLostError: where the link has ended.
-            GatewayError: where the gateway refused the read.
+            GatewayError: where the gateway refused the request.
         """
-        words: list[int] = self._joined([await self._waiter]).tolist()
-        return words
+        answer: Any = await self._waiter
+        return [] if answer is None else [int(word) for word in answer]
 
     def give_up(self) -> None:
-        """Want the answer no more."""
-        self._request.cancel()
+        """Want the answer no more: what waits for room is not sent."""
+        self._cancel()
         if not self._waiter.cancel() and not self._waiter.cancelled():
             # Retrieved, so that the event loop does not log it as never retrieved.
             self._waiter.exception()

@@ -43,12 +43,12 @@ from unity_link.protocol.numbers import whole_number
 from unity_link.protocol.requests import Fence, PostedFailure, Request, RequestBlock, WordBatch, common_outcome
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable, Mapping, Sequence
     from types import TracebackType
 
     from numpy.typing import ArrayLike, NDArray
 
-    from unity_link.link.runtime import Runtime
+    from unity_link.link.runtime import Runtime, Waiter
     from unity_link.protocol.arrays import Words
     from unity_link.transport import DriverUrl, Medium
 
@@ -531,6 +531,20 @@ class Link(OfLink, Connection):
             fields = codec.fields(command, address + step * start, part)
             requests.append(Request(codec, command, fields, part * info.data_digits))
         return arrays.joined(await self._all(requests))
+
+    def _begin_block(self, address: int, count: int, write: Sequence[int]) -> tuple[Waiter, Callable[[], None]]:
+        """Ask for a read, or a write, of one transaction; return its answer, and what gives it up."""
+        codec = self._flow.codec
+        if write:
+            request = Request(codec, "WM", codec.fields("WM", address, self._words(write)), 0)
+        else:
+            # Imported here, not in the callback that takes the answer.
+            _ = protocol.arrays
+            digits = count * self.gateway.data_digits
+            request = Request(codec, "RM", codec.fields("RM", address, count), digits)
+        request.owner = waiter = self._flow.create_future()
+        self._flow.submit(request)
+        return waiter, request.cancel
 
     async def _write_words(self, command: str, address: int, words: Words, step: int) -> None:
         codec, most = self._flow.codec, self.gateway.block_words

@@ -17,9 +17,11 @@ from unity_link.protocol.messages import Codec, GroupFlag
 from unity_link.transport import name_of, open_bus
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
     from numpy.typing import ArrayLike
 
-    from unity_link.link.runtime import Runtime, Timer
+    from unity_link.link.runtime import Runtime, Timer, Waiter
     from unity_link.protocol.arrays import Words
     from unity_link.protocol.configuration import Feature, GatewayInfo
     from unity_link.transport import DriverUrl, MemoryBus, WordsByAddress
@@ -172,6 +174,16 @@ class MappedLink(Link):
     async def post_many(self, addresses: ArrayLike, values: ArrayLike) -> None:
         """Write, as `write_many` does."""
         await self.write_many(addresses, values)
+
+    def _begin_block(self, address: int, count: int, write: Sequence[int]) -> tuple[Waiter, Callable[[], None]]:
+        """Read or write words in place."""
+        words = self._words_at
+        for index, word in enumerate(write):
+            words[address + index] = word
+        answer = None if write else [words[address + index] for index in range(count)]
+        waiter = self._runtime.create_future()
+        waiter.set_result(answer)
+        return waiter, lambda: None
 
     async def _read_each(self, addresses: range | list[int]) -> Words:
         found: list[int] = []

@@ -24,7 +24,7 @@ TIME = 1 << 40
 """Ends are instants modulo this."""
 DISARMED, ARMED, FAULT = range(3)
 NONE, BY_DISARM, SILENCE, ESTOP = range(4)
-OUTPUTS = {"armed": 1, "state": 2, "reason": 3, "estop_open": 1, "enable": 1, "fault_time": 64}
+OUTPUTS = {"armed": 1, "state": 2, "reason": 3, "arms": 16, "estop_open": 1, "enable": 1, "fault_time": 64}
 """Bits of each for an axis."""
 
 
@@ -73,14 +73,14 @@ class Axis:
         self._asked: tuple[Word, bool] | None = None
         self._lease = Word()
         self._pin_before, self._open = True, True
-        self.state, self.reason, self.fault_time = DISARMED, NONE, 0
+        self.state, self.reason, self.fault_time, self.arms = DISARMED, NONE, 0, 0
         self.happened: collections.Counter[str] = collections.Counter()
 
     def clock(self, inputs: Inputs, now: int, *, reset: bool) -> dict[str, int]:
         """Make one edge of the clock; returns the outputs behind it."""
         stops = self._open and self._settings.estop_used
         if reset:
-            self.state, self.reason, self.fault_time = DISARMED, NONE, 0
+            self.state, self.reason, self.fault_time, self.arms = DISARMED, NONE, 0, 0
         elif stops:
             self._fall(FAULT, ESTOP, now)
         elif inputs.disarm:
@@ -88,6 +88,7 @@ class Axis:
         elif self._takes(now):
             assert self._asked
             self.happened["arm" if self.state != ARMED else "kick"] += 1
+            self.arms = (self.arms + (self.state != ARMED)) % 2**16
             self.state, self._lease = ARMED, self._asked[0]
         elif (self._lease.end - now) % TIME == 1:
             self._fall(FAULT, SILENCE, now)
@@ -101,6 +102,7 @@ class Axis:
             "armed": armed,
             "state": self.state,
             "reason": self.reason,
+            "arms": self.arms,
             "estop_open": int(self._open and self._settings.estop_used),
             "enable": armed,
             "fault_time": self.fault_time,

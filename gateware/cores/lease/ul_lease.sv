@@ -29,6 +29,7 @@ module ul_lease_properties (
 	wire armed, estop_open, enable;
 	wire [1:0] state;
 	wire [2:0] reason;
+	wire [15:0] arms;
 
 	ul_lease dut (.*);
 
@@ -37,6 +38,7 @@ module ul_lease_properties (
 	reg was_reset, was_armed, was_open, was_disarmed;
 	reg [1:0] was_state;
 	reg [2:0] was_reason;
+	reg [15:0] was_arms;
 	reg [63:0] was_now, was_fault_time;
 
 	// The pin in the cycle before, and in the one before that.
@@ -68,7 +70,7 @@ module ul_lease_properties (
 		begun <= 1;
 		assume (begun || rst);
 		{was_reset, was_armed, was_open, was_disarmed} <= {rst, armed, estop_open, disarm_written};
-		{was_state, was_reason, was_fault_time, was_now} <= {state, reason, fault_time, now};
+		{was_state, was_reason, was_arms, was_fault_time, was_now} <= {state, reason, arms, fault_time, now};
 		{was_estop, estop_before, was_reset_before} <= {estop, was_estop, was_reset};
 		// A reset begins the time again, from anywhere.
 		if (begun && !was_reset)
@@ -100,10 +102,12 @@ module ul_lease_properties (
 
 		// In a lease, and nowhere else.
 		if (was_reset)
-			assert (!armed && reason == NONE && fault_time == 0);
+			assert (!armed && reason == NONE && arms == 0 && fault_time == 0);
 		else begin
 			assert (armed == (took || (was_armed && !was_open && !was_disarmed && !did_end)));
 			assert (reason == (!fell ? was_reason : was_open ? ESTOP : was_disarmed ? BY_DISARM : SILENCE));
+			// It counts where it rises: an arm of an owner that has the lease is a kick.
+			assert (arms == (was_armed || !armed ? was_arms : was_arms + 16'd1));
 			assert (fault_time == (state == FAULT && fell ? was_now : was_fault_time));
 		end
 

@@ -55,6 +55,8 @@ entity ul_lease is
     state : out   std_logic_vector(axes * 2 - 1 downto 0);
     -- Of the last time that armed fell. 0: none since the reset; 1: disarmed; 2: silence, the end came; 3: e-stop.
     reason : out   std_logic_vector(axes * 3 - 1 downto 0);
+    -- Leases that have begun since the reset, modulo 2 ** 16.
+    arms : out   std_logic_vector(axes * 16 - 1 downto 0);
     -- '1': the e-stop stops.
     estop_open : out   std_logic_vector(axes - 1 downto 0);
     -- Not needed: any write disarms.
@@ -152,11 +154,13 @@ begin
     signal is_later    : std_logic;
     signal may_ask     : std_logic;
     signal takes       : std_logic;
+    signal begins      : std_logic;
     signal falls       : std_logic;
 
     signal is_fault : std_logic;
     signal why      : std_logic_vector(1 downto 0);
     signal fell_at  : std_logic_vector(63 downto 0);
+    signal begun    : unsigned(15 downto 0);
 
     -- Nothing is armed between configuration and reset, either.
     -- vsg_off signal_007
@@ -192,6 +196,7 @@ begin
                 '1' when token_asked = token else
                 '0';
     takes    <= is_asked and may_ask and is_near and is_later and not stops(axis) and not disarm_written(axis);
+    begins   <= takes and not is_armed;
     falls    <= '1' when stops(axis) = '1' or disarm_written(axis) = '1' or left <= least else
                 '0';
 
@@ -222,11 +227,16 @@ begin
           end if;
         end if;
 
+        if begins = '1' then
+          begun <= begun + 1;
+        end if;
+
         if rst = '1' then
           is_armed <= '0';
           is_fault <= '0';
           why      <= reason_none;
           fell_at  <= (others => '0');
+          begun    <= (others => '0');
           left     <= to_unsigned(least, left'length);
         end if;
       end if;
@@ -238,6 +248,7 @@ begin
     state(2 * axis + 1 downto 2 * axis)         <= is_fault & is_armed;
     reason(3 * axis + 2 downto 3 * axis)        <= '0' & why;
     fault_time(64 * axis + 63 downto 64 * axis) <= fell_at;
+    arms(16 * axis + 15 downto 16 * axis)       <= std_logic_vector(begun);
     clock(64 * axis + 63 downto 64 * axis)      <= now;
 
   end generate all_axes;
