@@ -94,7 +94,7 @@ def served(folder: Path, options: str = "") -> Iterator[tuple[str, str, Any]]:
 
 
 @contextlib.contextmanager
-def moving(program: str, url: str, spec: str, seconds: float = 2) -> Iterator[subprocess.Popen[str]]:
+def moving(program: str, url: str, spec: str, seconds: float = 3) -> Iterator[subprocess.Popen[str]]:
     """Run a program until it moves its output, by a lease of some seconds; it does not outlive the block."""
     command = [sys.executable, "-c", program, url, spec, str(seconds)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
@@ -119,7 +119,8 @@ def test_a_program_that_is_ended_leaves_its_output_safe(face: str, way: str, tmp
         program.send_signal(signal.Signals[way])
         wait_until(lambda: not robot.drive.armed_.get())
         assert robot.speed.get() == 0
-        assert reason(robot) == ("disarmed" if way == "SIGINT" else "silence")
+        # The server disarms for a client that has gone; one that stands still is silent.
+        assert reason(robot) == ("silence" if way == "SIGSTOP" else "disarmed")
         if way == "SIGSTOP":
             program.send_signal(signal.SIGCONT)
             _, told = program.communicate()
@@ -133,12 +134,43 @@ def test_a_program_that_is_ended_leaves_its_output_safe(face: str, way: str, tmp
 
 @pytest.mark.parametrize("way", ["SIGKILL", "SIGSTOP"])
 def test_what_a_server_still_holds_of_a_program_moves_nothing(way: str, tmp_path: Path) -> None:
-    with served(tmp_path, "?bytes_per_second=20000") as (url, spec, robot), moving(FLOOD, url, spec) as program:
+    with served(tmp_path, "?bytes_per_second=20000") as (url, spec, robot), moving(FLOOD, url, spec, 5) as program:
         program.send_signal(signal.Signals[way])
         wait_until(lambda: not robot.drive.armed_.get())
         for _ in range(100):
             assert robot.speed.get() == 0
-        assert reason(robot) == "silence"
+        assert reason(robot) == ("silence" if way == "SIGSTOP" else "disarmed")
+
+
+def test_a_server_that_is_told_the_spec_disarms_for_a_program_that_was_killed(tmp_path: Path) -> None:
+    spec = tmp_path / "rover.ul"
+    spec.write_text(SPEC)
+    board = [PROGRAM, "simulate", str(spec), "--unix", str(tmp_path / "board")]
+    shared = [PROGRAM, "serve", f"unix:{tmp_path / 'board'}", "--spec", str(spec), "--unix", str(tmp_path / "gateway")]
+    with contextlib.ExitStack() as stack:
+        url = ""
+        for command in (board, shared):
+            process = stack.enter_context(subprocess.Popen(command, stdout=subprocess.PIPE, text=True))
+            stack.callback(process.kill)
+            url = line_of(process)
+        robot = put(unity_link.load(spec), stack.enter_context(blocking.connect(url)))
+        with moving(FACES["blocking"], url, str(spec), 20) as program:
+            with pytest.raises(unity_link.BusError, match="another program has armed drive"):
+                robot.speed.set(5)
+            program.kill()
+            wait_until(lambda: not robot.drive.armed_.get())
+            assert reason(robot) == "disarmed"
+
+
+def test_a_server_refuses_a_gateway_of_another_spec_than_it_was_told(tmp_path: Path) -> None:
+    spec, other = tmp_path / "rover.ul", tmp_path / "other.ul"
+    spec.write_text(SPEC)
+    other.write_text(SPEC.replace("0x10", "0x12"))
+    command = [PROGRAM, "serve", f"sim:{spec}", "--spec", str(other), "--unix", str(tmp_path / "gateway")]
+    refused = subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
+    assert refused.returncode == 1
+    assert "the gateway was built for the map" in refused.stderr
+    assert "Traceback" not in refused.stderr
 
 
 def test_another_program_stops_it_at_once(tmp_path: Path) -> None:

@@ -1,4 +1,4 @@
-"""Leases of programs that share a link: real sockets, and the bus as the gateway sees it."""
+"""Leases of programs that share a link, and the bus as the gateway sees it."""
 
 from __future__ import annotations
 
@@ -9,14 +9,22 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import unity_link
+from support.sharing import PipedLink, until
+from support.simulated_time import on_simulated_time
+from support.valve import Valve
+from unity_link import BusError, ConnectError, LinkLostError, NotArmedError, UnityLinkError
 from unity_link.bridges.serve import serve
+from unity_link.bridges.serve.shared import SharedLink
 from unity_link.spec import compile_text
 from unity_link.virtual.build import simulated
 from unity_link.virtual.line import SlowLine
 
 if TYPE_CHECKING:
-    from collections.abc import AsyncIterator
+    from collections.abc import AsyncIterator, Awaitable, Callable
     from pathlib import Path
+
+    from unity_link import Link
+    from unity_link.virtual.gateway import Gateway
 
 TEXT = """
 public rover() {
@@ -29,6 +37,7 @@ public rover() {
 SPEC = compile_text(TEXT)
 Rover = unity_link.load(SPEC)
 STRANGE = 0xDEAD
+DISARM = 0xF2
 
 
 class Watched:
@@ -89,3 +98,217 @@ async def test_words_of_another_program_never_come_between_those_of_a_kick_or_an
             assert STRANGE not in [value for _, value in words[end + 1 - len(addresses) : end + 1]]
     assert taken > 150
     assert strange > 100
+
+
+# Whose lease it is, where the server has the spec
+
+
+@contextlib.asynccontextmanager
+async def leased(gateway: Gateway | None = None) -> AsyncIterator[tuple[SharedLink, Any]]:
+    """Share a rover by its spec; give the shared link, and a way to more rovers, each of a client of its own."""
+    shared = SharedLink(gateway or simulated(SPEC.interface()), lambda _: None, SPEC.interface())
+    shared.open_when_there()
+    await until(lambda: not shared.away)
+    async with contextlib.AsyncExitStack() as stack:
+
+        async def another() -> Any:
+            return Rover(await stack.enter_async_context(PipedLink(shared)))
+
+        yield shared, another
+    await shared.finish()
+
+
+def vanish(robot: Any) -> None:
+    """End the connection of a program, of which nothing more comes then."""
+    client = robot.drive.arm.link.client
+    assert client._transport is not None
+    client._transport.abort()
+
+
+@on_simulated_time
+async def test_only_the_client_that_has_armed_moves_what_its_lease_guards() -> None:
+    async with leased() as (_, another):
+        owner, other = await another(), await another()
+        async with owner.armed() as lease:
+            says = "write of speed at 0x010: the bus refused the access: another program has armed drive, and it alone"
+            for _ in range(2):
+                with pytest.raises(BusError, match=says):
+                    await other.speed.set(7)
+                await owner.speed.set(5)
+                await lease.kick()
+            await other.lamp.set(3)
+            assert (await other.speed.get(), await owner.lamp.get()) == (5, 3)
+            assert await other.drive.stop()
+            assert await owner.speed.get() == 0
+            # Nobody has it now, and the server leaves it to the gateway.
+            with pytest.raises(NotArmedError, match="drive is not armed: it was disarmed"):
+                await other.speed.set(7)
+        async with other.armed():
+            await other.speed.set(7)
+            with pytest.raises(BusError, match="another program has armed drive"):
+                await owner.speed.set(5)
+
+
+WRITES: dict[str, Callable[[Link], Awaitable[object]]] = {
+    "a word": lambda link: link.write(0x10, 7),
+    "a posted word": lambda link: link.post(0x10, 7),
+    "a masked word": lambda link: link.write_masked(0x10, 7, 0xFF),
+    "a block": lambda link: link.write_block(0x0F, [1, 7, 7]),
+    "a queue": lambda link: link.write_queue(0x10, [7]),
+    "many words": lambda link: link.write_many([0x20] * 20 + [0x10] * 20, range(40)),
+    "many posted words": lambda link: link.post_many([0x10] * 20, range(20)),
+    "a kick": lambda link: link.write_block(0xE4, [0, 0, 0, 0]),
+    "a word of a kick": lambda link: link.write(0xE4, 0),
+    "a word of an arm": lambda link: link.write(0xE0, 0),
+    "an arm": lambda link: link.write_block(0xE0, [0, 0, 0, 0]),
+    "the last word of an arm": lambda link: link.post(0xE3, 0),
+}
+
+
+async def fenced(link: Link, call: Awaitable[object]) -> None:
+    await call
+    await link.fence()
+
+
+@pytest.mark.parametrize("write", WRITES.values(), ids=WRITES)
+@on_simulated_time
+async def test_no_way_to_write_gets_past_another_clients_lease(write: Callable[[Link], Awaitable[object]]) -> None:
+    watched = Watched()
+    async with leased(watched.gateway) as (_, another):
+        owner, other = await another(), await another()
+        link = other.drive.arm.link
+        async with owner.armed():
+            watched.written.clear()
+            with pytest.raises(BusError, match="the bus refused the access"):
+                await fenced(link, write(link))
+            assert [written for written in watched.written if written[0] != 0x20] == []
+
+
+@on_simulated_time
+async def test_a_client_that_goes_is_disarmed_and_what_it_had_asked_for_is_dropped() -> None:
+    watched = Watched()
+    async with leased(SlowLine(watched.gateway, bytes_per_second=20_000)) as (_, another):
+        owner, other = await another(), await another()
+        await owner.armed().__aenter__()
+        await owner.drive.arm.link.post_many([0x10] * 2000, range(2000))
+        await until(lambda: sum(address == 0x10 for address, _ in watched.written) > 50)
+        vanish(owner)
+        await until(lambda: (DISARM, 1) in watched.written)
+        with pytest.raises(LinkLostError):
+            await owner.drive.arm.link.fence()
+        moved = sum(address == 0x10 for address, _ in watched.written)
+        assert moved < 1000
+        assert not await other.drive.armed_.get()
+        assert await other.drive.reason.get() == "disarmed"
+        async with other.armed():
+            await other.speed.set(7)
+            await asyncio.sleep(0.5)
+            assert await other.speed.get() == 7
+        assert sum(address == 0x10 for address, _ in watched.written) == moved + 1
+
+
+@on_simulated_time
+async def test_a_client_that_goes_while_it_arms_leaves_nothing_armed() -> None:
+    for moment in range(40):
+        watched = Watched()
+        async with leased(SlowLine(watched.gateway, bytes_per_second=20_000)) as (_, another):
+            owner, other = await another(), await another()
+            word = await owner.drive.clock.get() + 10 * 50_000_000
+            arming = asyncio.create_task(owner.drive.arm.set(word))
+            await asyncio.sleep(moment * 0.0005)
+            vanish(owner)
+            # One that has ended well is told of at the next call.
+            with pytest.raises(LinkLostError):
+                await fenced(owner.drive.arm.link, arming)
+            await asyncio.sleep(0.1)
+            assert not await other.drive.armed_.get(), moment
+            async with other.armed():
+                await other.speed.set(1)
+
+
+@on_simulated_time
+async def test_writes_of_a_lease_that_has_ended_never_come_into_that_of_the_next_client() -> None:
+    watched = Watched()
+    async with leased(SlowLine(watched.gateway, bytes_per_second=20_000)) as (_, another):
+        first, second, third = await another(), await another(), await another()
+        link = first.drive.arm.link
+        async with first.armed(timeout=0.05):
+            pass
+        # Many writes of the former owner wait in the server, each behind a long answer, for it is not alone.
+        reading = [asyncio.create_task(third.lamp.link.read_queue(0x11, 200)) for _ in range(60)]
+        requests = [request for _ in range(30) for request in (link.read_queue(0x11, 200), link.write(0x10, 9))]
+        writing = [asyncio.create_task(request) for request in requests]
+        await asyncio.sleep(0.1)
+        watched.written.clear()
+        async with second.armed():
+            armed_at = watched.written.index((0xE3, watched.gateway.robot.drive.arm >> 48))
+            await second.speed.set(7)
+            results = await asyncio.gather(*writing, return_exceptions=True)
+            await asyncio.gather(*reading)
+            assert all(isinstance(result, BusError) for result in results[1::2])
+            assert await second.speed.get() == 7
+        assert [value for address, value in watched.written[armed_at:] if address == 0x10] == [7]
+
+
+@on_simulated_time
+async def test_of_clients_that_arm_at_once_one_has_the_lease() -> None:
+    async with leased() as (_, another):
+        robots = [await another() for _ in range(5)]
+        had: list[Any] = []
+
+        async def use(robot: Any) -> None:
+            with contextlib.suppress(NotArmedError):
+                async with robot.armed():
+                    await robot.speed.set(len(had) + 1)
+                    had.append(robot)
+                    await asyncio.sleep(0.1)
+                    assert await robot.speed.get() == had.index(robot) + 1
+
+        await asyncio.gather(*map(use, robots))
+        assert len(had) == 1
+        await asyncio.gather(*map(use, robots[::-1]))
+        assert len(had) == 2
+
+
+@on_simulated_time
+async def test_a_client_that_is_away_with_the_gateway_is_disarmed_when_that_is_back() -> None:
+    watched = Watched()
+    valve = Valve(watched.gateway)
+    async with leased(valve) as (shared, another):
+        owner, other = await another(), await another()
+        await owner.armed().__aenter__()
+        await owner.speed.set(5)
+        valve.go_away(shared)
+        vanish(owner)
+        await asyncio.sleep(5)
+        assert (DISARM, 1) not in watched.written
+        valve.come_back()
+        await until(lambda: not shared.away)
+        assert not await other.drive.armed_.get()
+        assert await other.speed.get() == 0
+
+
+@on_simulated_time
+async def test_a_reset_of_the_gateway_forgets_whose_the_lease_was() -> None:
+    watched = Watched()
+    async with leased(watched.gateway) as (shared, another):
+        owner, other = await another(), await another()
+        await owner.armed().__aenter__()
+        sessions = shared._sessions
+        watched.gateway.reset()
+        with contextlib.suppress(UnityLinkError):
+            await other.lamp.get()
+        await until(lambda: shared._sessions > sessions and shared.connected and not shared.away)
+        third = await another()
+        async with third.armed():
+            await third.speed.set(3)
+
+
+@on_simulated_time
+async def test_a_gateway_of_another_map_than_the_spec_is_refused() -> None:
+    other = compile_text(TEXT.replace("0x11", "0x12")).interface()
+    shared = SharedLink(simulated(SPEC.interface()), lambda _: None, other)
+    shared.open_when_there()
+    with pytest.raises(ConnectError, match=r"the gateway was built for the map .* and the spec of rover describes"):
+        await shared.ended
+    await shared.finish()

@@ -14,6 +14,8 @@ import typer
 from unity_link.cli.arguments import Json, Url  # noqa: TC001  (typer reads them)
 from unity_link.cli.output import print_json, print_line, print_note, print_result
 from unity_link.cli.running import run
+from unity_link.cli.signals import spec_in
+from unity_link.cli.spec import compile_or_exit
 from unity_link.errors import ArgumentError
 from unity_link.transport.listening import LOOPBACK
 
@@ -21,8 +23,10 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from unity_link.bridges import serve as bridge
+    from unity_link.spec.model import Interface
 
 _PANEL = "Where it is served (a Unix socket if nothing is said)"
+_LEASES = "Leases"
 _DEFAULT_NAME = "unity-link.sock"
 
 
@@ -31,7 +35,7 @@ def add_to(app: typer.Typer) -> None:
     app.command()(serve)
 
 
-def serve(
+def serve(  # noqa: PLR0913  (its options)
     url: Url,
     *,
     nodes: Annotated[
@@ -74,6 +78,19 @@ def serve(
             rich_help_panel=_PANEL,
         ),
     ] = None,
+    spec: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="SPEC",
+            help="The spec of the gateway, such as robot.ul: with it a lease is that of one client, and ends with it. "
+            "Default: the one of which the URL has the gateway made, as in sim:robot.ul.",
+            rich_help_panel=_LEASES,
+        ),
+    ] = None,
+    interface: Annotated[
+        str | None,
+        typer.Option(help="Of --spec: which public interface, where there are several.", rich_help_panel=_LEASES),
+    ] = None,
     json: Json = False,
 ) -> None:
     """Share one link between several programs.
@@ -90,7 +107,21 @@ def serve(
         )
     if tcp is None and unix is None:
         unix = _default_path()
-    run(_serve(url, nodes or [], unix, tcp, host, token, json=json))
+    described = _map_of(url, spec, interface)
+    run(_serve(url, nodes or [], unix, tcp, host, token, described, json=json))
+
+
+def _map_of(url: str, spec: Path | None, interface: str | None) -> Interface | None:
+    """Return the map of the gateway, None where nothing says it."""
+    named = spec or spec_in(url)
+    if named is None:
+        if interface is not None:
+            raise ArgumentError("--interface goes with --spec alone")
+        return None
+    from unity_link.transport import parse_url
+
+    chosen = interface if spec is not None else parse_url(url).options.get("interface")
+    return compile_or_exit(Path(named), interface=chosen).interface(chosen)
 
 
 def _token(file: Path | None) -> str | None:
@@ -144,7 +175,15 @@ def _places(
 
 
 async def _serve(
-    url: str, nodes: list[int], unix: Path | None, tcp: int | None, host: str, token: str | None, *, json: bool
+    url: str,
+    nodes: list[int],
+    unix: Path | None,
+    tcp: int | None,
+    host: str,
+    token: str | None,
+    described: Interface | None,
+    *,
+    json: bool,
 ) -> None:
     from unity_link.bridges import serve as bridge
     from unity_link.cli.service import Service
@@ -171,7 +210,9 @@ async def _serve(
 
     async with contextlib.AsyncExitStack() as stack:
         for node, target, socket, port in places:
-            serving = bridge.serve(target, unix=socket, tcp=port, host=host, token=token, report=reporter(node))
+            serving = bridge.serve(
+                target, unix=socket, tcp=port, host=host, token=token, interface=described, report=reporter(node)
+            )
             servers.append(await stack.enter_async_context(serving))
             # What prints its URL is taken for ready.
             await servers[-1].look()

@@ -156,7 +156,7 @@ def split(url: str, arguments: Sequence[str]) -> tuple[Path, list[str]]:
     """
     if arguments and is_spec(arguments[0]):
         return Path(arguments[0]), list(arguments[1:])
-    named = os.environ.get(SPEC_VARIABLE) or _spec_in(url)
+    named = os.environ.get(SPEC_VARIABLE) or spec_in(url)
     if named is None and is_spec(url) and arguments and is_url(arguments[0]):
         raise ArgumentError(f"URL and SPEC are swapped: {arguments[0]} {url} was expected")
     if named is None:
@@ -173,7 +173,8 @@ def is_spec(argument: str) -> bool:
     return argument.endswith(SUFFIX) or argument == "-" or "/" in argument or Path(argument).is_file()
 
 
-def _spec_in(url: str) -> str | None:
+def spec_in(url: str) -> str | None:
+    """Return the path of the spec that a URL names, None where it names none."""
     path = url.partition(":")[2].partition("?")[0]
     return path if path.endswith(SUFFIX) else None
 

@@ -156,7 +156,10 @@ async def refused(error: BusError, robot: Any, lease: str) -> BusError:
     registers = LeaseRegisters(robot, lease)
     condition = await registers.condition()
     if condition.armed:
-        return error
+        # A gateway takes it then: a server between does not.
+        return BusError(
+            f"{error}: another program has armed {lease}, and it alone may move what that guards", error.code
+        )
     fault = await registers.fault(condition)
     return NotArmedError(f"{error}: {fault}", fault.reason, fault.instant)
 

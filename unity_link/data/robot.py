@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping
 
     from unity_link.hardware import Bus
+    from unity_link.link.connection import Connection
     from unity_link.spec import model
     from unity_link.spec.kinds import Enumeration
 
@@ -130,7 +131,7 @@ class Robot(Component):
         """
         interface = self.interface
         _check_link(interface, link)
-        _check_gateway(interface, link)
+        check_gateway(interface, link)
         interface.check_given(parameters)
         own = vars(self)
         own["link"] = link
@@ -333,7 +334,8 @@ def _check_link(interface: model.Interface, link: object) -> None:
     raise ArgumentError(f"{interface.name} needs an open link, not {link!r:.80}: {NOT_CONNECTED}")
 
 
-def _check_gateway(interface: model.Interface, link: Link) -> None:
+def check_gateway(interface: model.Interface, link: Connection) -> None:
+    """Raise UnsupportedError where the gateway of a link is another one than a spec describes."""
     info = link.gateway
     if info.data_bits != interface.data_bits:
         raise UnsupportedError(

@@ -9,6 +9,7 @@
   `conversation`, which says what the frames mean
 - `requests`: a client's request on its way through the link's window
 - `turns`: whose request is next
+- `leases`: which client has which lease
 - `groups`: the groups of all clients on those of the gateway
 - `shared`: the link, and what happens when the gateway comes and goes
 """
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
     import os
     from collections.abc import AsyncIterator, Callable
 
+    from unity_link.spec.model import Interface
     from unity_link.transport import Medium
 
 
@@ -79,6 +81,7 @@ async def serve(
     tcp: int | None = None,
     host: str = LOOPBACK,
     token: str | None = None,
+    interface: Interface | None = None,
     report: Callable[[str], None] = lambda _: None,
 ) -> AsyncIterator[Server]:
     """Share one link between several programs, until the end of the context.
@@ -91,6 +94,8 @@ async def serve(
         tcp: a TCP port; 0 for any free one.
         host: the address that the TCP port is opened at: this machine alone unless it is said.
         token: what clients on TCP must know, as in ``tcp://host:port?token=TOKEN``.
+        interface: the map of the gateway, as `Spec.interface` gives it. With it each lease is that of the client that
+            has armed it: other clients cannot move what it guards, and it is disarmed when that client has gone.
         report: is told in a sentence when the gateway comes and goes.
 
     Raises:
@@ -106,7 +111,7 @@ async def serve(
     if isinstance(url, DriverUrl):
         await prepare(url)
     async with contextlib.AsyncExitStack() as stack:
-        shared = SharedLink(url, report)
+        shared = SharedLink(url, report, interface)
         stack.push_async_callback(shared.finish)
         server = Server(shared)
         if unix is not None:

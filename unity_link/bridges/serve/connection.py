@@ -72,6 +72,7 @@ class ClientConnection(asyncio.Protocol):
         self._out: list[bytes] = []
         self._flushing = False
         self._slow = False
+        self._held = False
         self._said_all = False
 
     # Called by the transport
@@ -124,7 +125,7 @@ class ClientConnection(asyncio.Protocol):
 
     def _listen(self) -> None:
         """Listen to the client, or not, as far as there is room for what it will say."""
-        listening = not self._slow and self.room > 0
+        listening = not self._slow and not self._held and self.room > 0
         if listening == self.listening or self._transport is None:
             return
         self.listening = listening
@@ -153,6 +154,21 @@ class ClientConnection(asyncio.Protocol):
     def must_confirm(self) -> bool:
         """Return whether so many posted writes are under way that the next one is to be answered."""
         return self._posted >= MOST_POSTED
+
+    @property
+    def gone(self) -> bool:
+        """Return whether the connection has ended."""
+        return self._transport is None
+
+    def hold(self) -> None:
+        """Look at none of its further requests until `go_on`."""
+        self._held = True
+        self._listen()
+
+    def go_on(self) -> None:
+        """Look at its requests again."""
+        self._held = False
+        self._listen()
 
     def follow_others(self) -> None:
         """Order all that this client asks for behind the writes that are here, which may be its own.

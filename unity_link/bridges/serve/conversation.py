@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from unity_link.bridges.serve.groups import ClientGroup, GroupSettings
+from unity_link.bridges.serve.leases import ArmRequest
 from unity_link.bridges.serve.requests import Relayed, RelayedRows, answer_digits
 from unity_link.protocol.arrays import matching_rows
 from unity_link.protocol.configuration import Feature
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
 
     from unity_link.bridges.serve.connection import ClientConnection
     from unity_link.bridges.serve.groups import Slot
+    from unity_link.bridges.serve.leases import Leases
     from unity_link.bridges.serve.shared import SharedLink
 
 FEWEST_ROWS = 8
@@ -56,6 +58,7 @@ class Conversation:
         self._codec = codec
         self._takes_turns = Feature.HALF_DUPLEX in shared.gateway.features
         """True if the gateway's medium lets only one side send at a time."""
+        self._leases = shared.leases
         self._session = GatewaySession(codec)
         self._sequence = self._session.sequence
         self._prepare_short_way(codec)
@@ -130,6 +133,8 @@ class Conversation:
         elif command == "I":
             self._send_immediate(request, plain=plain)
         else:
+            if self._leases is not None and self._concerns_lease(self._leases, request, plain=plain):
+                return
             codec = self._codec
             count = values[1] if command in ("RM", "RQ") else 1
             digits = answer_digits(codec, command, count)
@@ -155,7 +160,7 @@ class Conversation:
     ) -> None:
         codec, command = self._codec, request.command
         head = codec.response(request)
-        if command == "WS" and (self._takes_turns or self._client.must_confirm):
+        if command == "WS" and (self._takes_turns or self._client.must_confirm or after is not None):
             # The gateway answers, so that the next request cannot meet an error of this one, or that it is known how
             # many posted writes are under way; the client hears errors.
             command, head, digits = "W", b"", 0
@@ -172,6 +177,30 @@ class Conversation:
         relayed.after = self._shared.naming(slot, command, settings)
         relayed.stored = None if settings is None else self._shared.slots.storing(slot)
         self._client.hand_on(relayed, self._session.awaited)
+
+    # Leases
+
+    def _concerns_lease(self, leases: Leases, request: DecodedRequest, *, plain: bool) -> bool:
+        """Refuse what another client's lease keeps for that one, and settle whose an arm is; False for all else."""
+        client, codec = self._client, self._codec
+        if leases.refuses(client, request, codec.highest_address):
+            self._refuse(request, ErrorCode.BUS_ERROR, plain=plain)
+            return True
+        lease = leases.armed_by(request, codec.highest_address)
+        if lease is None or self._shared.away:
+            return False
+
+        def relay(over: Callable[[bool], None]) -> None:
+            fields, digits = codec.fields(request.command, *request.values), answer_digits(codec, request.command, 1)
+            self._relay(request, fields, digits, plain=plain, after=over)
+            self._shared.turns.join(client.queue)
+
+        def refuse(error: ErrorCode) -> None:
+            self._refuse(request, error, plain=plain)
+
+        client.hold()
+        self._shared.settle_arm(leases.arm(lease, ArmRequest(client, relay, refuse)))
+        return True
 
     # The short way for single words
 
@@ -207,6 +236,9 @@ class Conversation:
         width = size - head - self._crc_digits - 1
         fields = matching_rows(codec, command, expected, data[start : start + count * size], width)
         good = _IS_HEX[fields].all(axis=1)
+        if letter == b"w" and self._leases is not None:
+            closed, digits = self._leases.closed_to(self._client, codec), codec.info.address_digits
+            good = good & np.array([row.tobytes() not in closed for row in fields[:, :digits]])
         count = len(fields) if good.all() else int(good.argmin())
         if not count:
             return start
@@ -240,6 +272,12 @@ class Conversation:
             return False
         fields = body[after:]
         if fields.translate(None, _HEX):
+            return False
+        if (
+            self._leases is not None
+            and command != "R"
+            and fields[: self._codec.info.address_digits] in self._leases.closed_to(self._client, self._codec)
+        ):
             return False
         sequence.advance()
         self._client.hand_on(
@@ -301,8 +339,8 @@ class Conversation:
 
     # Answers
 
-    def _refuse(self, request: DecodedRequest, *, plain: bool) -> None:
-        self._say(self._codec.error(ErrorCode.OUT_OF_RANGE, request.id), request.id, plain=plain)
+    def _refuse(self, request: DecodedRequest, error: ErrorCode = ErrorCode.OUT_OF_RANGE, *, plain: bool) -> None:
+        self._say(self._codec.error(error, request.id), request.id, plain=plain)
 
     def _say(self, body: bytes, number: int | None = None, *, plain: bool) -> None:
         """Answer a request without the gateway, behind what is under way.

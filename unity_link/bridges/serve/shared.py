@@ -14,9 +14,11 @@ from typing import TYPE_CHECKING, Any, Protocol
 import msgspec
 
 from unity_link.bridges.serve.groups import Slots
+from unity_link.bridges.serve.leases import Leases
 from unity_link.bridges.serve.requests import Relayed, RowsAnswered
 from unity_link.bridges.serve.turns import Turns
-from unity_link.errors import ArgumentError, ConnectError, LinkLostError, UnityLinkError, reason_of
+from unity_link.data.robot import check_gateway
+from unity_link.errors import ArgumentError, ConnectError, LinkLostError, UnityLinkError, UnsupportedError, reason_of
 from unity_link.link.connection import Connection, Reconnect
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.exchange import Sampled
@@ -29,6 +31,7 @@ if TYPE_CHECKING:
     from unity_link.bridges.serve.groups import ClientGroup, GroupSettings, Slot
     from unity_link.bridges.serve.turns import ClientQueue
     from unity_link.protocol.session import Interrupted
+    from unity_link.spec.model import Interface
     from unity_link.transport import DriverUrl, Medium
 
 PATIENCE = 2.0
@@ -62,9 +65,12 @@ class SharedLink(Connection):
     Args:
         target: the URL of a gateway, or one of this process.
         report: is told in a sentence when the gateway comes and goes.
+        interface: the map of the gateway, where it is known.
     """
 
-    def __init__(self, target: DriverUrl | Medium, report: Callable[[str], None]) -> None:
+    def __init__(
+        self, target: DriverUrl | Medium, report: Callable[[str], None], interface: Interface | None = None
+    ) -> None:
         super().__init__(target, PAUSES)
         self.loop = asyncio.get_running_loop()
         self.codec: Codec | None = None
@@ -73,6 +79,8 @@ class SharedLink(Connection):
         """True if requests are refused because the gateway has been away too long."""
         self.turns = Turns(self._flow.submit)
         self.slots: Slots
+        self.leases = (Leases(interface, self) or None) if interface is not None else None
+        """Leases of the gateway; None where its map is not known, or has none."""
         self.clients: set[Sharer] = set()
         self.strangers: dict[asyncio.Transport, None] = {}
         """Connections that have not been let in yet, the oldest first."""
@@ -107,10 +115,34 @@ class SharedLink(Connection):
     def leave(self, client: Sharer) -> None:
         """Let a client go, and free what it has set up."""
         self.clients.discard(client)
+        if self.leases is not None:
+            for disarming in self.leases.left_by(client):
+                self._run(disarming)
         for group in client.groups.values():
             if group.slot is not None:
                 self._free(group.slot)
         self.settle_mode()
+
+    # Leases
+
+    async def word_at(self, address: int) -> int:
+        """Read a word of the gateway; ends with an error where the session does."""
+        codec = self._flow.codec
+        request = Request(codec, "R", codec.fields("R", address), codec.data_digits, of_session=True)
+        word: int = await self._flow.answer(request)
+        return word
+
+    async def write_at(self, address: int, word: int) -> None:
+        """Write a word of the gateway; ends with an error where the session does."""
+        await self._do("W", self._flow.codec.fields("W", address, word))
+
+    async def others_have_written(self, client: Sharer) -> None:
+        """Wait until the writes of other clients that are here have been sent."""
+        await self.turns.written(other.queue for other in self.clients if other is not client)
+
+    def settle_arm(self, arming: Coroutine[Any, Any, None]) -> None:
+        """Settle whose a lease is, while the client that arms is held."""
+        self._run(arming)
 
     # Groups
 
@@ -219,10 +251,21 @@ class SharedLink(Connection):
     def _begin(self, codec: Codec) -> None:
         """Take the description of the gateway for clients, but for what is between it and here."""
         self.tried.set()
+        if self.leases is not None:
+            self._check_map(self.leases.interface)
         if self.codec is None:
             features = codec.info.features & ~(Feature.ADDRESSED | Feature.HALF_DUPLEX) | Feature.FLOW_CONTROL
             self.codec = Codec(msgspec.structs.replace(codec.info, features=features))
             self.slots = Slots(self._session.groups, codec.info.groups)
+
+    def _check_map(self, interface: Interface) -> None:
+        """End for good where the gateway has another map than the spec that was given."""
+        try:
+            check_gateway(interface, self)
+        except UnsupportedError as error:
+            if not self.ended.done():
+                self.ended.set_exception(ConnectError(str(error)))
+                self.ended.exception()
 
     async def _restore(self) -> None:
         """Set up groups and mode in a new session; then let requests through.
@@ -230,6 +273,8 @@ class SharedLink(Connection):
         Clients come, leave and ask meanwhile. What they ask for waits, so that it is executed behind all this.
         """
         self._mode = _ADAPTIVE
+        for address in self.leases.take_owed() if self.leases is not None else ():
+            await self._ask("W", self._flow.codec.fields("W", address, 1))
         self.settle_mode()
         self.slots.let_go_idle()
         for slot in list(self.slots.held):
@@ -287,6 +332,8 @@ class SharedLink(Connection):
         """
         for client in list(self.clients):
             client.lose_session()
+        if self.leases is not None:
+            self.leases.reset()
         super()._gateway_was_reset(event)
 
     def _unreachable(self, error: BaseException | None) -> None:

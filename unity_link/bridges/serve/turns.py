@@ -44,8 +44,8 @@ class ClientQueue:
     def __init__(self) -> None:
         self.ahead = 0
         """Other queues that hold writes which go before all that is in this one."""
-        self.followers: list[tuple[int, ClientQueue]] = []
-        """Count of `sent` at which each waiting queue may go on, and the queue."""
+        self.followers: list[tuple[int, Callable[[], None]]] = []
+        """Count of `sent` at which each of what waits may go on, and what has it do so."""
         self.sent = 0
         """Number of requests that have left this queue."""
         self.under_way = 0
@@ -62,6 +62,17 @@ class ClientQueue:
                 return place
             place -= 1
         return place
+
+
+def _call_when_written(queues: Iterable[ClientQueue], then: Callable[[], None]) -> int:
+    """Call a function for each queue that holds writes, when these have been sent; return how many do."""
+    count = 0
+    for queue in queues:
+        place = queue.last_write()
+        if place > queue.sent:
+            queue.followers.append((place, then))
+            count += 1
+    return count
 
 
 class Pace:
@@ -111,11 +122,18 @@ class Turns:
 
     def follow(self, queue: ClientQueue, others: Iterable[ClientQueue]) -> None:
         """Hold a queue back until the writes that are in others now have been sent."""
-        for other in others:
-            place = other.last_write()
-            if place > other.sent:
-                other.followers.append((place, queue))
-                queue.ahead += 1
+
+        def go_on() -> None:
+            queue.ahead -= 1
+            self.join(queue)
+
+        queue.ahead += _call_when_written(others, go_on)
+
+    async def written(self, queues: Iterable[ClientQueue]) -> None:
+        """Wait until the writes that are in queues now have been sent."""
+        sent = asyncio.Semaphore(0)
+        for _ in range(_call_when_written(queues, sent.release)):
+            await sent.acquire()
 
     def leave(self, queue: ClientQueue) -> list[Relayed | RelayedRows]:
         """Empty a queue, and return what was in it."""
@@ -131,9 +149,8 @@ class Turns:
         """Record requests that have left a queue, and let those join that have waited for them."""
         queue.sent += count
         while queue.followers and queue.followers[0][0] <= queue.sent:
-            _, follower = queue.followers.pop(0)
-            follower.ahead -= 1
-            self.join(follower)
+            _, go_on = queue.followers.pop(0)
+            go_on()
 
     def arrived(self, queue: ClientQueue, cost: int) -> None:
         """Record answers."""
