@@ -253,7 +253,7 @@ def test_stop_disarms_all_leases_of_a_spec_which_may_stand_anywhere(leased: str)
 def test_a_lease_that_cannot_be_disarmed_leaves_no_other_one_armed(leased: str) -> None:
     result = run("stop", f"sim:{leased}?fault=drive.disarm")
     assert (result.returncode, result.stdout) == (1, "arm: was not armed\n")
-    assert result.stderr == "error: write of drive.disarm at 0x111: the bus refused the access\n"
+    assert result.stderr == "error: write of drive.disarm at 0x112: the bus refused the access\n"
 
 
 def test_stop_of_a_gateway_that_is_away_fails_and_says_so(leased: str, tmp_path: Path) -> None:
