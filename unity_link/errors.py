@@ -148,6 +148,18 @@ class NotArmedError(BusError):
         return type(self), (str(self), self.reason, self.instant)
 
 
+class LateError(UnityLinkError):
+    """A write at an instant has not happened, nor will it: it came too late, or was refused."""
+
+    def __init__(self, message: str, ticks: int) -> None:
+        super().__init__(message)
+        self.ticks = ticks
+        """Its instant, in ticks of the gateway's clock."""
+
+    def __reduce__(self) -> Any:
+        return type(self), (str(self), self.ticks)
+
+
 class BusTimeoutError(GatewayError):
     """No module on the bus answered at the address (error 05)."""
 

@@ -19,7 +19,8 @@ from support.bridge_programs import PROGRAM
 from support.searching import examples
 from support.simulated_time import on_simulated_time
 from unity_link import ArgumentError, BusError, LinkLostError, NotArmedError
-from unity_link.cores.lease import MOST_KICKS, READ_AGAIN
+from unity_link.cores.clock import READ_AGAIN
+from unity_link.cores.lease import MOST_KICKS
 from unity_link.data import Group, read_interface
 from unity_link.generate.python.model import model_text
 from unity_link.spec import compile_text

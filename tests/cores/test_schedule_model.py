@@ -13,7 +13,8 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from support.searching import examples
-from unity_link.cores.schedule import ScheduleModel, batch_of
+from unity_link.cores.batches import batch_of
+from unity_link.cores.schedule import ScheduleModel
 from unity_link.spec import compile_text
 
 if TYPE_CHECKING:

@@ -14,6 +14,7 @@ from collections import deque
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, Self
 
 from unity_link.cores import Model, RobotVerbs, Verbs
+from unity_link.cores.clock import TickBounds
 from unity_link.errors import (
     ArgumentError,
     BusError,
@@ -25,7 +26,6 @@ from unity_link.errors import (
     refusing,
 )
 from unity_link.link.asked import Asked
-from unity_link.link.freshness import MOST_DRIFT
 from unity_link.link.synchronisation import gather, running
 from unity_link.protocol.numbers import real_number
 
@@ -39,9 +39,6 @@ if TYPE_CHECKING:
 TIME_BITS = 40
 """Bits of an end in a word that arms or kicks; the token stands above."""
 TOKEN_BITS = 24
-READ_AGAIN = 10.0
-"""Seconds after which `Lease.kick` reads the gateway's clock anew: the estimate is too early by what quartzes drift
-apart meanwhile, 2 ms, and by the time that the answer was on its way."""
 LONGEST_START = 1.0
 """Seconds for which `Lease.each` kicks while it waits for the first sample of a group."""
 NEAREST = 0.98
@@ -237,43 +234,6 @@ def _registers_of(component: Any) -> LeaseRegisters:
     return LeaseRegisters(first.robot, first.path.rpartition(".")[0])
 
 
-class _Clock:
-    """Bounds of a gateway's clock, in its ticks, of readings of it and of samples that have come.
-
-    Args:
-        hertz: its frequency.
-    """
-
-    def __init__(self, hertz: int) -> None:
-        self._hertz = hertz
-        self.read_at: float | None = None
-        """Instant of this machine's clock at which the last reading had come; None before the first."""
-        self._asked_at = 0.0
-        self._ticks = 0
-        self._seen, self._seen_at = 0, 0.0
-        """Latest that it is known to have been, and the instant at which that was known."""
-
-    def read(self, ticks: int, asked: float, now: float) -> None:
-        """Take a reading that was asked for at an instant and is there now."""
-        if self.read_at is None:
-            self._seen, self._seen_at = ticks, now
-        self._ticks, self._asked_at, self.read_at = ticks, asked, now
-        self.see(ticks, now)
-
-    def see(self, ticks: int, now: float) -> None:
-        """Take an instant that has passed."""
-        if ticks > self.least(now):
-            self._seen, self._seen_at = ticks, now
-
-    def least(self, now: float) -> int:
-        """Return what it is at least: never ahead of the truth."""
-        return self._seen + int((now - self._seen_at) * (1 - MOST_DRIFT) * self._hertz)
-
-    def most(self, now: float) -> int:
-        """Return what it is at most."""
-        return self._ticks + int((now - self._asked_at) * (1 + MOST_DRIFT) * self._hertz) + 1
-
-
 class Lease(Sealed):
     """The right to move what a LEASE guards, in an ``async with`` block; `LeaseVerbs.armed` makes it.
 
@@ -288,7 +248,7 @@ class Lease(Sealed):
         self._link = registers.link
         hertz = self._link.gateway.clock_hz
         self._ticks = max(1, int(seconds * hertz))
-        self._clock = _Clock(hertz)
+        self._clock = TickBounds(hertz)
         self._token = 0
         self._end = 0
         self._state: Asked | None = None
@@ -477,8 +437,8 @@ class Lease(Sealed):
         """Move the end of the lease to a time-out from now.
 
         The gateway's clock is estimated, never ahead of the truth, and behind it by no more than the answer of its
-        reading was on its way and what the clocks drift apart in `READ_AGAIN` seconds; then it is read again, which is
-        waited for.
+        reading was on its way and what the clocks drift apart in `clock.READ_AGAIN` seconds; then it is read again,
+        which is waited for.
 
         Raises:
             ArgumentError: outside of the block.
@@ -486,8 +446,7 @@ class Lease(Sealed):
             LinkLostError: when the link has ended.
         """
         self._check_on()
-        read_at = self._clock.read_at
-        if read_at is None or running().time() - read_at > READ_AGAIN:
+        if self._clock.is_old(running().time()):
             await self._read_clock()
         await self._kick(self._clock.least(running().time()) + self._ticks)
 

@@ -3,63 +3,134 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 from collections import deque
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
-from unity_link.cores import Model
+import numpy as np
+
+from unity_link.cores import Model, Verbs
+from unity_link.cores.batches import FATES, FRAME, cycles_to, values_of
+from unity_link.cores.timeline import ScheduleRegisters, Timeline, feed_of, seconds_of
+from unity_link.errors import ArgumentError
+from unity_link.spec.model import STAGE_BITS
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Mapping
 
+    from numpy.typing import ArrayLike, NDArray
+
+    from unity_link.cores.clock import TickClock
+    from unity_link.cores.lease import Lease
+    from unity_link.data.proxies import Proxy
     from unity_link.spec.model import ComponentSpec
 
-TIME = 1 << 40
-"""Instants are modulo this."""
-FRAME = 2
-"""Words of a batch beside its runs: a header, and the lower part of the instant."""
-MOST_WORDS = 255
-"""Words that the runs of a batch can have."""
-FATES = 48
-"""Batches whose end can be read."""
 _NO_SLACK, _LEAST_SLACK = 2**31 - 1, -(2**31)
 
 
-def batch_of(instant: int, words: Mapping[int, int]) -> list[int]:
-    """Return the words of a batch.
+class ScheduleVerbs(Verbs):
+    """Verbs of a SCHEDULE."""
 
-    Args:
-        instant: cycle of the clock in which the values stand in their registers.
-        words: 32 bits for each place on the stage.
+    async def clock(self) -> TickClock:
+        """Read the gateway's clock, and return how it goes with this machine's."""
+        return await feed_of(_registers_of(self)).clock()
+
+    def timeline(self, *, lead: float = 0.05, lease: Lease | None = None) -> Timeline:
+        """Return a line of writes at instants, for an ``async with`` block. What was scheduled before is cancelled.
+
+        Args:
+            lead: seconds from the beginning of the block to its first instant.
+            lease: that guards what is written; it is kicked as the line is fed.
+
+        Raises:
+            ArgumentError: for a lead that is no number of seconds from 0 on.
+        """
+        registers = _registers_of(self)
+        what = f"the lead of {registers.name} is a number of seconds from 0 on"
+        return Timeline(registers, seconds_of(lead, what), lease)
+
+    async def play(
+        self,
+        times: ArrayLike,
+        values: Mapping[Proxy[Any], ArrayLike],
+        *,
+        then: Literal["hold", "safe"] = "hold",
+        lead: float = 0.05,
+        lease: Lease | None = None,
+    ) -> int:
+        """Write a trajectory, each of its rows in the clock cycle nearest to its time.
+
+        Args:
+            times: seconds from the beginning, which rise; shape (rows,).
+            values: for each signal its values, shape (rows,). All are checked before anything is sent.
+            then: ``"hold"``: the last values stay. ``"safe"``: the lease is disarmed behind them.
+            lead: seconds from now to time 0.
+            lease: that guards what is written; it is kicked meanwhile.
+
+        Returns:
+            The number of rows that have acted, which is all.
+
+        Raises:
+            ArgumentError: for times that do not rise, values that signals do not take, or arrays of other shapes.
+            LateError: where a row has not acted. What is behind it is cancelled.
+            NotArmedError: where that is since the lease is not armed.
+        """
+        registers = _registers_of(self)
+        if then not in {"hold", "safe"}:
+            raise ArgumentError(f"then={then!r:.40}: 'hold' or 'safe' was expected")
+        if then == "safe" and registers.lease is None:
+            raise ArgumentError(f"no lease guards what {registers.name} writes, so that nothing is safe: then='hold'")
+        instants = _rising(times)
+        columns: dict[int, NDArray[np.uint64]] = {}
+        for proxy, column in values.items():
+            columns |= _columns(registers, proxy, column, len(instants))
+        async with self.timeline(lead=lead, lease=lease) as line:
+            start = line.instant
+            for row, seconds in enumerate(instants):
+                await line.put({place: int(column[row]) for place, column in columns.items()}, start.after(seconds))
+            acted = await line.flush()
+        if then == "safe":
+            await registers.robot[f"{registers.lease}.disarm"].set(1)
+        return acted
+
+
+def _registers_of(component: Any) -> ScheduleRegisters:
+    first = component.signals[0]
+    return ScheduleRegisters(first.robot, first.path.rpartition(".")[0])
+
+
+def _rising(times: ArrayLike) -> list[float]:
+    """Return times as numbers.
+
+    Raises:
+        ArgumentError: for what does not rise from 0 on.
     """
-    runs: list[int] = []
-    head = previous = -1
-    for place in sorted(words):
-        if place != previous + 1 or head < 0:
-            head = len(runs)
-            runs.append(place)
-        runs[head] += 1 << 16
-        runs.append(words[place])
-        previous = place
-    instant %= TIME
-    return [len(runs) << 24 | instant >> 32, instant & 0xFFFF_FFFF, *runs]
+    try:
+        seconds = np.asarray(times, np.float64)
+    except (TypeError, ValueError):
+        raise ArgumentError(f"times are numbers of seconds, not {times!r:.80}") from None
+    rises = seconds.ndim == 1 and len(seconds) and np.isfinite(seconds).all() and seconds[0] >= 0
+    if not rises or not (np.diff(seconds) > 0).all():
+        raise ArgumentError(f"times are numbers of seconds from 0 on that rise, in one dimension, not {times!r:.80}")
+    numbers: list[float] = seconds.tolist()
+    return numbers
 
 
-def _values_of(runs: Sequence[int]) -> dict[int, int] | None:
-    """Return the words of runs by their places on the stage; None where they are malformed."""
-    values: dict[int, int] = {}
-    rest = list(runs)
-    while rest:
-        count, first = rest[0] >> 16, rest[0] & 0xFFFF
-        if not 0 < count < len(rest):
-            return None
-        values |= {(first + index) % (1 << 16): word for index, word in enumerate(rest[1 : count + 1])}
-        rest = rest[count + 1 :]
-    return values
-
-
-def _left(instant: int, now: int) -> int:
-    """Return the cycles to an instant, negative for one that has passed."""
-    return (instant - now + TIME // 2) % TIME - TIME // 2
+def _columns(
+    registers: ScheduleRegisters, proxy: Proxy[Any], values: ArrayLike, rows: int
+) -> dict[int, NDArray[np.uint64]]:
+    """Return what a column of values puts on the stage, by places; each of shape (rows,)."""
+    signal = registers.timed(proxy)
+    given = signal.kind.array(values)
+    if given.shape != (rows,):
+        raise ArgumentError(f"{signal.path} has values of shape {given.shape}, and there are {rows} times")
+    if given.dtype.kind in "iuf" and len(beyond := given[~((signal.limits[0] <= given) & (given <= signal.limits[1]))]):
+        raise signal.beyond_limits(beyond[0].item())
+    raws = signal.kind.encode_array(values)
+    return {
+        place: raws >> np.uint64(part * STAGE_BITS) & np.uint64((1 << STAGE_BITS) - 1)
+        for part, place in enumerate(registers.places[signal.path])
+    }
 
 
 @dataclasses.dataclass
@@ -79,9 +150,14 @@ class _Batch:
         return self.header >> 24
 
     @property
-    def size(self) -> int:
-        """Words that it takes in the queue."""
-        return self.words + FRAME
+    def queued(self) -> int:
+        """Words that it takes in the queue; none where it is refused."""
+        return self.words + FRAME if self.is_good else 0
+
+    @functools.cached_property
+    def values(self) -> dict[int, int] | None:
+        """Words by their places on the stage, once it is whole; None where it is malformed."""
+        return values_of(self.rest[1:])
 
     @property
     def instant(self) -> int:
@@ -105,6 +181,9 @@ class ScheduleModel(Model):
         """Cycle from which the next one is taken."""
         self._finished = self._failed = self._late = self._refused = 0
         self._slack = _NO_SLACK
+        self._words = 0
+        """Words of the good ones of these."""
+        self._shown: dict[str, int] = {}
         self._show()
 
     def reset(self) -> None:
@@ -122,7 +201,7 @@ class ScheduleModel(Model):
             cycle, how, values = self._end_of(self._ended[0])
             if cycle >= self.around.now:
                 break
-            self._ended.popleft()
+            self._words -= self._ended.popleft().queued
             self._free = cycle + 1
             self._finished = (self._finished + 1) % (1 << 16)
             self._failed = (self._failed << 1 | (how != "acts")) % (1 << FATES)
@@ -137,11 +216,11 @@ class ScheduleModel(Model):
         begins = max(self._free, batch.came + 1)
         if not batch.is_good:
             return begins, "refused", {}
-        values = _values_of(batch.rest[1:])
-        waits = begins + batch.size
+        values = batch.values
+        waits = begins + batch.words + FRAME
         if values is None:
             return waits, "refused", {}
-        left = _left(batch.instant, waits)
+        left = cycles_to(batch.instant, waits)
         return (waits + left - 1, "acts", values) if left >= FRAME else (waits + 1, "late", {})
 
     def written(self, name: str) -> None:
@@ -155,7 +234,7 @@ class ScheduleModel(Model):
                 self._coming = None
             self._slack = _NO_SLACK
             self._void()
-        self._show()
+            self._show()
 
     def disarmed(self) -> None:
         """Refuse all that has not acted."""
@@ -167,6 +246,7 @@ class ScheduleModel(Model):
         for batch in self._ended:
             if batch.is_good:
                 batch.is_good, batch.came = False, self.around.now
+        self._words = 0
 
     def _take(self, word: int) -> None:
         batch, now = self._coming, self.around.now
@@ -181,12 +261,14 @@ class ScheduleModel(Model):
             return
         batch.came, self._coming = now, None
         self._ended.append(batch)
+        self._words += batch.queued
         if batch.is_good:
-            self._slack = min(self._slack, max(_left(batch.instant, now), _LEAST_SLACK))
+            self._slack = min(self._slack, max(cycles_to(batch.instant, now), _LEAST_SLACK))
+        self._show()
 
     def _unread(self) -> int:
         """Return the words in the queue."""
-        unread = sum(batch.size for batch in self._ended if batch.is_good)
+        unread = self._words
         if self._ended and self._ended[0].is_good:
             first = self._ended[0]
             read = self.around.now - max(self._free, first.came + 1)
@@ -194,8 +276,16 @@ class ScheduleModel(Model):
         return unread
 
     def _show(self) -> None:
-        part = self.part
-        part.clock = self.around.now
-        part.fates = self._failed << 16 | self._finished
-        part.late, part.refused, part.slack = self._late % (1 << 32), self._refused % (1 << 32), self._slack
-        part.room = self._depth - self._unread()
+        values = {
+            "clock": self.around.now,
+            "fates": self._failed << 16 | self._finished,
+            "late": self._late % (1 << 32),
+            "refused": self._refused % (1 << 32),
+            "slack": self._slack,
+            "room": self._depth - self._unread(),
+        }
+        # To set a value takes longer than to see that it is there.
+        for name, value in values.items():
+            if self._shown.get(name) != value:
+                setattr(self.part, name, value)
+        self._shown = values

@@ -24,6 +24,7 @@ from typing import TYPE_CHECKING, Any, Self, SupportsIndex
 
 from unity_link.blocking import BlockingLink
 from unity_link.cores.lease import Lease
+from unity_link.cores.timeline import Done, Timeline
 from unity_link.data import groups
 from unity_link.data.callbacks import Registration
 from unity_link.data.proxies import OPERATORS, Proxy
@@ -37,7 +38,18 @@ if TYPE_CHECKING:
     from types import TracebackType
 
 
-_SHOWN = (Component, Proxy, Module, groups.Group, GroupSubscription, Registration, Lease, AsyncGeneratorType)
+_SHOWN = (
+    Component,
+    Proxy,
+    Module,
+    groups.Group,
+    GroupSubscription,
+    Registration,
+    Lease,
+    Timeline,
+    Done,
+    AsyncGeneratorType,
+)
 """Types that are wrapped in a view; everything else is given as it is."""
 
 

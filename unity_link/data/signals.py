@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-from typing import TYPE_CHECKING, Generic, Protocol, cast
+from typing import TYPE_CHECKING, Generic, Protocol, cast, overload
 
 from unity_link.data.proxies import BUFFER, Owner, Proxy, S, T, nothing_publishes, refusal
 from unity_link.errors import AnswerLostError, BusError, refusing
@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable
     from typing import Any
 
+    from unity_link.cores.clock import Instant
+    from unity_link.cores.timeline import Done
     from unity_link.data.feed import Feed
     from unity_link.data.groups import Group
     from unity_link.link.subscription import Overflow
@@ -94,25 +96,41 @@ class Writable(Proxy[T], Generic[T, S]):
 
     __slots__ = ()
 
-    async def set(self, value: S) -> None:
-        """Write it; when this returns it is on the bus.
+    @overload
+    async def set(self, value: S) -> None: ...
+    @overload
+    async def set(self, value: S, *, at: Instant) -> Done: ...
+    async def set(self, value: S, *, at: Instant | None = None) -> Done | None:
+        """Write it; when this returns it is on the bus. With `at`, it is scheduled for an instant.
 
         One of several words is written in one bus transaction, and a field leaves the other bits of its word alone.
 
         Args:
             value: in the signal's unit, it goes to the nearest one that there is; an enumeration takes names too.
+            at: the instant of the gateway's clock at which it is to be written, of a signal that is `TIMED`; behind
+                those that were given before.
+
+        Returns:
+            With `at`, what can be awaited until it has acted: it gives the instant, or raises `LateError`. Where that
+            is not awaited, the next such `set` raises it.
 
         Raises:
-            ArgumentError: for a value outside of the limits, or that the kind cannot say. Nothing was sent.
+            ArgumentError: for a value outside of the limits, or that the kind cannot say. Nothing was sent. With `at`,
+                also for a signal that is not timed, and while a timeline feeds its schedule.
             NotArmedError: where a lease guards it that is not armed. Nothing was written.
             UnsupportedError: for a field, where the gateway was built without masked writes.
         """
+        if at is not None:
+            from unity_link.cores.timeline import set_at
+
+            return await set_at(self, value, at)
         words = self.signal.encode(cast("Any", value))
         try:
             await self._write(words)
         except BusError as error:
             raise await refusal(error, [self]) from None
         self.see(self.scalar(self.signal.decode(words)))
+        return None
 
     async def _write(self, words: tuple[int, ...]) -> None:
         signal = self.signal

@@ -17,14 +17,19 @@ class Asked:
         link: an open link.
         address: of the first of the consecutive words that are read or written.
         count: number of words to read, at most ``gateway.block_words``.
-        write: words to write in place of that.
+        write: words to write in place of that, at most as many.
+        to_queue: whether all are written to the first address, the port of a queue.
 
     Raises:
         LinkLostError: where the link has ended.
+        UnsupportedError: for the port of a queue, where the gateway was built without queue commands.
     """
 
-    def __init__(self, link: Link, address: int, count: int = 0, *, write: Sequence[int] = ()) -> None:
-        self._waiter, self._cancel = link._begin_block(address, count, write)  # noqa: SLF001  (the same room)
+    def __init__(
+        self, link: Link, address: int, count: int = 0, *, write: Sequence[int] = (), to_queue: bool = False
+    ) -> None:
+        begin = link._begin_block  # noqa: SLF001  (the same room)
+        self._waiter, self._cancel = begin(address, count, write, to_queue=to_queue)
 
     def done(self) -> bool:
         """Return whether the answer is there."""

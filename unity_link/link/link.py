@@ -532,11 +532,16 @@ class Link(OfLink, Connection):
             requests.append(Request(codec, command, fields, part * info.data_digits))
         return arrays.joined(await self._all(requests))
 
-    def _begin_block(self, address: int, count: int, write: Sequence[int]) -> tuple[Waiter, Callable[[], None]]:
+    def _begin_block(
+        self, address: int, count: int, write: Sequence[int], *, to_queue: bool
+    ) -> tuple[Waiter, Callable[[], None]]:
         """Ask for a read, or a write, of one transaction; return its answer, and what gives it up."""
         codec = self._flow.codec
         if write:
-            request = Request(codec, "WM", codec.fields("WM", address, self._words(write)), 0)
+            command = "WQ" if to_queue else "WM"
+            if to_queue:
+                self._require(Feature.QUEUE_COMMANDS, "queue writes")
+            request = Request(codec, command, codec.fields(command, address, self._words(write)), 0)
         else:
             # Imported here, not in the callback that takes the answer.
             _ = protocol.arrays

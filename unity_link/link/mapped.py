@@ -175,11 +175,13 @@ class MappedLink(Link):
         """Write, as `write_many` does."""
         await self.write_many(addresses, values)
 
-    def _begin_block(self, address: int, count: int, write: Sequence[int]) -> tuple[Waiter, Callable[[], None]]:
+    def _begin_block(
+        self, address: int, count: int, write: Sequence[int], *, to_queue: bool
+    ) -> tuple[Waiter, Callable[[], None]]:
         """Read or write words in place."""
         words = self._words_at
         for index, word in enumerate(write):
-            words[address + index] = word
+            words[address if to_queue else address + index] = word
         answer = None if write else [words[address + index] for index in range(count)]
         waiter = self._runtime.create_future()
         waiter.set_result(answer)

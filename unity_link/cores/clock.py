@@ -1,0 +1,155 @@
+"""The clock of a gateway as a program knows it: bounds of its ticks by this machine's clock, and instants of it."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import msgspec
+
+from unity_link.errors import ArgumentError
+from unity_link.link.freshness import MOST_DRIFT
+from unity_link.link.synchronisation import running
+from unity_link.protocol.numbers import real_number
+
+READ_AGAIN = 10.0
+"""Seconds after which the gateway's clock is read anew: the estimate is off by what quartzes drift apart meanwhile,
+2 ms, and by the time that the answer was on its way."""
+_LEAST_APART = 0.1
+"""Seconds between two readings that tell how fast the gateway's clock is."""
+
+
+class Instant(msgspec.Struct, frozen=True, order=True):
+    """An instant of a gateway's clock: whole cycles since its reset."""
+
+    ticks: int
+    clock_hz: int
+
+    @property
+    def ns(self) -> int:
+        """Nanoseconds since the reset, the nearest whole number."""
+        return round(Fraction(self.ticks * 1_000_000_000, self.clock_hz))
+
+    def after(self, seconds: float) -> Instant:
+        """Return the instant so much later, in the nearest cycle; earlier, for a number below 0.
+
+        Raises:
+            ArgumentError: for what is no number of seconds.
+        """
+        passed = real_number(seconds, "instants are a number of seconds apart")
+        return Instant(self.ticks + round(Fraction(passed) * self.clock_hz), self.clock_hz)
+
+    def __str__(self) -> str:
+        """Return the seconds since the reset."""
+        return f"{self.ticks / self.clock_hz:.9f} s of the gateway's clock"
+
+
+class TickBounds:
+    """Bounds of a gateway's clock, in its ticks, of readings of it and of samples that have come.
+
+    Args:
+        hertz: its frequency.
+    """
+
+    def __init__(self, hertz: int) -> None:
+        self.hertz = hertz
+        self.read_at: float | None = None
+        """Instant of this machine's clock at which the last reading had come; None before the first."""
+        self._asked_at = 0.0
+        self._ticks = 0
+        self._seen, self._seen_at = 0, 0.0
+        """Latest that it is known to have been, and the instant at which that was known."""
+        self._first: tuple[int, float, float] | None = None
+        """Ticks, and the two instants, of the first reading."""
+
+    def read(self, ticks: int, asked: float, now: float) -> None:
+        """Take a reading that was asked for at an instant and is there now."""
+        if self._first is None or ticks < self._first[0]:
+            self._first = ticks, asked, now
+            self._seen, self._seen_at = ticks, now
+        self._ticks, self._asked_at, self.read_at = ticks, asked, now
+        self.see(ticks, now)
+
+    def see(self, ticks: int, now: float) -> None:
+        """Take an instant that has passed."""
+        if ticks > self.least(now):
+            self._seen, self._seen_at = ticks, now
+
+    def least(self, now: float) -> int:
+        """Return what it is at least: never ahead of the truth."""
+        return self._seen + int((now - self._seen_at) * (1 - MOST_DRIFT) * self.hertz)
+
+    def most(self, now: float) -> int:
+        """Return what it is at most."""
+        return self._ticks + int((now - self._asked_at) * (1 + MOST_DRIFT) * self.hertz) + 1
+
+    def is_old(self, now: float) -> bool:
+        """Return whether it should be read anew."""
+        return self.read_at is None or now - self.read_at > READ_AGAIN
+
+    @property
+    def drift(self) -> tuple[float, float] | None:
+        """Part by which it is faster than this machine's clock, and how far that may be off; None if not known."""
+        if self._first is None or self.read_at is None:
+            return None
+        ticks, asked, came = self._first
+        apart = (self._asked_at + self.read_at - asked - came) / 2
+        if apart < _LEAST_APART:
+            return None
+        unsure = (came - asked + self.read_at - self._asked_at) / 2 / apart
+        return (self._ticks - ticks) / self.hertz / apart - 1, unsure
+
+
+class TickClock:
+    """The clock of a gateway, by this machine's: that of the event loop, which is `time.monotonic` but in models."""
+
+    def __init__(self, bounds: TickBounds) -> None:
+        self._bounds = bounds
+        self._time = running().time
+
+    @property
+    def clock_hz(self) -> int:
+        """Ticks a second."""
+        return self._bounds.hertz
+
+    def now(self) -> Instant:
+        """Return the instant that it is now, as near as is known."""
+        return self.at(self._time())
+
+    def at(self, time: float) -> Instant:
+        """Return the instant at a time of this machine's clock (seconds), as near as is known."""
+        bounds = self._bounds
+        return Instant((bounds.least(time) + bounds.most(time)) // 2, bounds.hertz)
+
+    def time_of(self, instant: Instant) -> float:
+        """Return when an instant is by this machine's clock (seconds).
+
+        Raises:
+            ArgumentError: for an instant of a clock with another frequency.
+        """
+        if instant.clock_hz != self.clock_hz:
+            raise ArgumentError(f"{instant!r} is of another clock: this one has {self.clock_hz} Hz")
+        now = self._time()
+        return now + (instant.ticks - self.at(now).ticks) / self.clock_hz
+
+    @property
+    def offset(self) -> float:
+        """This machine's clock at the gateway's instant 0 (seconds)."""
+        return self.time_of(Instant(0, self.clock_hz))
+
+    @property
+    def error(self) -> float:
+        """Most seconds by which `now` is off; it grows with the time since the clock was read."""
+        now = self._time()
+        return (self._bounds.most(now) - self._bounds.least(now)) / 2 / self.clock_hz
+
+    @property
+    def drift(self) -> tuple[float, float] | None:
+        """Part by which the gateway's clock is faster, and how far that may be off.
+
+        None until the clock was read twice, 0.1 s apart or more.
+        """
+        return self._bounds.drift
+
+    def __repr__(self) -> str:
+        """Return where it is, and how near that is known."""
+        return f"<a gateway's clock at {self.now()}, known to {self.error * 1e6:.0f} us>"

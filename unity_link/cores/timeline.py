@@ -1,0 +1,606 @@
+"""The program's side of a schedule: it feeds writes for instants, and learns what became of each.
+
+A schedule has one writer at a time, `ScheduleFeed`: it knows which batches are under way, and reads their ends and the
+room in the queue from the registers of the schedule. Nothing runs in the background.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, NamedTuple, Self
+from weakref import WeakKeyDictionary
+
+from unity_link.cores.batches import FATES, FRAME, MOST_WORDS, batch_of
+from unity_link.cores.clock import Instant, TickBounds, TickClock
+from unity_link.errors import ArgumentError, LateError, OfLink, Sealed, refusing
+from unity_link.link.asked import Asked
+from unity_link.link.synchronisation import running
+from unity_link.protocol.numbers import real_number
+from unity_link.spec.model import STAGE_BITS
+
+if TYPE_CHECKING:
+    from collections.abc import Generator, Mapping, Sequence
+    from types import TracebackType
+
+    from unity_link.cores.lease import Lease
+    from unity_link.data.proxies import Proxy
+    from unity_link.link.link import Link
+    from unity_link.spec.model import Signal
+
+MOST_UNDER_WAY = 64
+"""Queue writes that are sent and not answered."""
+LOOK_BEHIND = FATES * 2 // 3
+"""Instants that pass before it is looked what became of them."""
+SHORTEST_PAUSE = 0.0005
+"""Seconds between two looks at the schedule while something of it is waited for."""
+PARTS = 8
+"""A queue that is full is fed again when this part of it is free."""
+KICKS = 4
+"""Kicks in the time-out of a lease."""
+_NUMBERS = 1 << 16
+"""The number of ended batches is modulo this."""
+_OPEN = "write `async with` before this timeline, and `with` where it is one of a blocking link"
+
+
+class ScheduleRegisters:
+    """The registers of a schedule.
+
+    Args:
+        robot: with the schedule.
+        name: path of the schedule in it.
+    """
+
+    def __init__(self, robot: Any, name: str) -> None:
+        def find(register: str) -> Any:
+            return robot[f"{name}.{register}"]
+
+        self.name = name
+        self.robot = robot
+        core = next(one.core for one in robot.interface.cores if one.path == name)
+        self.depth = int(core.generics["depth"])
+        """Words of its queue."""
+        self.entry, self.cancel, self.clock, self.fates = (
+            find(register) for register in ("entry", "cancel", "clock", "fates")
+        )
+        self.counters = tuple(find(register).signal for register in ("late", "refused", "room", "slack"))
+        """Signals that stand side by side."""
+        self.link: Link = self.entry.link
+        timed = {path: signal for path, signal in robot.interface.signals.items() if signal.timed == name}
+        self.places: dict[str, range] = {path: robot.interface.stages[path] for path in timed}
+        """Places on its stage, by the paths of the signals that it can write."""
+        self.lease = next((signal.safe.lease for signal in timed.values() if signal.safe is not None), None)
+        """Path of the lease that guards what it writes."""
+
+    def timed(self, proxy: Proxy[Any]) -> Signal:
+        """Return the declaration of a signal that it can write.
+
+        Raises:
+            ArgumentError: for another one.
+        """
+        signal: Signal | None = getattr(proxy, "signal", None)
+        if signal is None:
+            raise ArgumentError(
+                f"{self.name} writes to signals, which are the keys of what is set, not to {proxy!r:.80}"
+            )
+        if proxy.robot is not self.robot or signal.path not in self.places:
+            raise ArgumentError(f"{signal.path} is not timed by {self.name}: its declaration has no TIMED({self.name})")
+        return signal
+
+    def words_of(self, values: Mapping[Proxy[Any], Any]) -> dict[int, int]:
+        """Return what values put on the stage, by places.
+
+        Raises:
+            ArgumentError: for no values, values that signals do not take, and signals that are not of the schedule.
+        """
+        words: dict[int, int] = {}
+        for proxy, value in values.items():
+            signal = self.timed(proxy)
+            encoded = signal.encode(value)
+            raw = signal.kind.encode(signal.decode(encoded)) if signal.words > 1 else encoded[0] >> signal.lowest_bit
+            for part, place in enumerate(self.places[signal.path]):
+                words[place] = raw >> STAGE_BITS * part & (1 << STAGE_BITS) - 1
+        if not words:
+            raise ArgumentError(f"{self.name} was given no values to write: at least one signal was expected")
+        return words
+
+
+class _Look(NamedTuple):
+    """Contents of the registers of a schedule."""
+
+    ended: int
+    """Number of batches that have ended, modulo 2 ** 16."""
+    failed: int
+    """A bit for each of the last 48: 1 for one that has not acted; the newest one lowest."""
+    late: int
+    refused: int
+    room: int
+
+
+class Done(OfLink):
+    """A write at an instant, whose end can be awaited: the instant in which it acted."""
+
+    def __init__(self, feed: ScheduleFeed, instant: Instant, size: int) -> None:
+        self.instant = instant
+        self.size = size
+        """Words that it takes in the queue."""
+        self.acted: bool | None = None
+        """True if it has acted, False if it will not; None where that is not known yet."""
+        self.told = False
+        """True if its error was raised."""
+        self._feed = feed
+
+    def __repr__(self) -> str:
+        """Return its instant, and what is known of it."""
+        known = {None: "not known yet", True: "it acted", False: "it did not act"}[self.acted]
+        return f"<a write at {self.instant}: {known}>"
+
+    def __await__(self) -> Generator[Any, Any, Instant]:
+        """Wait for it, as `wait` does."""
+        return self.wait().__await__()
+
+    async def wait(self) -> Instant:
+        """Wait until it has acted, and return its instant.
+
+        Raises:
+            LateError: where it has not, and will not.
+            NotArmedError: where that is since the lease of what it writes is not armed.
+            LinkLostError: where the link has ended.
+        """
+        await self._feed.wait_for(self)
+        if not self.acted:
+            self.told = True
+            raise await self._feed.failure([self])
+        return self.instant
+
+
+class ScheduleFeed:
+    """The one writer of a schedule.
+
+    Args:
+        registers: of the schedule.
+    """
+
+    def __init__(self, registers: ScheduleRegisters) -> None:
+        self.registers = registers
+        self._link = registers.link
+        self._bounds = TickBounds(self._link.gateway.clock_hz)
+        self.time = TickClock(self._bounds)
+        self.line: object | None = None
+        """The timeline that is open."""
+        self._has_begun = False
+        self._pending: deque[Done] = deque()
+        """Batches that are sent, and whose end is not known."""
+        self._unsure: list[Done] = []
+        """Batches that have ended, of which the counters have to say whether all have acted."""
+        self._queued: deque[Asked] = deque()
+        self._failed: list[Done] = []
+        self._ended = self._counted = self._base = 0
+        self._late = self._refused = 0
+        self._room = 0
+        self._sent = 0
+        """Words that were sent, ever."""
+        self._last: Instant | None = None
+        self.acted = 0
+        """Number of batches that have acted since the last flush."""
+
+    # Beginning and end
+
+    async def begin(self) -> None:
+        """Cancel what is there, and begin."""
+        await self._read_clock()
+        self._give_up()
+        await self.registers.cancel.set(1)
+        look = await self._ask()
+        while True:
+            # What was cancelled ends one batch a cycle.
+            again = await self._ask()
+            if again.ended == look.ended and again.refused == look.refused:
+                break
+            look = again
+        self._ended, self._base, self._counted = again.ended, again.late + again.refused, 0
+        self._late, self._refused, self._room = again.late, again.refused, again.room
+        self._last, self.acted = None, 0
+        self._has_begun = True
+
+    async def cancel(self) -> None:
+        """Cancel what was sent and has not acted."""
+        self._give_up()
+        self._has_begun = False
+        await self.registers.cancel.set(1)
+
+    def _give_up(self) -> None:
+        for queued in self._queued:
+            queued.give_up()
+        self._queued.clear()
+        for done in (*self._pending, *self._unsure):
+            done.acted = False
+        self._pending.clear()
+        self._unsure.clear()
+        self._failed.clear()
+
+    async def _read_clock(self) -> None:
+        asked = running().time()
+        ticks = await self.registers.clock.get()
+        self._bounds.read(int(ticks), asked, running().time())
+
+    async def clock(self) -> TickClock:
+        """Read the gateway's clock; return it."""
+        await self._read_clock()
+        return self.time
+
+    # Feeding
+
+    async def ready(self) -> None:
+        """Begin, if that is still to be done, and see to it that the clock is known."""
+        if not self._has_begun:
+            await self.begin()
+        elif self._bounds.is_old(running().time()):
+            await self._read_clock()
+
+    async def send(self, instant: Instant, words: Mapping[int, int], lease: Lease | None = None) -> Done:
+        """Send a batch; wait until there is room for it.
+
+        Args:
+            instant: at which it acts.
+            words: by their places on the stage.
+            lease: to be kicked while there is no room.
+
+        Raises:
+            ArgumentError: for an instant that is not behind the one before, or a batch that never fits.
+        """
+        batch = batch_of(instant.ticks, words)
+        self._check(instant, batch)
+        if len(self._pending) > LOOK_BEHIND:
+            # The ends of those that are far behind can no longer be told apart.
+            behind = self._pending[LOOK_BEHIND].instant.ticks
+            if behind < self._bounds.least(running().time()):
+                await self._look(lease)
+        while self._room < len(batch):
+            await self._look(lease)
+            if self._room < len(batch):
+                await self._pause(max(len(batch) - self._room, self.registers.depth // PARTS), lease)
+        self._last = instant
+        self._room -= len(batch)
+        self._sent += len(batch)
+        done = Done(self, instant, len(batch))
+        self._pending.append(done)
+        most = self._link.gateway.block_words
+        for start in range(0, len(batch), most):
+            part = batch[start : start + most]
+            self._queued.append(Asked(self._link, self.registers.entry.signal.address, write=part, to_queue=True))
+        while self._queued and (self._queued[0].done() or len(self._queued) > MOST_UNDER_WAY):
+            await self._queued.popleft().words()
+        return done
+
+    def _check(self, instant: Instant, batch: Sequence[int]) -> None:
+        name = self.registers.name
+        if len(batch) > min(self.registers.depth, MOST_WORDS + FRAME):
+            most = min(self.registers.depth, MOST_WORDS + FRAME)
+            raise ArgumentError(
+                f"a write of {len(batch)} words at one instant is too long: {name} takes {most} at most"
+            )
+        if self._last is not None and instant.ticks <= self._last.ticks:
+            raise ArgumentError(f"{name} writes in the order of the instants: {instant} is not behind {self._last}")
+
+    async def _pause(self, size: int, lease: Lease | None) -> None:
+        """Wait until batches of so many words have ended, or all, but no longer than a lease lasts."""
+        pause = SHORTEST_PAUSE
+        for done in self._pending:
+            size -= done.size
+            if size <= 0 or done is self._pending[-1]:
+                pause = max(self.time.time_of(done.instant) - running().time(), pause)
+                break
+        if lease is not None:
+            pause = min(pause, lease.timeout / KICKS)
+        await running().sleep(pause)
+
+    # Ends
+
+    async def wait_for(self, done: Done) -> None:
+        """Wait until it is known what became of a batch."""
+        while done.acted is None:
+            left = self.time.time_of(done.instant) - running().time()
+            await running().sleep(max(left, SHORTEST_PAUSE))
+            await self._look()
+
+    async def drain(self, lease: Lease | None = None) -> None:
+        """Wait until it is known of each batch."""
+        while self._queued:
+            await self._queued.popleft().words()
+        while self._pending or self._unsure:
+            await self._look(lease)
+            if self._pending:
+                await self._pause(self.registers.depth, lease)
+
+    async def raise_failures(self) -> None:
+        """Raise the error of the batches that are known not to have acted, and whose own was not raised.
+
+        Raises:
+            LateError: for what came too late.
+            NotArmedError: for what was refused since its lease is not armed.
+        """
+        failed = [done for done in self._failed if not done.told]
+        self._failed.clear()
+        if failed:
+            raise await self.failure(failed)
+
+    async def failure(self, failed: Sequence[Done]) -> Exception:
+        """Return the error for batches that have not acted."""
+        if self.registers.lease is not None and self._refused:
+            from unity_link.cores.lease import LeaseRegisters
+
+            lease = LeaseRegisters(self.registers.robot, self.registers.lease)
+            condition = await lease.condition()
+            if not condition.armed:
+                return await lease.fault(condition)
+        first, others = failed[0].instant, len(failed) - 1
+        more = f", and {others} more up to {failed[-1].instant}" if others else ""
+        return LateError(
+            f"{self.registers.name} has not made the write at {first}{more}: it came too late, or was cancelled",
+            first.ticks,
+        )
+
+    async def _ask(self) -> _Look:
+        """Read the registers; the counters are as new as the ends, or newer."""
+        registers, link = self.registers, self._link
+        fates = Asked(link, registers.fates.signal.address, registers.fates.signal.words)
+        counters = Asked(link, registers.counters[0].address, len(registers.counters))
+        try:
+            ends = int(registers.fates.signal.decode(await fates.words()))
+            numbers = zip(registers.counters, await counters.words(), strict=True)
+            late, refused, room, _ = (int(signal.decode(word)) for signal, word in numbers)
+        finally:
+            fates.give_up()
+            counters.give_up()
+        return _Look(ends % _NUMBERS, ends >> _NUMBERS.bit_length() - 1, late, refused, room)
+
+    async def _look(self, lease: Lease | None = None) -> None:
+        """See which batches have ended, and how much room there is."""
+        if lease is not None:
+            await lease.kick()
+        sent = self._sent
+        look = await self._ask()
+        self._room = look.room - (self._sent - sent)
+        new = (look.ended - self._ended) % _NUMBERS
+        if new > len(self._pending):
+            await self.cancel()
+            raise ArgumentError(f"another program has written to {self.registers.name}, which has one writer at a time")
+        self._ended = look.ended
+        self._refused = look.refused
+        for age in reversed(range(new)):
+            done = self._pending.popleft()
+            if age >= FATES:
+                self._unsure.append(done)
+            else:
+                self._end(done, acted=not look.failed >> age & 1)
+        self._settle((look.late + look.refused - self._base) % (1 << 32), new)
+
+    def _settle(self, counted: int, new: int) -> None:
+        """Settle what the counters have to say: whether all of a stretch have acted."""
+        if not self._unsure:
+            return
+        if counted == self._counted:
+            stretch, acted = self._unsure, True
+        elif new:
+            # What has failed since the ends were read is among them at the next look.
+            return
+        else:
+            stretch, acted = self._unsure, False
+            self._counted = counted
+        self._unsure = []
+        for done in stretch:
+            done.acted = acted
+            self.acted += acted
+        self._failed += [] if acted else stretch
+
+    def _end(self, done: Done, *, acted: bool) -> None:
+        done.acted = acted
+        self.acted += acted
+        self._counted += not acted
+        if not acted:
+            self._failed.append(done)
+
+
+async def set_at(proxy: Proxy[Any], value: Any, at: Instant) -> Done:
+    """Write one signal at an instant.
+
+    Raises:
+        ArgumentError: for a signal that no schedule times, a value that it does not take, what is no instant, and while
+            a timeline feeds the schedule.
+        LateError: where an earlier write has not acted.
+    """
+    schedule = proxy.signal.timed
+    if schedule is None:
+        raise ArgumentError(f"{proxy.path} cannot be written at an instant: its declaration has no TIMED")
+    registers = ScheduleRegisters(proxy.robot, schedule)
+    feed = feed_of(registers)
+    if feed.line is not None:
+        raise ArgumentError(f"{schedule} is fed by a timeline of this link: its `set` takes {proxy.path} as well")
+    instant, words = check_instant(at, feed.time), registers.words_of({proxy: value})
+    await feed.ready()
+    await feed.raise_failures()
+    return await feed.send(instant, words)
+
+
+_FEEDS: WeakKeyDictionary[Any, dict[int, ScheduleFeed]] = WeakKeyDictionary()
+
+
+def feed_of(registers: ScheduleRegisters) -> ScheduleFeed:
+    """Return the writer of a schedule on its link."""
+    feeds = _FEEDS.setdefault(registers.link, {})
+    address = registers.entry.signal.address
+    if address not in feeds:
+        feeds[address] = ScheduleFeed(registers)
+    return feeds[address]
+
+
+class Timeline(Sealed):
+    """Writes at instants, in an ``async with`` block; `ScheduleVerbs.timeline` makes it.
+
+    `set` takes values for the instant that the line has come to, `delay` moves it on. What does not fit into the queue
+    waits for room. Where the block ends well, all has acted, or `LateError` is raised; where it ends by an error, what
+    has not acted is cancelled.
+    """
+
+    def __init__(self, registers: ScheduleRegisters, lead: float, lease: Lease | None) -> None:
+        self.lead = lead
+        """Seconds from the beginning to the first instant."""
+        self._registers = registers
+        self._feed = feed_of(registers)
+        self._lease = lease
+        self._kicked_at: float | None = None
+        self._is_on = self._was_on = False
+        self._at = Fraction(0)
+        """Ticks that it has come to; whole ones are written at."""
+
+    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+        __await__ = __enter__ = __exit__ = __aiter__ = __iter__ = refusing(_OPEN)
+
+    def _called(self) -> str:
+        return "a timeline"
+
+    @property
+    def instant(self) -> Instant:
+        """The instant that it has come to."""
+        return Instant(round(self._at), self._feed.time.clock_hz)
+
+    def __repr__(self) -> str:
+        """Return what it is of, and where it is."""
+        state = f"at {self.instant}" if self._is_on else "over" if self._was_on else "not begun"
+        return f"<timeline of {self._feed.registers.name}, {state}>"
+
+    async def __aenter__(self) -> Self:
+        """Begin: cancel what the schedule has, and read the gateway's clock.
+
+        Raises:
+            ArgumentError: where another timeline of the link is open.
+        """
+        name = self._feed.registers.name
+        if self._was_on:
+            raise ArgumentError(f"this timeline of {name} was used before: `timeline` makes one for each block")
+        if self._feed.line is not None:
+            raise ArgumentError(f"{name} is fed by another timeline of this link: a schedule has one writer at a time")
+        self._feed.line, self._was_on = self, True
+        try:
+            await self._feed.begin()
+        except BaseException:
+            self._feed.line = None
+            raise
+        self._at = Fraction(self._feed.time.now().after(self.lead).ticks)
+        self._is_on = True
+        return self
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        """Wait for what was set; after an error, cancel it.
+
+        Raises:
+            LateError: where a write has not acted.
+        """
+        try:
+            if error is None:
+                await self.flush()
+            elif isinstance(error, Exception):
+                await self._feed.cancel()
+            else:
+                # What ends a program waits for no answer.
+                self._feed._give_up()  # noqa: SLF001  (the same room)
+                await self._feed.registers.cancel.post(1)
+        finally:
+            self._is_on = False
+            self._feed.line = None
+
+    async def set(self, values: Mapping[Proxy[Any], Any], *, at: Instant | None = None) -> Done:
+        """Write values to signals at an instant, all of them in one clock cycle.
+
+        Args:
+            values: by their signals, which all are `TIMED` by the schedule.
+            at: the instant, behind the ones before; the line is there then. None for the one that it has come to.
+
+        Returns:
+            What can be awaited to know that they have acted. An error that is not looked at is raised by `flush`, by a
+            later `set`, or where the block ends.
+
+        Raises:
+            ArgumentError: for values that signals do not take, or an instant that is not behind the one before. Nothing
+                was sent.
+            LateError: where an earlier write has not acted.
+            NotArmedError: where that is since the lease is not armed.
+            LinkLostError: when the link has ended.
+        """
+        self._check_on()
+        instant = self.instant if at is None else check_instant(at, self._feed.time)
+        done = await self.put(self._registers.words_of(values), instant)
+        if at is not None:
+            self._at = Fraction(at.ticks)
+        return done
+
+    async def put(self, words: Mapping[int, int], at: Instant) -> Done:
+        """Write words to places of the stage at an instant; like `set` otherwise."""
+        await self._kick()
+        await self._feed.raise_failures()
+        return await self._feed.send(at, words, self._lease)
+
+    def delay(self, seconds: float) -> None:
+        """Move the line on; below 0, back.
+
+        Raises:
+            ArgumentError: for what is no number of seconds, and outside of the block.
+        """
+        self._check_on()
+        self._at += Fraction(real_number(seconds, "a delay is a number of seconds")) * self._feed.time.clock_hz
+
+    async def flush(self) -> int:
+        """Wait until everything that was set has acted.
+
+        Returns:
+            The number of instants that have, since the last flush.
+
+        Raises:
+            LateError: where one has not.
+            NotArmedError: where that is since the lease is not armed.
+        """
+        self._check_on()
+        await self._feed.drain(self._lease)
+        acted, self._feed.acted = self._feed.acted, 0
+        await self._feed.raise_failures()
+        return acted
+
+    async def _kick(self) -> None:
+        lease, now = self._lease, running().time()
+        if lease is not None and (self._kicked_at is None or now - self._kicked_at >= lease.timeout / KICKS):
+            await lease.kick()
+            self._kicked_at = now
+
+    def _check_on(self) -> None:
+        if not self._is_on:
+            name = self._feed.registers.name
+            raise ArgumentError(f"a timeline is used in its block: async with {name}.timeline() as line")
+
+
+def check_instant(instant: Instant, time: TickClock) -> Instant:
+    """Return an instant of a clock.
+
+    Raises:
+        ArgumentError: for what is none.
+    """
+    given: object = instant
+    if not isinstance(given, Instant):
+        raise ArgumentError(f"an instant of the gateway's clock was expected, as of `clock.now()`, not {instant!r:.80}")
+    if given.clock_hz != time.clock_hz:
+        raise ArgumentError(f"{given!r} is of another clock: this one has {time.clock_hz} Hz")
+    return given
+
+
+def seconds_of(value: float, what: str) -> float:
+    """Return a number of seconds from 0 on.
+
+    Raises:
+        ArgumentError: for what is none.
+    """
+    seconds = real_number(value, what)
+    if seconds < 0:
+        raise ArgumentError(f"{what}, not {value!r:.80}")
+    return seconds
