@@ -91,6 +91,7 @@ __all__ = [
     "UnsupportedError",
     "connect",
     "load",
+    "robot",
 ]
 
 
@@ -111,6 +112,24 @@ def load(spec: "str | Path | Spec", interface: str | None = None) -> "type[Loade
     from unity_link.data.loading import load as load_class
 
     return load_class(spec, interface)
+
+
+async def robot(link: Link) -> "LoadedRobot":
+    """Return the robot behind a link to a gateway that carries its description: nothing else has to be known of it.
+
+    The description is the spec that the gateway was generated from, and is read in some round trips. Cores have the
+    verbs of the package, or of another that is installed.
+
+    Args:
+        link: open.
+
+    Raises:
+        UnsupportedError: where the gateway carries no description, or one that cannot be read here.
+        LinkLostError: when the link has ended.
+    """
+    from unity_link.data.describing import robot_behind
+
+    return await robot_behind(link)
 
 
 if not TYPE_CHECKING:  # It would have every name be known to a type checker.

@@ -78,7 +78,9 @@ entity unity_link is
     -- Any: what Q reports as the build identifier.
     build_id : std_logic_vector(31 downto 0) := x"00000000";
     -- Whether that is the fingerprint of a spec's map, which hosts compare with theirs.
-    fingerprint : boolean := false
+    fingerprint : boolean := false;
+    -- Whether the highest addresses hold a description, as docs/protocol.md says.
+    description : boolean := false
   );
   port (
     -- Rising edges count.
@@ -255,7 +257,8 @@ begin
       node                      => node,
       half_duplex               => half_duplex,
       build_id                  => build_id,
-      fingerprint               => fingerprint
+      fingerprint               => fingerprint,
+      description               => description
     )
     port map (
       clk            => clk,

@@ -78,7 +78,9 @@ entity unity_link_core is
     -- Any: what Q reports as the build identifier.
     build_id : std_logic_vector(31 downto 0) := x"00000000";
     -- Whether that is the fingerprint of a spec's map, which hosts compare with theirs.
-    fingerprint : boolean := false
+    fingerprint : boolean := false;
+    -- Whether the highest addresses hold a description, as docs/protocol.md says.
+    description : boolean := false
   );
   port (
     -- Rising edges count.
@@ -167,9 +169,9 @@ architecture rtl of unity_link_core is
   function features return std_logic_vector is
   begin
 
-    return "000000" & to_std_logic(half_duplex) & to_std_logic(fingerprint) & to_std_logic(node >= 0)
-           & to_std_logic(queue_commands) & to_std_logic(masked_write) & to_std_logic(flow_control)
-           & to_std_logic(send_immediate) & to_std_logic(timestamps and has_groups)
+    return "00000" & to_std_logic(description) & to_std_logic(half_duplex) & to_std_logic(fingerprint)
+           & to_std_logic(node >= 0) & to_std_logic(queue_commands) & to_std_logic(masked_write)
+           & to_std_logic(flow_control) & to_std_logic(send_immediate) & to_std_logic(timestamps and has_groups)
            & to_std_logic(triggers and has_groups) & to_std_logic(has_groups);
 
   end function features;

@@ -55,7 +55,9 @@ entity unity_link_fifo is
     half_duplex : boolean := false;
     -- What `Q` reports as the build identifier, and whether that is the fingerprint of a spec's map.
     build_id    : std_logic_vector(31 downto 0) := x"00000000";
-    fingerprint : boolean                       := false
+    fingerprint : boolean                       := false;
+    -- Whether the highest addresses hold a description, as docs/protocol.md says.
+    description : boolean := false
   );
   port (
     clk       : in    std_logic;
@@ -123,7 +125,8 @@ begin
       node                      => node,
       half_duplex               => half_duplex,
       build_id                  => build_id,
-      fingerprint               => fingerprint
+      fingerprint               => fingerprint,
+      description               => description
     )
     port map (
       clk           => clk,

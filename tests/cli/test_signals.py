@@ -112,7 +112,9 @@ def test_a_wrong_name_or_value_is_told_before_anything_is_written(
 def test_without_a_spec_a_name_is_answered_by_what_to_give() -> None:
     result = run("get", "sim:scara", "j1.cpos")
     assert result.returncode == 2
-    assert "no SPEC says which signals there are: give one before j1.cpos, such as robot.ul" in result.stderr
+    assert "no SPEC says which signals there are, and the gateway of sim:scara carries no description" in result.stderr
+    assert "give a spec, such as robot.ul, or set UNITY_LINK_SPEC" in result.stderr
+    assert "88 is no signal: an address is written 0x88" in run("get", "sim:scara", "88").stderr
 
 
 @pytest.mark.parametrize(
@@ -120,8 +122,9 @@ def test_without_a_spec_a_name_is_answered_by_what_to_give() -> None:
     [
         (["get", SCARA, "sim:scara", "j1.cpos"], "URL and SPEC are swapped: sim:scara"),
         (["watch", SCARA, "sim:scara"], "URL and SPEC are swapped: sim:scara"),
-        (["live", SCARA, "sim:scara"], "sim:scara is the URL of a gateway, and a spec was expected"),
-        (["show", "sim:scara"], "sim:scara is the URL of a gateway, and a spec was expected"),
+        (["live", SCARA, "sim:scara"], "URL and SPEC are swapped: sim:scara"),
+        (["record", SCARA, "sim:scara", "--output", "x.mcap"], "URL and SPEC are swapped: sim:scara"),
+        (["show", "sim:scara"], "the gateway of sim:scara carries no description of its own"),
         (["info", SCARA], "is no URL of a gateway: it is a spec"),
         (["read", "0x10", "sim:scara"], "it is a URL, which stands before the addresses"),
     ],

@@ -73,7 +73,7 @@ async def test_what_comes_is_what_is_printed(tmp_path: Path, capsys: pytest.Capt
     path = tmp_path / "slow.ul"
     path.write_text(text(0.7, 1000, 333))
     robot_type = unity_link.load(path)
-    show(path)
+    show(str(path))
     printed = capsys.readouterr().out
     spec = compile_text(path.read_text())
     made = {one.name: one.text for target in ("docs", "c") for one in generate(target, spec)}

@@ -10,6 +10,7 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
+import msgspec
 import pytest
 
 import unity_link
@@ -93,7 +94,8 @@ def test_that_of_a_node_is_what_the_model_of_one_is() -> None:
 
 def test_that_of_the_walker_is_the_gateway_that_comes_with_the_package_with_its_registers() -> None:
     build = configuration_of(compile_file(WALKER).interface(), {}, None)
-    assert build.info == configurations()["walker"].info
+    ready = configurations()["walker"].info
+    assert build.info == msgspec.structs.replace(ready, features=ready.features | Feature.DESCRIPTION)
     assert build.design is not None
     assert build.design.top == "walker_flat"
     assert build.design.masters == (("elsewhere", 0),)
@@ -148,6 +150,7 @@ async def test_a_model_moves_behind_the_gateware_and_each_sample_is_of_one_insta
     async with unity_link.connect(simulate(WALKER, Marching, rtl=True)) as link:
         robot = Walker(link)
         assert link.gateway.build_id == Walker.interface.fingerprint
+        assert (await unity_link.robot(link)).interface.description == Walker.interface.description
         with pytest.raises(unity_link.BusError):
             await link.read(0x00)
         async with robot.groups["state"].subscribe() as samples:

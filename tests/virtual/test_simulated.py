@@ -86,12 +86,14 @@ def test_each_address_can_be_read_and_written_as_in_the_generated_bank(source: P
     interface = spec.interface()
     bank = {word.address: word for word in Bank(interface).words}
     windows = [(window.first, window.last) for window in Bank(interface).windows]
+    page = Bank(interface).page
+    number, described = (page.number, page.addresses) if page is not None else (-1, range(0))
     for address in range(0x240):
         registers = Registers(interface, loops_back=True)
         word = bank.get(address)
         in_window = any(first <= address <= last for first, last in windows)
-        can_be_written = word.written if word is not None else in_window
-        can_be_read = word.read if word is not None else in_window
+        can_be_written = word.written if word is not None else in_window or address == number
+        can_be_read = word.read if word is not None else in_window or address in {number, *described}
         queues = [
             cell for cell in registers.cells.values() if cell.queue is not None and cell.signal.address == address
         ]

@@ -332,6 +332,7 @@ def report_text(
 - spec: {markdown(Path(source.name).name)}, SHA-256 {source.sha256}
 {files}- bitstream: SHA-256 {digest_of(bitstream)}
 - build identifier: {interface.fingerprint:08X}, the fingerprint of the map
+- description: {_description(interface)}
 - FPGA: {board.device}, {board.package}
 - link: {_link(board)}
 - made by Unity-Link {unity_link.__version__}, {converting_ghdl().version()}, {versions}
@@ -345,6 +346,12 @@ def report_text(
 | pin | direction | site |
 |---|---|---|
 {_rows([(pin, way, design.pins[pin].site) for pin, way in design.ways.items()])}"""
+
+
+def _description(interface: Interface) -> str:
+    if interface.is_described:
+        return f"the spec, in {len(interface.description):,} bytes at the 17 highest addresses"
+    return "none, as the spec leaves the 17 highest addresses not free"
 
 
 def _rows(cells: list[tuple[Any, ...]]) -> str:

@@ -9,7 +9,6 @@ import secrets
 import sys
 import threading
 import time
-from pathlib import Path  # noqa: TC003  (typer reads it)
 from typing import TYPE_CHECKING, Annotated
 from urllib.parse import quote
 
@@ -18,7 +17,7 @@ import typer
 from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json, Timeout, Url, number
 from unity_link.cli.output import print_note, print_result
 from unity_link.cli.running import run
-from unity_link.cli.spec import Given, Name, compile_or_exit
+from unity_link.cli.spec import Given, Name, SpecOrBoard, compile_or_exit, spec_behind
 from unity_link.errors import ArgumentError, ConnectError
 
 if TYPE_CHECKING:
@@ -43,9 +42,7 @@ def add_to(app: typer.Typer) -> None:
 
 def live(  # noqa: PLR0913  (its options)
     url: Url,
-    spec: Annotated[
-        Path | None, typer.Argument(metavar="SPEC", help="A spec, such as robot.ul.", show_default=False)
-    ] = None,
+    spec: SpecOrBoard = None,
     *,
     watch: Annotated[
         list[int] | None,
@@ -87,9 +84,8 @@ def live(  # noqa: PLR0913  (its options)
 
     Prints the address of the page and opens it. Gateway and browser may go and come back. Ctrl-C ends it.
     """
-    if (spec is None) == (not watch):
-        both = ", not both" if watch else ""
-        raise ArgumentError(f"a SPEC was expected, or words by --watch ADDRESS{both}")
+    if spec is not None and watch:
+        raise ArgumentError("a SPEC was expected, or words by --watch ADDRESS, not both")
     for name, hertz in (("--rate", rate), ("--poll", poll)):
         if not 0 <= hertz < math.inf or (name == "--rate" and hertz == 0):
             raise ArgumentError(
@@ -97,7 +93,7 @@ def live(  # noqa: PLR0913  (its options)
             )
     if foxglove_port is not None and not foxglove:
         raise ArgumentError("--foxglove-port is of --foxglove: give both")
-    compiled = None if spec is None else compile_or_exit(spec, interface=interface, given=given)
+    compiled = None if watch else compile_or_exit(spec_behind(url, spec), interface=interface, given=given)
     chosen = _Shown(compiled, interface, watch or [], rate, poll or None)
     token = _token() if allow_writes else None
     app_port = foxglove_port or FOXGLOVE_PORT if foxglove else None

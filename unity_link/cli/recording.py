@@ -14,7 +14,7 @@ import typer
 from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json, Overwrite, Timeout, Url, check_poll
 from unity_link.cli.output import console_on, may_overwrite, print_json, print_note, print_result
 from unity_link.cli.running import run
-from unity_link.cli.spec import Given, Name, SpecFile, compile_or_exit
+from unity_link.cli.spec import Given, Name, SpecOrBoard, compile_or_exit, spec_behind
 from unity_link.errors import ArgumentError
 
 if TYPE_CHECKING:
@@ -38,7 +38,7 @@ def add_to(app: typer.Typer) -> None:
 
 def record(  # noqa: PLR0913  (each is an option)
     url: Url,
-    spec: SpecFile,
+    spec: SpecOrBoard = None,
     *,
     output: Annotated[
         Path,
@@ -68,7 +68,7 @@ def record(  # noqa: PLR0913  (each is an option)
     run(
         _record(
             url,
-            compile_or_exit(spec, interface=interface, given=given),
+            compile_or_exit(spec_behind(url, spec), interface=interface, given=given),
             interface,
             output,
             poll,

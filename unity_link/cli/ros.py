@@ -11,7 +11,7 @@ import typer
 from unity_link.cli.arguments import check_poll
 from unity_link.cli.output import print_note
 from unity_link.cli.running import run
-from unity_link.cli.spec import Given, Name, SpecFile, compile_or_exit
+from unity_link.cli.spec import Given, Name, SpecOrBoard, compile_or_exit
 from unity_link.errors import ArgumentError, UnityLinkError
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ def add_to(app: typer.Typer) -> None:
 
 
 def ros1(
-    spec: SpecFile,
+    spec: SpecOrBoard = None,
     *,
     link: LinkUrl,
     namespace: Namespace = None,
@@ -60,7 +60,7 @@ def ros1(
     """
     check_poll(poll)
     options = {"namespace": namespace, "poll_hz": poll, "frame_id": frame_id or ""}
-    run(_ros1(compile_or_exit(spec, interface=interface, given=given), interface, link, options))
+    run(_ros1(compile_or_exit(spec or link, interface=interface, given=given), interface, link, options))
 
 
 async def _ros1(spec: Spec, interface: str | None, url: str, options: dict[str, Any]) -> None:
@@ -75,7 +75,7 @@ async def _ros1(spec: Spec, interface: str | None, url: str, options: dict[str, 
 
 
 def ros2(  # noqa: PLR0913  (each is an option)
-    spec: SpecFile,
+    spec: SpecOrBoard = None,
     *,
     link: OptionalLinkUrl = None,
     params: Annotated[
@@ -117,7 +117,7 @@ def ros2(  # noqa: PLR0913  (each is an option)
     settings = msgspec.structs.replace(read, **{name: value for name, value in said.items() if value is not None})
     if settings.link is None:
         raise ArgumentError("nothing says where the gateway is: --link URL was expected, or link in --params")
-    compiled = compile_or_exit(spec, interface=interface, given=given)
+    compiled = compile_or_exit(spec or settings.link, interface=interface, given=given)
     run(_ros2(_with_settings(compiled, interface, settings), interface, settings.link, settings))
 
 

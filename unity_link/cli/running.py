@@ -9,13 +9,14 @@ from __future__ import annotations
 import asyncio
 import signal
 import time
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 import typer
 
 if TYPE_CHECKING:
     from collections.abc import Coroutine
 
+T = TypeVar("T")
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 SIGNALLED = 128
 """Exit codes of a program that a signal ended begin here."""
@@ -24,16 +25,16 @@ PATIENCE = 1.0
 """Seconds for which further signals change nothing: `timeout` sends two at once, and so do hands."""
 
 
-def run(command: Coroutine[None, None, None]) -> None:
-    """Run `command` to its end.
+def run(command: Coroutine[None, None, T]) -> T:
+    """Run `command` to its end, and return what it returns.
 
     Raises:
         typer.Exit: where a signal ended it, with 128 and the signal's number, as shells expect.
     """
-    asyncio.run(_until_signal(command))
+    return asyncio.run(_until_signal(command))
 
 
-async def _until_signal(command: Coroutine[None, None, None]) -> None:
+async def _until_signal(command: Coroutine[None, None, T]) -> T:
     loop = asyncio.get_running_loop()
     task = asyncio.current_task()
     assert task is not None
@@ -54,15 +55,17 @@ async def _until_signal(command: Coroutine[None, None, None]) -> None:
     for number in watched:
         loop.add_signal_handler(number, stop, number)
     try:
-        await command
+        result = await command
     except asyncio.CancelledError:
         if not caught:
             raise
+        raise typer.Exit(SIGNALLED + caught[0]) from None
     finally:
         if not caught:
             release()
     if caught:
         raise typer.Exit(SIGNALLED + caught[0])
+    return result
 
 
 def _end_at_next(watched: list[signal.Signals]) -> None:

@@ -15,9 +15,8 @@ from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json, Timeout, Url
 from unity_link.cli.completion import complete_signal
 from unity_link.cli.output import print_json, print_line, print_parts
 from unity_link.cli.running import run
-from unity_link.cli.spec import Name, compile_or_exit
+from unity_link.cli.spec import SPEC_VARIABLE, Name, compile_or_exit, spec_behind
 from unity_link.errors import ArgumentError
-from unity_link.transport import is_url
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -26,10 +25,8 @@ if TYPE_CHECKING:
     from unity_link.data.proxies import Proxy
     from unity_link.spec.model import Signal
 
-SPEC_VARIABLE = "UNITY_LINK_SPEC"
-"""Environment variable with the spec of commands that are given none."""
 SUFFIX = ".ul"
-_HEX = re.compile("[0-9A-Fa-f]+")
+_ADDRESS = re.compile("[0-9][0-9A-Fa-f]*")
 _TRUTHS = {"true": True, "on": True, "yes": True, "1": True, "false": False, "off": False, "no": False, "0": False}
 
 
@@ -148,24 +145,22 @@ async def _set(
 # What the commands with names have in common
 
 
-def split(url: str, arguments: Sequence[str]) -> tuple[Path, list[str]]:
+def split(url: str, arguments: Sequence[str]) -> tuple[str, list[str]]:
     """Return the spec that arguments name, or else the environment or the URL, and the arguments behind it.
 
+    Where nothing names one it is the URL: that of a board which carries its own.
+
     Raises:
-        ArgumentError: where nothing names one.
+        ArgumentError: for arguments that are swapped, or an address in the place of a signal.
     """
     if arguments and is_spec(arguments[0]):
-        return Path(arguments[0]), list(arguments[1:])
+        return arguments[0], list(arguments[1:])
     named = os.environ.get(SPEC_VARIABLE) or spec_in(url)
-    if named is None and is_spec(url) and arguments and is_url(arguments[0]):
-        raise ArgumentError(f"URL and SPEC are swapped: {arguments[0]} {url} was expected")
-    if named is None:
-        before = f" before {arguments[0]}" if arguments else ""
-        hint = f"; an address is written 0x{arguments[0]}" if arguments and _HEX.fullmatch(arguments[0]) else ""
-        raise ArgumentError(
-            f"no SPEC says which signals there are: give one{before}, such as robot.ul, or set {SPEC_VARIABLE}{hint}"
-        )
-    return Path(named), list(arguments)
+    if named is None and arguments:
+        spec_behind(url, arguments[0])
+    if named is None and arguments and _ADDRESS.fullmatch(arguments[0]):
+        raise ArgumentError(f"{arguments[0]} is no signal: an address is written 0x{arguments[0]}")
+    return named or url, list(arguments)
 
 
 def is_spec(argument: str) -> bool:
@@ -179,7 +174,7 @@ def spec_in(url: str) -> str | None:
     return path if path.endswith(SUFFIX) else None
 
 
-def robot_of(spec: Path, interface: str | None) -> type[LoadedRobot]:
+def robot_of(spec: str, interface: str | None) -> type[LoadedRobot]:
     """Compile a spec for a command; if it is wrong say so and end the command."""
     from unity_link.data.loading import load
 

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from unity_link.cli.arguments import Json, Overwrite  # noqa: TC001  (typer reads the annotations)
+from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json, Overwrite
 from unity_link.cli.output import console_on, may_overwrite, out, print_json, print_line, print_note
+from unity_link.cli.running import run
 from unity_link.files import write_file
 
 if TYPE_CHECKING:
@@ -21,11 +22,26 @@ if TYPE_CHECKING:
     from unity_link.spec import ComponentArray, ComponentSpec, Diagnostic, Interface, ModuleSpec, Signal, Spec
 
 STDIN = "-"
+SPEC_VARIABLE = "UNITY_LINK_SPEC"
+"""Environment variable with the spec of commands that are given none."""
 FAILED = 1
 _MOST_COLUMNS = 1000
 
 SpecFile = Annotated[
-    Path, typer.Argument(metavar="SPEC", help="A spec, such as robot.ul; - is stdin.", show_default=False)
+    str,
+    typer.Argument(
+        metavar="SPEC",
+        help="A spec, such as robot.ul; - is stdin; or the URL of a board that carries its own.",
+        show_default=False,
+    ),
+]
+SpecOrBoard = Annotated[
+    str | None,
+    typer.Argument(
+        metavar="[SPEC]",
+        help="A spec, such as robot.ul; without one, that which the board carries.",
+        show_default=False,
+    ),
 ]
 SpecFiles = Annotated[
     list[Path], typer.Argument(metavar="SPEC...", help="Specs, such as robot.ul; - is stdin.", show_default=False)
@@ -180,7 +196,7 @@ def export_rdl(spec: SpecFile, *, interface: Name = None, output: Output = None,
 
 
 def compile_or_exit(
-    spec: Path,
+    spec: Path | str,
     address_bits: int | None = None,
     data_bits: int | None = None,
     *,
@@ -190,7 +206,7 @@ def compile_or_exit(
     """Compile a spec for a command; if it is wrong say so and end the command.
 
     Args:
-        spec: the file.
+        spec: the file, or the URL of a board that carries its own.
         address_bits: as for `compile_file`.
         data_bits: as for `compile_file`.
         interface: which of its interfaces the command takes.
@@ -198,7 +214,7 @@ def compile_or_exit(
 
     Raises:
         typer.Exit: where it has errors, with code 1.
-        ArgumentError: for a parameter that there is not, or a value that is no address.
+        ArgumentError: for a parameter that there is not, or a value that is no address; for a board without a spec.
     """
     from unity_link.spec import SpecError
 
@@ -209,6 +225,20 @@ def compile_or_exit(
         raise typer.Exit(FAILED) from None
     print_diagnostics(compiled.warnings)
     return compiled.given(read_given(given or []), interface)
+
+
+def spec_behind(url: str, spec: str | None) -> str:
+    """Return the spec that a command was given, or else the URL of the board that carries it.
+
+    Raises:
+        ArgumentError: where URL and spec are swapped.
+    """
+    from unity_link.errors import ArgumentError
+    from unity_link.transport import is_url
+
+    if spec is not None and is_url(spec) and not is_url(url):
+        raise ArgumentError(f"URL and SPEC are swapped: {spec} {url} was expected")
+    return spec or url
 
 
 def read_given(texts: list[str]) -> dict[str, int]:
@@ -271,11 +301,36 @@ def _read(spec: Path) -> str:
         raise SpecError([Diagnostic("error", "unreadable", message, Span(str(spec), 1, 1, 1, 1))]) from None
 
 
-def _compile(spec: Path, address_bits: int | None, data_bits: int | None) -> Spec:
-    from unity_link.spec import compile_text
+async def _carried(url: str) -> Spec:
+    """Return the spec that a board carries.
 
-    path = None if str(spec) == STDIN else spec
-    return compile_text(_read(spec), str(spec), path=path, address_bits=address_bits, data_bits=data_bits)
+    Raises:
+        ArgumentError: where it carries none.
+        UnsupportedError: where that cannot be read here.
+        ConnectError: where there is no gateway.
+    """
+    from unity_link.data.describing import read_spec
+    from unity_link.errors import ArgumentError
+    from unity_link.link.connecting import connect
+    from unity_link.protocol.configuration import Feature
+
+    async with connect(url, timeout=DEFAULT_TIMEOUT) as link:
+        if Feature.DESCRIPTION not in link.gateway.features:
+            raise ArgumentError(
+                f"no SPEC says which signals there are, and the gateway of {url} carries no description of its own: "
+                f"give a spec, such as robot.ul, or set {SPEC_VARIABLE}"
+            )
+        return await read_spec(link)
+
+
+def _compile(spec: Path | str, address_bits: int | None, data_bits: int | None) -> Spec:
+    from unity_link.spec import compile_text
+    from unity_link.transport import is_url
+
+    if is_url(str(spec)):
+        return run(_carried(str(spec)))
+    path = None if str(spec) == STDIN else Path(spec)
+    return compile_text(_read(Path(spec)), str(spec), path=path, address_bits=address_bits, data_bits=data_bits)
 
 
 def _described(spec: Spec) -> str:

@@ -39,6 +39,8 @@ class Feature(enum.IntFlag):
     """The build identifier is the fingerprint of the map of a spec."""
     HALF_DUPLEX = 512
     """Only one side may send at a time."""
+    DESCRIPTION = 1024
+    """The highest addresses hold a description: the spec that it was generated from."""
 
 
 class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):

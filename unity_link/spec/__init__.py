@@ -23,6 +23,7 @@ What others use is here::
 
 from __future__ import annotations
 
+import functools
 import gc
 from contextlib import contextmanager
 from pathlib import Path
@@ -52,7 +53,7 @@ from unity_link.spec.model import (
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
 
 __all__ = [
     "STAGE_BITS",
@@ -81,6 +82,7 @@ __all__ = [
     "Trigger",
     "Value",
     "Way",
+    "compile_description",
     "compile_file",
     "compile_text",
     "format_text",
@@ -128,27 +130,60 @@ def compile_text(
     Raises:
         SpecError: with everything that is wrong with it.
     """
-    from unity_link.spec.cores import Cores
-    from unity_link.spec.elaborate import Elaborator
-    from unity_link.spec.loading import Loader
-
-    reporter = Reporter()
     # What names its file, as recordings and generated files do, is text, whatever bytes the file has for its name.
     name = name.encode(errors="backslashreplace").decode()
+    return _compile(text, name, path, None, (address_bits, data_bits))
+
+
+def compile_description(description: bytes, address_bits: int | None = None, data_bits: int | None = None) -> Spec:
+    """Compile the description that a board carries; no file of a user's is read for it, and nothing executed.
+
+    Args:
+        description: of one interface.
+        address_bits: as for `compile_file`.
+        data_bits: as for `compile_file`.
+
+    Raises:
+        ValueError: where it is none.
+        SpecError: where its text cannot be compiled, as one of another version of this package.
+    """
+    from unity_link.spec.description import unpack
+
+    text, maps = unpack(description)
+    return _compile(text, "<description>", None, maps, (address_bits, data_bits))
+
+
+def _compile(
+    text: str, name: str, path: Path | None, maps: Mapping[str, str] | None, widths: tuple[int | None, int | None]
+) -> Spec:
+    from unity_link.spec.cores import Cores
+    from unity_link.spec.description import describe
+    from unity_link.spec.elaborate import Elaborator
+    from unity_link.spec.loading import Loader, read_import, refuse_import
+
+    reporter = Reporter()
     with _no_garbage_collection():
-        loader = Loader(reporter)
+        loader = Loader(reporter, read_import if maps is None else refuse_import)
         loader.load(name, text, path)
         # What a file with a wrong syntax declares is not known, and every use of it would be a fault.
-        cores = Cores(reporter, Path() if path is None else path.parent)
-        interfaces = (
-            () if reporter.failed else Elaborator(loader.declarations, reporter, cores, address_bits, data_bits).run()
-        )
+        beside = None if maps is not None else Path() if path is None else path.parent
+        cores = Cores(reporter, beside, maps)
+        interfaces = () if reporter.failed else Elaborator(loader.declarations, reporter, cores, *widths).run()
     if not interfaces and not reporter.failed:
         first = loader.declarations.sources[0]
         advice = "mark the outermost component with 'public'"
         reporter.warning(first, (0, 0), "no-interface", "nothing in this file is public", help=advice)
     if reporter.failed:
         raise SpecError(reporter.diagnostics)
+    for interface in interfaces:
+        words = {part.core.word for part in interface.cores if part.core is not None}
+        known = {word: cores.found[word].context.declarations for word in words & {*cores.found}}
+        # No part of the model: generated modules, which hold that, are not made longer by it.
+        texts = {
+            word: tuple(source.text for source in declarations.declared)
+            for word, declarations in {"": loader.declarations, **known}.items()
+        }
+        vars(interface)["describe"] = functools.partial(describe, interface.name, texts)
     sources = tuple(SourceFile(source.name, source.sha256) for source in (*loader.declarations.sources, *cores.sources))
     return Spec(interfaces=interfaces, sources=sources, warnings=reporter.diagnostics)
 

@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import importlib.machinery
 import importlib.metadata
+import os
 import re
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
@@ -22,7 +23,7 @@ from unity_link.spec.context import Context
 from unity_link.spec.loading import Declared, Loader, read_text
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Mapping
 
     from unity_link.spec.diagnostics import Reporter, SourceText
     from unity_link.spec.syntax import ComponentDeclaration, Placement
@@ -32,6 +33,8 @@ _PACKAGE = Path(__file__).resolve().parents[1]
 _HERE = _PACKAGE / "gateware"
 INSTALLED = (_HERE if (_HERE / "rtl").exists() else _PACKAGE.parent / "gateware") / "cores"
 """Folder of the cores that are installed with the package."""
+_NOWHERE = Path(os.devnull, "nowhere")
+"""Folder of a core of which there is no file here."""
 _WORD = re.compile(r"[A-Z][A-Z0-9_]*")
 
 
@@ -127,11 +130,14 @@ class Cores:
     Args:
         reporter: receiver of faults.
         beside: the folder of the spec; None for a spec that is no file.
+        maps: texts of the maps of all cores, by their words, where these come with the spec. Of a core that is known
+            here by the same word its Python is taken.
     """
 
-    def __init__(self, reporter: Reporter, beside: Path | None) -> None:
+    def __init__(self, reporter: Reporter, beside: Path | None, maps: Mapping[str, str] | None = None) -> None:
         self._reporter = reporter
         self._beside = beside
+        self._maps = maps
         self._ranks: list[dict[str, list[CoreFolder]]] | None = None
         self._found: dict[str, FoundCore | None] = {}
         self.sources: list[SourceText] = []
@@ -145,7 +151,15 @@ class Cores:
     def _folders(self) -> list[dict[str, list[CoreFolder]]]:
         if self._ranks is None:
             self._ranks = list(core_folders(self._beside))
+            if self._maps is not None:
+                known = {word: folders for rank in reversed(self._ranks) for word, folders in rank.items()}
+                self._ranks = [{word: known.get(word, [CoreFolder(word, _NOWHERE)])[:1] for word in self._maps}]
         return self._ranks
+
+    @property
+    def found(self) -> dict[str, FoundCore]:
+        """The cores that are named, by their words."""
+        return {word: one for word, one in self._found.items() if one is not None}
 
     def find(self, source: SourceText, member: Placement) -> FoundCore | None:
         """Return the core that a placement names; None where there is none, or it was reported to be wrong."""
@@ -166,7 +180,7 @@ class Cores:
     def _read(self, source: SourceText, member: Placement, folder: CoreFolder) -> FoundCore | None:
         place = member.type.place
         try:
-            text = read_text(folder.map)
+            text = read_text(folder.map) if self._maps is None else self._maps[folder.word]
         except ValueError as error:
             self._reporter.error(source, place, "core", str(error))
             return None

@@ -125,10 +125,10 @@ class InterfaceDraft:
                 self._error(placed.timed, "bad-timed", message, "give each lease a SCHEDULE of its own")
 
     def _is_hardware(self, index: int | None) -> bool:
-        """Return whether a module, or one around it, is hardware of its own; a MEMORY without a name is only a base."""
+        """Return whether a module, or one around it, is hardware of its own."""
         while index is not None:
             module = self.modules[index][0]
-            if module.type != "MEMORY" or module.name is not None:
+            if module.is_hardware:
                 return True
             index = module.parent
         return False

@@ -39,6 +39,8 @@ class Declarations:
 
     def __init__(self) -> None:
         self.sources: list[SourceText] = []
+        self.declared: list[SourceText] = []
+        """The same in the order in which they declare: what a file imports goes before it."""
         self.components: dict[str, Declared[ComponentDeclaration]] = {}
         self.enumerations: dict[str, Declared[EnumDeclaration]] = {}
         self.groups: dict[str, Declared[GroupDeclaration]] = {}
@@ -79,6 +81,15 @@ def read_import(path: Path) -> str:
     return read_text(path)
 
 
+def refuse_import(path: Path) -> str:
+    """Refuse a file that a description names.
+
+    Raises:
+        ValueError: in any case.
+    """
+    raise ValueError(f"{path} is not read: a description has no imports")
+
+
 class Loader:
     """Loads files, each once."""
 
@@ -109,6 +120,7 @@ class Loader:
             if isinstance(item, Import):
                 self._import(source, path, item)
         self._declare(source, file, is_first=is_first)
+        self.declarations.declared.append(source)
         if resolved is not None:
             self._loading.pop()
             self._loaded.add(resolved)

@@ -17,11 +17,12 @@ import enum
 import functools
 import hashlib
 import math
-from collections.abc import Iterator, Mapping, Sequence  # noqa: TC003  (msgspec reads the annotations)
+from collections.abc import Callable, Iterator, Mapping, Sequence  # noqa: TC003  (msgspec reads the annotations)
 
 import msgspec
 
 from unity_link.errors import ArgumentError
+from unity_link.protocol.description import MOST_PAGES, page_address, pages_of
 from unity_link.spec.diagnostics import NOWHERE, Diagnostic, Span
 from unity_link.spec.kinds import Enumeration, Kind, Value  # noqa: TC001
 
@@ -300,6 +301,11 @@ class ModuleSpec(msgspec.Struct, frozen=True, kw_only=True):
     doc: str = ""
     span: Span = NOWHERE
 
+    @property
+    def is_hardware(self) -> bool:
+        """Return whether it takes addresses: a MEMORY without a name is only a base for what stands in it."""
+        return self.type != "MEMORY" or self.name is not None
+
 
 class Joint(msgspec.Struct, frozen=True, kw_only=True):
     """One joint of a group that is declared as joints: paths of its signals."""
@@ -362,6 +368,29 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
     """Those that its signals use."""
     doc: str = ""
     span: Span = NOWHERE
+
+    @functools.cached_property
+    def describe(self) -> Callable[[], bytes]:
+        """A function that computes `description`: `unity_link.spec.compile_file` knows the text."""
+        return bytes
+
+    @functools.cached_property
+    def description(self) -> bytes:
+        """Its text, with those of its cores, as a board carries it; empty where it was made of no text."""
+        return self.describe()
+
+    @property
+    def is_described(self) -> bool:
+        """Return whether a board carries its description: at addresses where neither signals nor modules stand."""
+        if not self.description or pages_of(len(self.description), self.data_bits) > MOST_PAGES:
+            return False
+        first = page_address(self.address_bits)
+        ends = [signal.addresses[-1] for signal in self.signals.values()]
+        for module in self.modules:
+            words = 1 if module.type == "FIFO" and module.words is None else module.words
+            if module.is_hardware:
+                ends.append((1 << self.address_bits if words is None else module.base + words) - 1)
+        return all(end < first for end in ends)
 
     @functools.cached_property
     def signals(self) -> dict[str, Signal]:

@@ -253,7 +253,7 @@ class Contents:
             if self._node.public:
                 known.append(GATEWAY_WORD)
             advice = _FORMER.get(member.type, "") or did_you_mean(member.type, known)
-            if not advice and member.type.isupper():
+            if not advice and member.type.isupper() and cores.words:
                 advice = (
                     f"modules are {listed(MODULES, 'and')}, and cores {listed(cores.words, 'and')}; one of your own is "
                     f"cores/{member.type.lower()}/{member.type.lower()}.ul beside the spec"

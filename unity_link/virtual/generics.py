@@ -23,6 +23,7 @@ FEATURES = {
 _DEFAULTS: dict[str, Any] = {
     **dict.fromkeys([*FEATURES, "flow_control"], True),
     "fingerprint": False,
+    "description": False,
     "half_duplex": False,
     "groups": 16,
     "group_words": 32,
@@ -37,7 +38,8 @@ def generics_of(interface: Interface) -> dict[str, int]:
     from unity_link.generate.vhdl import gateway_generics
 
     given = {name: value for name, value in gateway_generics(interface).items() if isinstance(value, int)}
-    return {**given, "build_id": interface.fingerprint, "fingerprint": True, "wb_pipelined": True}
+    told = {"build_id": interface.fingerprint, "fingerprint": True, "description": interface.is_described}
+    return {**given, **told, "wb_pipelined": True}
 
 
 def info_of(given: Mapping[str, int]) -> GatewayInfo:
@@ -53,6 +55,7 @@ def info_of(given: Mapping[str, int]) -> GatewayInfo:
     features |= Feature.FLOW_CONTROL if generics["flow_control"] else Feature(0)
     features |= Feature.ADDRESSED if generics["node"] >= 0 else Feature(0)
     features |= Feature.FINGERPRINT if generics["fingerprint"] else Feature(0)
+    features |= Feature.DESCRIPTION if generics["description"] else Feature(0)
     features |= Feature.HALF_DUPLEX if generics["half_duplex"] else Feature(0)
     fields = {field: generics[field] for field in GatewayInfo.__struct_fields__ if field in generics}
     return GatewayInfo(

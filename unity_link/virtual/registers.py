@@ -14,6 +14,7 @@ from collections import deque
 from typing import TYPE_CHECKING, Literal, Protocol, get_args
 
 from unity_link.errors import ArgumentError
+from unity_link.protocol.description import PAGE_WORDS, page_address, words_of
 from unity_link.protocol.messages import ErrorCode
 from unity_link.spec import STAGE_BITS
 from unity_link.virtual.bus import AccessError
@@ -207,7 +208,7 @@ class Registers:
 
     def __init__(self, interface: Interface, *, loops_back: bool) -> None:
         self.cells = {path: Cell(signal, loops_back=loops_back) for path, signal in interface.signals.items()}
-        self._modules = [module for module in interface.modules if _is_hardware(module)]
+        self._modules = [module for module in interface.modules if module.is_hardware]
         self._module_words: dict[int, int] = {}
         self._module_queues: dict[int, deque[int]] = {
             module.base: deque(maxlen=int(module.arguments.get("WORDS", DEFAULT_DEPTH)))  # type: ignore[arg-type]
@@ -218,6 +219,8 @@ class Registers:
         """Leases of the signals of components, and of those that these time, by the paths of the components."""
         self._staged: dict[str, dict[int, tuple[Cell, int]]] = {}
         """Signals, and which bits of them, by their places on the stages of schedules, by the paths of these."""
+        self._page_number, self._page = page_address(interface.address_bits), 0
+        self._description = words_of(interface.description, interface.data_bits) if interface.is_described else []
         self._guarded: dict[str, list[Cell]] = {}
         """Signals with a safe value, by the paths of their leases."""
         self._read: dict[int, list[tuple[Cell, int]]] = {}
@@ -264,6 +267,8 @@ class Registers:
         """
         cells = self._read.get(address)
         if cells is None:
+            if self._description and 0 <= address - self._page_number <= PAGE_WORDS:
+                return self._read_description(address)
             return self._read_module(address)
         word = 0
         for cell, part in cells:
@@ -278,7 +283,10 @@ class Registers:
         """
         cells = self._written.get(address)
         if cells is None:
-            self._write_module(address, word)
+            if self._description and address == self._page_number:
+                self._page = word if word * PAGE_WORDS < len(self._description) else 0
+            else:
+                self._write_module(address, word)
             return []
         for cell, part in cells:
             if cell.signal.safe is not None and not self.cells[f"{cell.signal.safe.lease}.armed"].raw:
@@ -319,6 +327,11 @@ class Registers:
                 continue
             cell.raw = cell.signal.safe.bits
             cell.value = cell.signal.kind.decode(cell.raw)
+
+    def _read_description(self, address: int) -> int:
+        if address == self._page_number:
+            return self._page
+        return self._description[self._page * PAGE_WORDS + address - self._page_number - 1]
 
     # Hardware modules, which are memory here
 
@@ -365,11 +378,6 @@ def _limits(signal: Signal) -> str:
     low, high = signal.limits
     unit = f" {signal.unit}" if signal.unit else ""
     return f"its limits are {low:.12g} to {high:.12g}{unit}"
-
-
-def _is_hardware(module: ModuleSpec) -> bool:
-    """Return whether a module takes addresses: a MEMORY without a name is only a base for what stands in it."""
-    return module.type != "MEMORY" or module.name is not None
 
 
 def _has(module: ModuleSpec, address: int) -> bool:

@@ -18,7 +18,11 @@ async def its_configuration_has_the_bits_of_its_generics(dut: SimHandleBase) -> 
     gateway = Gateway(dut)
     await gateway.begin()
     info = GatewayInfo.from_hex((await gateway.ask(b"Q")).removeprefix(b"Q"))
-    features = {Feature.HALF_DUPLEX: dut.half_duplex, Feature.FINGERPRINT: dut.fingerprint}
+    features = {
+        Feature.HALF_DUPLEX: dut.half_duplex,
+        Feature.FINGERPRINT: dut.fingerprint,
+        Feature.DESCRIPTION: dut.description,
+    }
     assert [feature in info.features for feature in features] == [int(generic.value) for generic in features.values()]
     assert info.build_id == int(dut.build_id.value)
 

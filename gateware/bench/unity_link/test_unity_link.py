@@ -94,11 +94,9 @@ def test_a_gateway_without_a_datalink_layer_answers_a_terminal() -> None:
     _run("bench_plain", checked_frames=False)
 
 
-@pytest.mark.parametrize(("half_duplex", "fingerprint"), [(True, False), (False, True)])
-def test_a_gateway_says_whether_its_medium_is_half_duplex_and_its_identifier_a_fingerprint(
-    *, half_duplex: bool, fingerprint: bool
-) -> None:
-    _run("bench_half_duplex", half_duplex=half_duplex, fingerprint=fingerprint, build_id=0xCAFE)
+@pytest.mark.parametrize("on", ["half_duplex", "fingerprint", "description"])
+def test_a_gateway_says_which_of_its_generics_are_on(on: str) -> None:
+    _run("bench_half_duplex", **{on: True}, build_id=0xCAFE)
 
 
 @pytest.mark.parametrize("medium", ["uart", "ft245", "ft245_sync"])

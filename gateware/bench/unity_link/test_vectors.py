@@ -38,6 +38,7 @@ def generics_of(configuration: dict[str, Any], node: int | None) -> dict[str, ob
         "flow_control": Feature.FLOW_CONTROL in features,
         "fingerprint": Feature.FINGERPRINT in features,
         "half_duplex": Feature.HALF_DUPLEX in features,
+        "description": Feature.DESCRIPTION in features,
         "node": -1 if node is None else node,
     }
 

@@ -123,6 +123,7 @@ entity unity_link_bench is
     half_duplex               : boolean  := false;
     build_id                  : natural  := 0;
     fingerprint               : boolean  := false;
+    description               : boolean  := false;
     wb_pipelined              : boolean  := false;
     -- Addresses that are no memory, -1: none.
     error_at  : integer := -1;
@@ -284,7 +285,8 @@ begin
       node                      => node,
       half_duplex               => half_duplex,
       build_id                  => std_logic_vector(to_unsigned(build_id, 32)),
-      fingerprint               => fingerprint
+      fingerprint               => fingerprint,
+      description               => description
     )
     port map (
       clk       => clk,

@@ -14,6 +14,7 @@ from unity_link.generate.vhdl.names import Scope, identifier
 from unity_link.generate.vhdl.records import Pins, Records
 from unity_link.generate.vhdl.types import bit_literal, enumeration_type, from_bits, to_bits
 from unity_link.generate.vhdl.wiring import STAGE_PORTS, Wiring
+from unity_link.protocol.description import PAGE_WORDS, page_address, words_of
 from unity_link.spec import STAGE_BITS, Access, KindName
 
 if TYPE_CHECKING:
@@ -39,6 +40,8 @@ _CONSTANTS = (
 _HIDDEN = (
     *("to_bits", "to_hardware", "from_hardware", "to_chain", "wb_pipelined", "sample_access"),
     *("address_t", "addresses_t", "word_t", "words_t", "counts_t", "to_bank", "from_bank", "count_words"),
+    *("description", "description_t", "described", "described_page", "described_ready", "described_word"),
+    *("at_description", "at_described_page"),
     *("owed_word", "owed_write", "go_on", "end_row"),
     *(f"window_{name}" for name in ("fails", "cyc", "stb", "we", "ack", "err", "adr", "dat_o", "dat_i", "word")),
 )
@@ -213,6 +216,25 @@ class AddressWindow(NamedTuple):
     """Module that has the addresses; None for those of none."""
 
 
+class DescriptionPage(NamedTuple):
+    """The description of the interface, which stands at the highest addresses a page at a time."""
+
+    number: int
+    """Address of the number of the page."""
+    words: list[int]
+    """Those of all pages."""
+
+    @property
+    def addresses(self) -> range:
+        """Addresses of the words of a page."""
+        return range(self.number + 1, self.number + 1 + PAGE_WORDS)
+
+    @property
+    def pages(self) -> int:
+        """Number of pages."""
+        return len(self.words) // PAGE_WORDS
+
+
 class Bank:
     """All that the templates say of the registers of an interface.
 
@@ -273,6 +295,12 @@ class Bank:
         """Registers that tell whether the leases are armed that guard others."""
         self.stages = tuple(self._stages())
         self.words = tuple(_words(self.registers))
+        self.page = (
+            DescriptionPage(page_address(interface.address_bits), words_of(interface.description, interface.data_bits))
+            if interface.is_described
+            else None
+        )
+        """The description; None where the spec's own addresses leave no place for it."""
         self.windows = tuple(_windows(interface))
         wires = {register.signal.path: register.pins for register in self.registers if register.is_wired}
         masters = (f"{port.name}_{pin}" for port in self.ports for pin in MASTER_PINS)

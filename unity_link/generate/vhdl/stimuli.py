@@ -69,6 +69,7 @@ class Stimuli:
             ("A sample is read from one instant, also between the words of a block.", self._samples()),
             ("A FIFO port moves each word once, and refuses what it cannot move.", self._streams()),
             ("A module gets the accesses to its addresses, counted from its base.", self._windows()),
+            ("The description is read a page at a time.", self._description()),
             ("Everything else is refused.", self._refusals()),
         )
         for title, statements in parts:
@@ -383,6 +384,22 @@ class Stimuli:
             if first <= address <= last and address not in taken and not any(address in one for one in before)
         ]
 
+    def _description(self) -> Iterator[str]:
+        page = self._bank.page
+        if page is None:
+            return
+        number, addresses = self._at(page.number), page.addresses
+        yield f"read({number}, {self._data(0)}, false);"
+        for index in reversed(range(page.pages)):
+            yield f"write({number}, {self._data(index)}, 0, 0);"
+            words = page.words[index * len(addresses) :][: len(addresses)]
+            yield f"read({number}, {self._data(index)}, false);"
+            for address, word in zip(addresses, words, strict=True):
+                yield f"read({self._at(address)}, {self._data(word)}, {str(address != addresses[-1]).lower()});"
+        yield from (f"refuse({self._at(address)}, '1');" for address in addresses)
+        yield f"write({number}, {self._data(page.pages)}, 0, 0);"
+        yield f"read({number}, {self._data(0)}, false);"
+
     def _refusals(self) -> Iterator[str]:
         for word in self._bank.words:
             if not word.read:
@@ -397,6 +414,8 @@ class Stimuli:
         """Return some addresses that belong to nothing: beside what is there, and the last one."""
         taken = {word.address for word in self._bank.words}
         windows = [range(window.first, window.last + 1) for window in self._bank.windows]
+        if self._bank.page is not None:
+            windows.append(range(self._bank.page.number, self._bank.page.addresses[-1] + 1))
         highest = (1 << self._address_bits) - 1
         near = sorted({address + step for address in taken for step in (-1, 1)} | {0, highest})
         some = [

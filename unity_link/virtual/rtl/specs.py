@@ -56,6 +56,7 @@ _KINDS = {
     "flow_control": Feature.FLOW_CONTROL,
     "fingerprint": Feature.FINGERPRINT,
     "half_duplex": Feature.HALF_DUPLEX,
+    "description": Feature.DESCRIPTION,
 }
 _OF_THE_BANK = frozenset({"address_bits", "data_bits", "wb_pipelined", "fingerprint"})
 """Generics that the gateway of a spec has of itself."""
@@ -113,6 +114,7 @@ def configuration_of(interface: Interface, fields: Mapping[str, int], node: int 
         generics["build_id"] = 0
     # As the generated gateway finds it.
     generics["fingerprint"] = generics["build_id"] == interface.fingerprint
+    generics["description"] = bool(generics["description"] and interface.is_described)
     check_generics(generics)
     design = _design_of(interface, generics)
     return Configuration(
@@ -127,7 +129,8 @@ def _design_of(interface: Interface, generics: Mapping[str, int]) -> Design:
         UnsupportedError: where addresses belong to two modules alike.
     """
     given = {"physical": 'string := "fifo"', "flow_control": "boolean := true"}
-    given |= {name: _declared(name, value) for name, value in generics.items() if name not in _OF_THE_BANK}
+    left = _OF_THE_BANK if interface.is_described else _OF_THE_BANK | {"description"}
+    given |= {name: _declared(name, value) for name, value in generics.items() if name not in left}
     files = flat_design(interface, Templates("verilog", None, {}), given, [*FIFO, triggers(generics["groups"])])
     masters = tuple((port.name, port.first) for port in Bank(interface).ports)
     own = ((f"core_{number}.vhd", read_vhdl(Path(path))) for number, path in enumerate(interface.vhdl))

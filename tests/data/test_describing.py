@@ -1,0 +1,97 @@
+"""Robots of boards that say themselves what they are."""
+
+from __future__ import annotations
+
+import asyncio
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import unity_link
+from support.simulated_time import on_simulated_time
+from unity_link.data.describing import read_spec
+from unity_link.errors import UnsupportedError
+from unity_link.protocol.configuration import Feature
+from unity_link.protocol.description import page_address
+from unity_link.spec import compile_file
+from unity_link.virtual.build import put_behind_line, simulate
+
+BALANCER = Path(__file__).parents[2] / "examples" / "balancer" / "balancer.ul"
+
+
+@on_simulated_time
+async def test_a_robot_is_there_with_names_units_limits_and_the_verbs_of_its_cores() -> None:
+    async with unity_link.connect(f"sim:{BALANCER}") as link:
+        robot = await unity_link.robot(link)
+        assert Feature.DESCRIPTION in link.gateway.features
+        assert robot.interface.fingerprint == compile_file(BALANCER).interface().fingerprint
+        assert (robot.left.value.unit, robot.left.value.signal.maximum) == ("V", 12)
+        async with robot.armed(timeout=0.1):
+            await robot.left.value.set(3)
+            assert await robot.left.value.get() == pytest.approx(3, abs=0.01)
+
+
+@on_simulated_time
+async def test_it_is_there_within_two_seconds_on_a_line_of_a_megabaud() -> None:
+    async with unity_link.connect(put_behind_line(simulate(BALANCER), bytes_per_second=100_000)) as link:
+        began = asyncio.get_running_loop().time()
+        await unity_link.robot(link)
+        assert asyncio.get_running_loop().time() - began < 2
+
+
+@on_simulated_time
+async def test_readers_who_turn_each_others_pages_read_whole_descriptions() -> None:
+    async with unity_link.connect(f"sim:{BALANCER}") as link:
+        turns = 0
+
+        class Turned:
+            """The link, where another reader turns to page 0 once in a while."""
+
+            gateway = link.gateway
+
+            async def post(self, address: int, value: int) -> None:
+                nonlocal turns
+                turns += 1
+                await link.post(address, 0 if turns in {3, 10} else value)
+
+            def __getattr__(self, name: str) -> Any:
+                return getattr(link, name)
+
+        turned: Any = Turned()
+        spec = await read_spec(turned)
+        assert spec.interface().fingerprint == compile_file(BALANCER).interface().fingerprint
+        assert turns > 17
+
+
+@on_simulated_time
+async def test_a_gateway_without_one_says_so() -> None:
+    async with unity_link.connect("sim:") as link:
+        with pytest.raises(UnsupportedError, match="carries no description: give the spec that it was built from"):
+            await unity_link.robot(link)
+
+
+@on_simulated_time
+async def test_one_that_is_damaged_for_good_is_refused() -> None:
+    async with unity_link.connect(f"sim:{BALANCER}") as link:
+
+        class Damaged:
+            gateway = link.gateway
+
+            async def read_block(self, address: int, count: int) -> list[int]:
+                words = [int(word) for word in await link.read_block(address, count)]
+                return [*words[:5], words[5] ^ 1, *words[6:]]
+
+            def __getattr__(self, name: str) -> Any:
+                return getattr(link, name)
+
+        damaged: Any = Damaged()
+        with pytest.raises(UnsupportedError, match="description cannot be read: its CRC is wrong"):
+            await read_spec(damaged)
+
+
+@on_simulated_time
+async def test_the_page_of_a_described_gateway_is_no_place_to_write() -> None:
+    async with unity_link.connect(f"sim:{BALANCER}") as link:
+        with pytest.raises(unity_link.BusError):
+            await link.write(page_address(link.gateway.address_bits) + 1, 0)

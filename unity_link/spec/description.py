@@ -1,0 +1,109 @@
+"""The description of an interface: the text that a board carries, from which a program learns what the board is.
+
+It is UL-spec without comments and without what the interface does not use: first the files of the spec as one, then of
+each core a form feed, its word, a line end and its map; deflated (RFC 1951).
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import zlib
+from typing import TYPE_CHECKING
+
+from unity_link.spec.diagnostics import Reporter, SourceText
+from unity_link.spec.parser import parse
+from unity_link.spec.printer import print_file
+from unity_link.spec.syntax import (
+    BlockStatement,
+    File,
+    GroupDeclaration,
+    Import,
+    KindSpecifier,
+    Node,
+    Placement,
+    Statement,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping, Sequence
+
+    from unity_link.spec.syntax import Item
+
+MOST_BYTES = 1 << 20
+"""Most characters of a description that is read: far more than a spec of the largest size that is allowed has."""
+_RAW = -15
+"""Window of a deflated stream without a header, as zlib counts."""
+_NEXT = "\f"
+
+
+def describe(interface: str, texts: Mapping[str, Sequence[str]]) -> bytes:
+    """Return the description of an interface.
+
+    Args:
+        interface: name of a public one.
+        texts: of the files of the spec, under an empty word, and of those of each core, under its own.
+    """
+    parts = [_text(texts[""], interface)]
+    parts += [f"{word}\n{_text(texts[word], word)}" for word in sorted(texts) if word]
+    packer = zlib.compressobj(9, zlib.DEFLATED, _RAW)
+    return packer.compress(_NEXT.join(parts).encode()) + packer.flush()
+
+
+def unpack(description: bytes) -> tuple[str, dict[str, str]]:
+    """Return the text of the spec in a description, and the maps of its cores by their words.
+
+    Raises:
+        ValueError: where it is no description.
+    """
+    unpacker = zlib.decompressobj(_RAW)
+    try:
+        text = unpacker.decompress(description, MOST_BYTES).decode()
+    except (zlib.error, UnicodeDecodeError) as error:
+        raise ValueError(f"the description cannot be unpacked: {error}") from None
+    if not unpacker.eof:
+        raise ValueError(f"the description is cut short, or has more than {MOST_BYTES:,} characters")
+    spec, *maps = text.split(_NEXT)
+    return spec, {word: map_ for word, _, map_ in (one.partition("\n") for one in maps)}
+
+
+def _text(texts: Sequence[str], name: str) -> str:
+    """Return the text of a component, and of all that it uses."""
+    files = [parse(SourceText("", text), Reporter()) for text in texts]
+    items = [item for file in files if file is not None for item in file.items if not isinstance(item, Import)]
+    wanted = _used({str(item.name): item for item in items}, name)
+    kept: list[Item] = [item for item in items if isinstance(item, GroupDeclaration) or str(item.name) in wanted]
+    for item in kept:
+        _strip(item)
+    return print_file(File(kept))
+
+
+def _used(declared: Mapping[str, Node], name: str) -> set[str]:
+    """Return the names of a component and of what it uses, in others as well."""
+    names = {name}
+    pending = [name]
+    while pending:
+        for node in _nodes(declared.get(pending.pop())):
+            if isinstance(node, Placement | KindSpecifier):
+                used = str(node.type if isinstance(node, Placement) else node.name)
+                pending += [used] * (used not in names)
+                names.add(used)
+    return names
+
+
+def _nodes(node: object) -> Iterator[object]:
+    """Return what stands in a tree, the tree itself first."""
+    yield node
+    if isinstance(node, Node | KindSpecifier):
+        for field in dataclasses.fields(node):
+            value = getattr(node, field.name)
+            for inner in value if isinstance(value, list) else [value]:
+                yield from _nodes(inner)
+
+
+def _strip(item: Statement) -> None:
+    """Take away all comments of a statement, and what is in it."""
+    for node in _nodes(item):
+        if isinstance(node, Statement):
+            node.doc, node.leading, node.trailing, node.blank_before = [], [], [], False
+        if isinstance(node, BlockStatement):
+            node.dangling = []
