@@ -20,7 +20,10 @@ from typing import TYPE_CHECKING, NamedTuple
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-WALKTHROUGHS = ["docs/tutorials/rover.md", "docs/how-to/own-core.md", "docs/how-to/stop-safely.md"]
+WALKTHROUGHS = [
+    "docs/tutorials/rover.md",
+    *(f"docs/how-to/{name}.md" for name in ("own-core", "stop-safely", "unknown-board")),
+]
 """The pages that are one."""
 _ROOT = Path(__file__).parents[1]
 PAGES = [_ROOT / "README.md", *(page for page in sorted(_ROOT.glob("docs/**/*.md")) if "_build" not in page.parts)]
