@@ -211,15 +211,19 @@ class ScheduleModel(Model):
                 self.around.commit(values)
         self._show()
 
+    def _begins(self, batch: _Batch) -> int:
+        """Return the cycle from which a batch is looked at if it is the next one."""
+        return max(self._free, batch.came + 1)
+
     def _end_of(self, batch: _Batch) -> tuple[int, str, dict[int, int]]:
         """Return the cycle in which a batch ends if it is the next one, how it ends, and its values."""
-        begins = max(self._free, batch.came + 1)
+        begins = self._begins(batch)
         if not batch.is_good:
-            return begins, "refused", {}
+            return begins + 1, "refused", {}
         values = batch.values
-        waits = begins + batch.words + FRAME
+        waits = begins + batch.words + FRAME + 2
         if values is None:
-            return waits, "refused", {}
+            return waits - 1, "refused", {}
         left = cycles_to(batch.instant, waits)
         return (waits + left - 1, "acts", values) if left >= FRAME else (waits + 1, "late", {})
 
@@ -243,9 +247,10 @@ class ScheduleModel(Model):
         self._void()
 
     def _void(self) -> None:
+        if self._ended and self._ended[0].is_good and self._begins(self._ended[0]) < self.around.now:
+            self._free = self.around.now + 1
         for batch in self._ended:
-            if batch.is_good:
-                batch.is_good, batch.came = False, self.around.now
+            batch.is_good = False
         self._words = 0
 
     def _take(self, word: int) -> None:
@@ -271,7 +276,7 @@ class ScheduleModel(Model):
         unread = self._words
         if self._ended and self._ended[0].is_good:
             first = self._ended[0]
-            read = self.around.now - max(self._free, first.came + 1)
+            read = self.around.now - self._begins(first) - 1
             unread -= min(max(read, 0), first.words + 1)
         return unread
 

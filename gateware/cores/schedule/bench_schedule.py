@@ -110,6 +110,7 @@ class Model:
         self.acts = False
         self._inputs, self._now = Inputs(), 0
         self._reader = self._read()
+        self._reads = False
         self.happened: collections.Counter[str] = collections.Counter()
 
     def outputs(self, inputs: Inputs, *, reset: bool) -> dict[str, int]:
@@ -138,7 +139,9 @@ class Model:
             self._gap = None
         next(self._reader)
         if inputs.voids:
-            self._reader, self._stage, self._clear, self.acts = self._read(), None, True, False
+            if self._reads:
+                self._reader = self._read()
+            self._stage, self._clear, self.acts, self._reads = None, True, False, False
             self._queue.clear()
             self._unread = 0
         self._write(free)
@@ -188,21 +191,25 @@ class Model:
     def _read(self) -> Iterator[None]:
         """Take batches from the queue; a cycle ends with each `yield`."""
         while True:
+            # The header, or none.
             batch = self._queue[0] if self._queue else None
-            if self._finished != (batch.number if batch else self._ended):
+            refused = self._finished != (batch.number if batch else self._ended)
+            yield
+            if refused or (batch and not self._queue):
                 self._finish("refused")
                 yield
-                continue
-            if batch is None:
+            elif batch and self._inputs.voids:
                 yield
+            if refused or batch is None or not self._queue:
                 continue
-            # The header.
             self._unread -= 1
+            self._reads = True
             yield
             yield from self._stage_all(batch)
             # The instant.
             yield
             if batch.values is not None:
+                yield
                 while time_to(batch.instant, self._now) > FRAME:
                     yield
                 self.acts = time_to(batch.instant, self._now) == FRAME
@@ -210,19 +217,18 @@ class Model:
             if not self._inputs.voids:
                 self._finish("acts" if self.acts else "malformed" if batch.values is None else "late")
                 self._clear = not self.acts
-            self.acts = False
+            self.acts = self._reads = False
             self._queue.popleft()
             self._unread -= 1
             yield
 
     def _stage_all(self, batch: Batch) -> Iterator[None]:
-        """Take the words of a batch, up to the first run that is none."""
-        words, left, index, wrong = batch.rest[1:], 0, 0, False
-        for place, word in enumerate(words):
-            if not left and not wrong:
-                left, index = word >> 16, word & 0xFFFF
-                wrong = not 0 < left < len(words) - place
-            elif not wrong:
+        """Take the words of a batch to the shadows, also of runs that are none."""
+        left = index = 0
+        for place, word in enumerate(batch.rest[1:]):
+            if place == 0 or left == 0:
+                left, index = word >> 16 & 0xFF or 2**8, word & 0xFFFF
+            else:
                 self._stage = index, word
                 left, index = left - 1, (index + 1) % 2**16
             self._unread -= 1
@@ -349,9 +355,9 @@ class Stimulus:
             return (now + rng.choice([rng.randint(-2, 2), -rng.getrandbits(rng.randrange(1, 39))])) % TIME
         if rng.random() < 0.1 / (DEPTH + 100):
             # What is further ahead than half the time is past; the last one that is not ends by a cancel alone.
-            return (now + TIME // 2 + 2 * count + 6 + rng.randint(-3, 3)) % TIME
-        # It is whole in count + 1 cycles without a pause, and takes count + 5 more; behind another one count + 4.
-        left = max(2 * count + 6, time_to(self._instant, now) + count + 4)
+            return (now + TIME // 2 + 2 * count + 8 + rng.randint(-3, 3)) % TIME
+        # It is whole in count + 1 cycles without a pause, and takes count + 7 more; behind another one count + 6.
+        left = max(2 * count + 8, time_to(self._instant, now) + count + 6)
         chosen = now + left + rng.choice([rng.randint(-2, 2), rng.randint(0, 20 + self._lead)])
         self._instant = chosen % TIME
         return self._instant

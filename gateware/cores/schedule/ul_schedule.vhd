@@ -85,7 +85,7 @@ architecture rtl of ul_schedule is
 
   type part_t is (header_part, instant_part, body_part);
 
-  type state_t is (header, run, value, instant, waiting, acting, dropping);
+  type state_t is (header, numbered, run, value, instant, settling, waiting, acting, dropping);
 
   -- What was taken.
   signal word_given  : std_logic_vector(31 downto 0);
@@ -98,7 +98,7 @@ architecture rtl of ul_schedule is
   signal is_last     : std_logic;
   signal ends        : std_logic;
   signal accepts     : std_logic;
-  signal instant_set : instant_t;
+  signal instant_not : instant_t;
   signal ended       : number_t;
 
   -- The queue: complete batches up to `base`.
@@ -115,7 +115,7 @@ architecture rtl of ul_schedule is
   -- The batch that is staged.
   signal state     : state_t;
   signal has_batch : std_logic;
-  signal next_end  : number_t;
+  signal is_later  : std_logic;
   signal refuses   : std_logic;
   signal advances  : std_logic;
   signal words     : unsigned(7 downto 0);
@@ -124,6 +124,7 @@ architecture rtl of ul_schedule is
   signal is_wrong  : std_logic;
   signal stage_at  : unsigned(15 downto 0);
   signal upper     : std_logic_vector(7 downto 0);
+  signal data      : std_logic_vector(31 downto 0);
   signal ahead     : instant_t;
   signal voids     : std_logic;
   signal commits   : std_logic;
@@ -134,8 +135,10 @@ architecture rtl of ul_schedule is
   signal last_ends     : std_logic_vector(47 downto 0);
   signal late_count    : unsigned(31 downto 0);
   signal refused_count : unsigned(31 downto 0);
-  signal gap           : signed(39 downto 0);
+  signal gap_not       : signed(39 downto 0);
   signal has_gap       : std_logic;
+  signal is_less       : std_logic;
+  signal below_least   : signed(40 downto 0);
   signal least         : signed(31 downto 0);
 
 begin
@@ -187,12 +190,12 @@ begin
 
             words_left                <= unsigned(word_given(31 downto 24));
             is_good                   <= began_well;
-            instant_set(39 downto 32) <= unsigned(word_given(7 downto 0));
+            instant_not(39 downto 32) <= unsigned(not word_given(7 downto 0));
             part                      <= instant_part;
 
           when instant_part =>
 
-            instant_set(31 downto 0) <= unsigned(word_given);
+            instant_not(31 downto 0) <= unsigned(not word_given);
             part                     <= body_part;
 
           when body_part =>
@@ -264,17 +267,15 @@ begin
 
   -- The words of the next batch go into shadows, and wait.
 
-  has_batch <= '1' when read_at /= base else
-               '0';
-  next_end  <= unsigned(word(23 downto 8)) when has_batch = '1' else
-               ended;
+  -- `data` is what `word` was a cycle ago.
+  is_later <= unsigned(data(23 downto 8)) ?/= finished;
 
   -- Of those that have no place in the queue.
-  refuses <= '1' when state = header and finished /= next_end else
+  refuses <= '1' when state = numbered and (has_batch = '0' or is_later = '1') else
              '0';
 
   with state select advances <=
-    has_batch and not refuses when header,
+    has_batch and not is_later when numbered,
     '1' when run | value | acting | dropping,
     '0' when others;
 
@@ -287,11 +288,12 @@ begin
 
     if rising_edge(clk) then
       read_at     <= read_next;
+      has_batch   <= read_at ?/= base;
       stage_write <= '0';
       stage_clear <= '0';
-      stage_data  <= word;
+      data        <= word;
       -- The time to the instant, without this cycle.
-      ahead <= unsigned(upper & word) + not unsigned(now(39 downto 0));
+      ahead <= unsigned(upper & data) + not unsigned(now(39 downto 0));
 
       case state is
 
@@ -300,7 +302,14 @@ begin
           words    <= unsigned(word(31 downto 24));
           upper    <= word(7 downto 0);
           is_wrong <= '0';
-          if has_batch = '1' and refuses = '0' then
+          if read_at /= base or ended /= finished then
+            state <= numbered;
+          end if;
+
+        when numbered =>
+
+          state <= header;
+          if advances = '1' then
             state <= run;
           end if;
 
@@ -311,34 +320,40 @@ begin
           stage_at <= unsigned(word(15 downto 0));
           is_first <= '1';
           state    <= value;
-          if unsigned(word(31 downto 16)) = 0 or unsigned(word(31 downto 16)) >= words then
-            is_wrong <= '1';
-          end if;
           if words = 1 then
-            state <= instant;
+            state    <= instant;
+            is_wrong <= '1';
           end if;
 
         when value =>
 
           words       <= words - 1;
           run_rest    <= run_rest - 1;
-          stage_write <= not is_wrong;
+          stage_write <= '1';
           is_first    <= '0';
           if is_first = '0' then
             stage_at <= stage_at + 1;
           end if;
           if words = 1 then
             state <= instant;
-          elsif run_rest = 1 and is_wrong = '0' then
+          elsif run_rest = 1 then
             state <= run;
+          end if;
+          -- An empty run has too many words, too.
+          if (words = 1 and run_rest /= 1) or (is_first = '1' and unsigned(data(31 downto 24)) /= 0) then
+            is_wrong <= '1';
           end if;
 
         when instant =>
 
-          state <= waiting;
+          state <= settling;
           if is_wrong = '1' then
             state <= dropping;
           end if;
+
+        when settling =>
+
+          state <= waiting;
 
         when waiting =>
 
@@ -359,10 +374,14 @@ begin
 
       end case;
 
+      -- The batches of the queue are refused as those that have no place in it.
       if voids = '1' then
+        has_batch   <= '0';
         stage_write <= '0';
         stage_clear <= '1';
-        state       <= header;
+        if state /= header then
+          state <= header;
+        end if;
       end if;
       if rst = '1' then
         read_at     <= (others => '0');
@@ -374,6 +393,7 @@ begin
 
   end process stage;
 
+  stage_data  <= data;
   stage_index <= std_logic_vector(stage_at);
   commits     <= '1' when state = acting and voids = '0' and rst = '0' else
                  '0';
@@ -383,6 +403,10 @@ begin
 
   drops <= '1' when state = dropping and voids = '0' else
            '0';
+
+  -- least - gap - 1. Complements make additions of subtractions: before a carry an inverter is a cell of its own.
+  below_least <= resize(least, 41) + resize(gap_not, 41);
+  is_less     <= not below_least(40);
 
   count : process (clk) is
   begin
@@ -399,11 +423,11 @@ begin
         refused_count <= refused_count + 1;
       end if;
 
-      gap     <= signed(instant_set - unsigned(now(39 downto 0)));
+      gap_not <= signed(instant_not + unsigned(now(39 downto 0)));
       has_gap <= accepts;
-      if has_gap = '1' and gap < least then
-        least <= gap(31 downto 0);
-        if gap(39) = '1' and gap(38 downto 31) /= "11111111" then
+      if has_gap = '1' and is_less = '1' then
+        least <= not gap_not(31 downto 0);
+        if gap_not(39) = '0' and gap_not(38 downto 31) /= 0 then
           least <= (31 => '1', others => '0');
         end if;
       end if;
