@@ -19,7 +19,7 @@ from support.bridge_programs import PROGRAM
 from support.searching import examples
 from support.simulated_time import on_simulated_time
 from unity_link import ArgumentError, BusError, LinkLostError, NotArmedError
-from unity_link.cores.clock import READ_AGAIN
+from unity_link.cores.clock import READ_AGAIN, TickBounds
 from unity_link.cores.lease import MOST_KICKS
 from unity_link.data import Group, read_interface
 from unity_link.generate.python.model import model_text
@@ -300,6 +300,54 @@ async def test_a_program_sees_that_another_one_has_armed_while_its_own_lease_had
             assert ended.value.reason == "disarmed"
             assert world.seen("drive.armed")
             assert world.seen("drive.arms") == 2
+
+
+@pytest.mark.parametrize("latest", [False, True])
+@on_simulated_time
+async def test_a_body_that_is_slower_than_the_samples_keeps_the_lease_where_it_takes_the_newest(latest: bool) -> None:
+    world = World()
+    async with unity_link.connect(world.gateway) as link:
+        robot = world.kind(link)
+
+        async def move() -> int:
+            last, count = -1, 0
+            async with robot.armed(timeout=0.05) as lease:
+                async for sample in lease.each(robot.groups["state"], latest=latest):
+                    count += 1
+                    assert sample.sequence > last
+                    last = sample.sequence
+                    await asyncio.sleep(0.005)
+                    if count == 200:
+                        break
+            return last
+
+        if latest:
+            assert await move() > 400
+        else:
+            with pytest.raises(NotArmedError, match="no kick came before its end"):
+                await move()
+
+
+@on_simulated_time
+async def test_a_clock_that_is_slower_than_was_thought_ends_no_lease_that_the_gateway_has_not_ended() -> None:
+    world = World()
+    async with unity_link.connect(world.gateway) as link:
+        robot = world.kind(link)
+        lease = robot.armed(timeout=0.05)
+        lease._clock = TickBounds(HZ * 10 // 9)
+        async with lease:
+            async for sample in lease.each(robot.groups["state"]):
+                if sample.sequence == 1000:
+                    break
+            assert world.seen("drive.armed")
+
+
+def test_an_estimate_that_a_reading_shows_to_be_ahead_is_given_up() -> None:
+    clock = TickBounds(1000)
+    clock.read(0, 0.0, 0.0)
+    assert clock.least(10.0) > 9900
+    clock.read(9000, 9.9, 10.0)
+    assert 9000 <= clock.least(10.0) <= clock.most(10.0) <= 9102
 
 
 @on_simulated_time

@@ -15,7 +15,7 @@ import msgspec
 
 from fuzz import serving
 from fuzz.choices import Choices
-from unity_link.bridges.live.writing import Hello, Write
+from unity_link.bridges.live.writing import Hello, Stop, Write
 from unity_link.bridges.recording.reader import Recording
 from unity_link.bridges.recording.replay import replay
 from unity_link.errors import UnityLinkError
@@ -196,7 +196,7 @@ def snooped(data: bytes) -> None:
 def page(data: bytes) -> None:
     """Decode what a browser says to `live`."""
     with contextlib.suppress(msgspec.DecodeError, RecursionError, UnicodeError):
-        msgspec.json.Decoder(Hello | Write).decode(data)
+        msgspec.json.Decoder(Hello | Write | Stop).decode(data)
 
 
 def serve(data: bytes) -> None:

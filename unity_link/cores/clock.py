@@ -67,6 +67,9 @@ class TickBounds:
             self._first = ticks, asked, now
             self._seen, self._seen_at = ticks, now
         self._ticks, self._asked_at, self.read_at = ticks, asked, now
+        # A clock that is slower than quartzes are, as that of a simulation that is late, is as it says.
+        if self.least(now) > self.most(now):
+            self._seen, self._seen_at = ticks, now
         self.see(ticks, now)
 
     def see(self, ticks: int, now: float) -> None:

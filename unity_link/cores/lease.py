@@ -379,7 +379,7 @@ class Lease(Sealed):
 
     # Kicks
 
-    async def each(self, group: _Group) -> AsyncIterator[Any]:
+    async def each(self, group: _Group, *, latest: bool = False) -> AsyncIterator[Any]:
         """Iterate over the samples of a group, and kick with each: as the loop comes round.
 
         The end of the lease is a time-out behind the instant at which the gateway took the newest sample that has come:
@@ -387,6 +387,8 @@ class Lease(Sealed):
 
         Args:
             group: of the robot, published with timestamps.
+            latest: keep the newest sample alone, for a controller: a body that is slower than the samples acts on none
+                that is old. Otherwise the samples wait for it, and it loses the lease when they have waited too long.
 
         Raises:
             ArgumentError: for a group of another gateway, or without timestamps.
@@ -399,7 +401,8 @@ class Lease(Sealed):
             raise ArgumentError(f"{group.name} has signals of another gateway than {self._registers.name} is of")
         await self._read_clock()
         last: int | None = None
-        with group.feed.listen(buffer=BUFFER) as listener:
+        overflow = "drop_oldest" if latest else "fail"
+        with group.feed.listen(buffer=1 if latest else BUFFER, overflow=overflow) as listener:
             batch = await self._first(listener)
             while True:
                 samples = list(batch)
@@ -468,9 +471,9 @@ class Lease(Sealed):
         while self._kicks and (self._kicks[0].done() or len(self._kicks) == MOST_KICKS):
             await self._take_answer(self._kicks.popleft())
         if self._has_ended():
-            self._is_over = True
             await self._check_mine(await registers.condition())
-            raise NotArmedError(f"{registers.name} is not armed for this program any more: its end has come", "silence")
+            # Its clock is behind what was thought of it.
+            await self._read_clock()
         if end > self._end:
             self._end = end
             signal = registers.kick.signal

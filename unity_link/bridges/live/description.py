@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
+from unity_link.cores.lease import LeasedRobot, leases_of
 from unity_link.data import Writable
 
 if TYPE_CHECKING:
@@ -66,6 +67,8 @@ class About(msgspec.Struct, frozen=True, kw_only=True, tag_field="type", tag="ab
     """Descriptions of the components by their paths."""
     streams: list[SignalStream]
     signals: list[SignalAbout]
+    leases: list[str]
+    """Paths of the leases."""
 
 
 def describe(robot: Robot, groups: Sequence[SampledGroup], rates: Sequence[float | None], gateway: str) -> About:
@@ -83,6 +86,7 @@ def describe(robot: Robot, groups: Sequence[SampledGroup], rates: Sequence[float
         writes=False,
         parts={part.path: part.doc for part in interface.root.walk()},
         streams=[SignalStream(group.name, rate) for group, rate in zip(groups, rates, strict=True)],
+        leases=list(leases_of(robot)) if isinstance(robot, LeasedRobot) else [],
         signals=[_about(proxy, places.get(proxy)) for proxy in robot.signals if proxy in places or is_written(proxy)],
     )
 

@@ -23,7 +23,7 @@ from unity_link.bridges.live.outbox import Tabulator
 from unity_link.bridges.live.round_trips import Histogram, RoundTrips
 from unity_link.bridges.live.server import make_server
 from unity_link.bridges.live.viewer import Viewer
-from unity_link.bridges.live.writing import Writing
+from unity_link.bridges.live.writing import Stopping, Writing
 from unity_link.bridges.thread_queue import Carrier
 from unity_link.link.link import Statistics  # noqa: TC001  (msgspec reads the annotations)
 from unity_link.transport.listening import LOOPBACK, port_error
@@ -101,6 +101,7 @@ class LivePage:
         self._link = robot.link
         self._groups = [group.group for group in groups]
         self._writing = None if token is None else Writing(robot, token)
+        self._stopping = Stopping(robot)
         self._foxglove = foxglove
         self._carrier = Carrier(self._groups, self._tabulate, report, buffer=BUFFER)
         self._time = GatewayTime(robot.link, most_slew=MOST_SLEW)
@@ -206,7 +207,7 @@ class LivePage:
             with contextlib.suppress(WebSocketDisconnect):
                 await websocket.close(_TRY_AGAIN_LATER, f"{MOST_VIEWERS} pages are open already")
             return
-        viewer = Viewer(websocket, self._about, self._writing)
+        viewer = Viewer(websocket, self._about, self._writing, self._stopping)
         self._viewers.add(viewer)
         try:
             await viewer.run()

@@ -11,12 +11,12 @@ import msgspec
 from starlette.websockets import WebSocketDisconnect
 
 from unity_link.bridges.live.outbox import Outbox
-from unity_link.bridges.live.writing import Hello, Refused, Write
+from unity_link.bridges.live.writing import Hello, Refused, Stop, Write
 
 if TYPE_CHECKING:
     from starlette.websockets import WebSocket
 
-    from unity_link.bridges.live.writing import Writing
+    from unity_link.bridges.live.writing import Stopping, Writing
 
 PICTURES_PER_SECOND = 60
 """Rate at which samples are sent: that of the pictures of a screen."""
@@ -38,15 +38,17 @@ class Viewer:
         socket: accepted.
         about: the first message.
         writing: what writes; None where writes are not allowed.
+        stopping: what disarms.
     """
 
-    def __init__(self, socket: WebSocket, about: bytes, writing: Writing | None) -> None:
+    def __init__(self, socket: WebSocket, about: bytes, writing: Writing | None, stopping: Stopping) -> None:
         self.outbox = Outbox()
         self.status = b""
         """The link's state to be sent next; a newer one replaces one that waits."""
         self._socket = socket
         self._about = about
         self._writing = writing
+        self._stopping = stopping
         self._may_write = False
         self._said_nonsense = False
         self._left = asyncio.Event()
@@ -89,7 +91,7 @@ class Viewer:
                 await self._socket.send_text(status.decode())
 
     async def _receive(self) -> None:
-        decode = msgspec.json.Decoder(Hello | Write).decode
+        decode = msgspec.json.Decoder(Hello | Write | Stop).decode
         while True:
             event = await self._socket.receive()
             if event["type"] == "websocket.disconnect":
@@ -103,10 +105,12 @@ class Viewer:
             answer = await self._answer(message)
             await self._socket.send_text(msgspec.json.encode(answer).decode())
 
-    async def _answer(self, message: Hello | Write) -> object:
+    async def _answer(self, message: Hello | Write | Stop) -> object:
         if isinstance(message, Hello):
             self._may_write = self._writing is not None and self._writing.knows(message.token)
             return Welcome(self._may_write)
+        if isinstance(message, Stop):
+            return await self._stopping.stop(message)
         if self._writing is None:
             return Refused(message.number, _NO_WRITES)
         if not self._may_write:

@@ -1,4 +1,7 @@
-"""Values that come from a page. Where writes are not allowed there is no `Writing`, and nothing that could write.
+"""Values that come from a page, and its wish to stop.
+
+Where writes are not allowed there is no `Writing`, and nothing that could write but `Stopping`, by which any page may
+disarm.
 
 A write that has begun goes on when its page has gone; it ends, and is never sent, when the link goes away before.
 """
@@ -12,10 +15,14 @@ from typing import TYPE_CHECKING, Annotated, Any
 import msgspec
 
 from unity_link.bridges.live.description import is_written
+from unity_link.cores.lease import LeasedRobot, leases_of
 from unity_link.errors import UnityLinkError
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Coroutine
+
     from unity_link.data import Robot, Writable
+    from unity_link.link.link import Link
 
 LOOK_EVERY = 0.1
 """Seconds between looks whether the link is still there while a value is written."""
@@ -39,6 +46,15 @@ class Write(msgspec.Struct, tag_field="type", tag="write", forbid_unknown_fields
     signal: str
     value: bool | int | float | str
     """Value in the signal's unit; of an enumeration a number or a name."""
+
+
+class Stop(msgspec.Struct, tag_field="type", tag="stop", forbid_unknown_fields=True):
+    """A page wants a lease disarmed."""
+
+    number: Annotated[int, msgspec.Meta(ge=0, le=_LARGEST_NUMBER)]
+    """Number that its answer repeats."""
+    lease: str
+    """Path of the lease."""
 
 
 class Written(msgspec.Struct, tag_field="type", tag="written"):
@@ -65,9 +81,8 @@ class Writing:
     def __init__(self, robot: Robot, token: str) -> None:
         self.written = 0
         """Values that were written."""
-        self._link = robot.link
         self._token = token.encode(errors="surrogatepass")
-        self._under_way: set[asyncio.Task[Written | Refused]] = set()
+        self._errands = _Errands(robot.link)
         self._signals: dict[str, Writable[Any]] = {
             proxy.path: proxy  # type: ignore[misc]
             for proxy in robot.signals
@@ -83,23 +98,59 @@ class Writing:
         proxy = self._signals.get(wish.signal)
         if proxy is None:
             return Refused(wish.number, f"there is no signal {wish.signal!r} that can be written")
+        answer = await self._errands.run(wish.number, lambda: proxy.set(wish.value))
+        self.written += isinstance(answer, Written)
+        return answer
+
+
+class Stopping:
+    """Disarms the leases of a robot, for any page: who may look may stop.
+
+    Args:
+        robot: with the leases, if it has any.
+    """
+
+    def __init__(self, robot: Robot) -> None:
+        self._leases = leases_of(robot) if isinstance(robot, LeasedRobot) else {}
+        self._errands = _Errands(robot.link)
+
+    async def stop(self, wish: Stop) -> Written | Refused:
+        """Disarm a lease. While the link is away nothing is, and it runs out by itself."""
+        lease = self._leases.get(wish.lease)
+        if lease is None:
+            return Refused(wish.number, f"there is no lease {wish.lease!r}")
+        return await self._errands.run(wish.number, lease.stop)
+
+
+class _Errands:
+    """The errands of pages at the gateway, each done to its end, or until the link goes away.
+
+    Args:
+        link: to the gateway.
+    """
+
+    def __init__(self, link: Link) -> None:
+        self._link = link
+        self._under_way: set[asyncio.Task[Written | Refused]] = set()
+
+    async def run(self, number: int, call: Callable[[], Coroutine[Any, Any, object]]) -> Written | Refused:
+        """Make a call, and return the answer to the page; a page that goes leaves it under way."""
         if not self._link.connected:
-            return Refused(wish.number, _AWAY)
-        writing = asyncio.create_task(self._write(proxy, wish))
+            return Refused(number, _AWAY)
+        writing = asyncio.create_task(self._run(number, call))
         self._under_way.add(writing)
         writing.add_done_callback(self._under_way.discard)
         return await asyncio.shield(writing)
 
-    async def _write(self, proxy: Writable[Any], wish: Write) -> Written | Refused:
-        setting = asyncio.ensure_future(proxy.set(wish.value))
+    async def _run(self, number: int, call: Callable[[], Coroutine[Any, Any, object]]) -> Written | Refused:
+        setting = asyncio.ensure_future(call())
         try:
             while not (await asyncio.wait([setting], timeout=LOOK_EVERY))[0]:
                 if not self._link.connected:
-                    return Refused(wish.number, _WENT_AWAY)
+                    return Refused(number, _WENT_AWAY)
             setting.result()
         except UnityLinkError as error:
-            return Refused(wish.number, str(error))
+            return Refused(number, str(error))
         finally:
             setting.cancel()
-        self.written += 1
-        return Written(wish.number)
+        return Written(number)

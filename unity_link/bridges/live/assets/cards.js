@@ -100,7 +100,9 @@ export class Card {
 }
 
 export function makeCards(place, about, streams, send) {
-  const cards = sorted(about.signals).map((signals) => new Card(signals, about, streams, send));
+  // What arms, kicks and disarms is for programs; the page has a button.
+  const shown = about.signals.filter((signal) => signal.stream !== null || !about.leases.includes(signal.part));
+  const cards = sorted(shown).map((signals) => new Card(signals, about, streams, send));
   place.replaceChildren(...cards.map((card) => card.element));
   const byElement = new Map(cards.map((card) => [card.element, card]));
   const watcher = new IntersectionObserver((seen) => seen.forEach((one) => (byElement.get(one.target).visible = one.isIntersecting)));

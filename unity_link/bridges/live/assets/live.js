@@ -2,6 +2,7 @@
 
 import { makeCards } from "./cards.js";
 import { make, say } from "./dom.js";
+import { makeLeases } from "./leases.js";
 import { makeHistogram, refreshColors } from "./plots.js";
 import { Clock, Stream, batches, head } from "./streams.js";
 import { count, duration, roundDuration } from "./values.js";
@@ -22,6 +23,7 @@ let about = null;
 let aboutText = "";
 let streams = [];
 let cards = [];
+let leases = [];
 let status = null;
 let dropped = 0;
 let window_ = 10;
@@ -87,6 +89,7 @@ function begin(message, data) {
   say(at("gateway"), about.gateway);
   streams = about.streams.map((stream, number) => new Stream(stream, about.signals.filter((signal) => signal.stream === number).length));
   cards = makeCards(at("cards"), about, streams, write);
+  leases = makeLeases(at("leases"), about, stop);
 }
 
 function welcome(mayWrite) {
@@ -99,11 +102,20 @@ function welcome(mayWrite) {
 
 // Have a value written; gives why it was not, or null.
 function write(signal, value) {
-  if (socket.readyState !== WebSocket.OPEN) return Promise.resolve("the program has ended: nothing was written");
-  const number = questions++;
   // JSON has whole numbers of any size, JavaScript's own writer has not.
   const written = typeof value === "bigint" ? String(value) : JSON.stringify(value);
-  socket.send(`{"type":"write","number":${number},"signal":${JSON.stringify(signal)},"value":${written}}`);
+  return ask((number) => `{"type":"write","number":${number},"signal":${JSON.stringify(signal)},"value":${written}}`);
+}
+
+// Have a lease disarmed; gives why it was not, or null.
+function stop(lease) {
+  return ask((number) => JSON.stringify({ type: "stop", number, lease }));
+}
+
+function ask(question) {
+  if (socket.readyState !== WebSocket.OPEN) return Promise.resolve("the program has ended: nothing was written");
+  const number = questions++;
+  socket.send(question(number));
   return new Promise((resolve) => answers.set(number, resolve));
 }
 
@@ -179,6 +191,7 @@ function draw(now) {
 
 function tellTexts() {
   if (!paused) cards.forEach((card) => card.say(streams, status?.exact ?? {}));
+  leases.forEach((lease) => lease.say(streams));
   if (status) {
     say(at("rate"), count(Math.round(samplesPerSecond)));
     listFacts(facts(samplesPerSecond, picturesPerSecond));

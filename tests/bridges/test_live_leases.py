@@ -1,0 +1,111 @@
+"""Leases on the live page: their state is seen, and anybody who looks may stop."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from typing import TYPE_CHECKING
+
+import pytest
+from playwright.sync_api import expect, sync_playwright
+
+import unity_link
+from support.bridge_programs import PATIENCE, wait_until
+from support.live_page import gateway, hear, live, looking
+from unity_link import blocking
+from unity_link.data.blocking import put
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+
+    from support.live_page import Live
+
+CHROMIUM = shutil.which("chromium")
+SPEC = """
+public rover() {
+  GATEWAY(ADDRESS_BITS=12);
+  drive: LEASE(TIMEOUT=20) @(0xE0);
+  lift: LEASE(TIMEOUT=20) @(0x100);
+  @speed = 0x10: signed READWRITE(SAFE(0, drive), UNIT="rpm");
+}
+"""
+
+
+@pytest.fixture
+def spec(tmp_path: Path) -> Path:
+    path = tmp_path / "rover.ul"
+    path.write_text(SPEC)
+    return path
+
+
+@pytest.fixture
+def served(spec: Path, tmp_path: Path) -> Iterator[str]:
+    with gateway(tmp_path / "gateway", "serve", f"sim:{spec}") as url:
+        yield url
+
+
+@pytest.fixture
+def shown(served: str, spec: Path) -> Iterator[Live]:
+    with live(served, str(spec), begins="0 samples") as running:
+        yield running
+
+
+def end(running: Live) -> None:
+    """Read what it says at its end."""
+    running.process.terminate()
+    assert running.process.stderr is not None
+    running.process.stderr.close()
+
+
+@pytest.mark.skipif(CHROMIUM is None, reason="needs Chromium: apt install chromium")
+def test_a_page_shows_each_lease_and_its_button_disarms(served: str, spec: Path, shown: Live) -> None:
+    with (
+        sync_playwright() as playwright,
+        playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"]) as browser,
+        blocking.connect(served) as link,
+    ):
+        expect.set_options(timeout=1000 * PATIENCE)
+        page = browser.new_page(viewport={"width": 1280, "height": 900})
+        page.goto(shown.url)
+        drive, lift = page.locator("[data-lease=drive]"), page.locator("[data-lease=lift]")
+        expect(drive.locator("output")).to_have_text("disarmed")
+        robot = put(unity_link.load(spec), link)
+        with robot.drive.armed(timeout=15):
+            robot.speed.set(100)
+            expect(drive.locator("output")).to_have_text("armed")
+            expect(lift.locator("output")).to_have_text("disarmed")
+            page.get_by_role("button", name="Stop drive").click()
+            expect(drive.locator("output")).to_have_text("disarmed")
+            assert robot.speed.get() == 0
+        with robot.lift.armed(timeout=0.5):
+            expect(lift.locator("output")).to_have_text("fault: silence")
+    end(shown)
+
+
+def test_a_page_without_a_token_stops_and_does_not_write(served: str, spec: Path, shown: Live) -> None:
+    with looking(shown) as page, blocking.connect(served) as link:
+        about = hear(page, "about")
+        assert (about["leases"], about["writes"]) == (["drive", "lift"], False)
+        robot = put(unity_link.load(spec), link)
+        with robot.drive.armed(timeout=15):
+            page.send(json.dumps({"type": "write", "number": 1, "signal": "speed", "value": 5}))
+            assert "writes are off" in hear(page, "refused")["reason"]
+            page.send(json.dumps({"type": "stop", "number": 2, "lease": "drive"}))
+            assert hear(page, "written")["number"] == 2
+            assert not robot.drive.armed_.get()
+        page.send(json.dumps({"type": "stop", "number": 3, "lease": "speed"}))
+        assert hear(page, "refused") == {"type": "refused", "number": 3, "reason": "there is no lease 'speed'"}
+    end(shown)
+
+
+def test_a_page_of_a_gateway_that_is_away_says_that_nothing_was_stopped(spec: Path, tmp_path: Path) -> None:
+    with gateway(tmp_path / "gateway", "serve", f"sim:{spec}") as url:
+        running = live(url, str(spec))
+        shown = running.__enter__()
+    with looking(shown) as page:
+        wait_until(lambda: not hear(page, "status")["connected"])
+        page.send(json.dumps({"type": "stop", "number": 1, "lease": "drive"}))
+        assert "the link is away" in hear(page, "refused")["reason"]
+    end(shown)
+    running.__exit__(None, None, None)

@@ -1,0 +1,48 @@
+"""The tutorial's rover stands still however its program ends: the files of the page, as its reader has them."""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import unity_link
+from docs.walkthrough import blocks
+from support.bridge_programs import PROGRAM, line_of, wait_until
+from unity_link import blocking
+from unity_link.data.blocking import put
+
+PAGE = Path(__file__).parents[2] / "docs" / "tutorials" / "rover.md"
+
+
+@pytest.mark.parametrize("way", ["SIGINT", "SIGTERM", "SIGKILL", "SIGSTOP"])
+def test_its_wheels_have_no_duty_when_its_program_has_ended(way: str, tmp_path: Path) -> None:
+    for block in blocks(PAGE):
+        if block.caption.partition(".")[2] in {"ul", "py"}:
+            (tmp_path / block.caption).write_text(block.text)
+    # Still far away when it is ended.
+    program = (tmp_path / "drive.py").read_text()
+    assert "drive(rover, 1)" in program
+    (tmp_path / "drive.py").write_text(program.replace("drive(rover, 1)", "drive(rover, 1000)"))
+    subprocess.run([PROGRAM, "generate", "python", "rover.ul"], cwd=tmp_path, check=True, capture_output=True)
+    command = [PROGRAM, "serve", "sim:rover.ul?model=model.py:Rover", "--unix", "rover.sock"]
+    with subprocess.Popen(command, cwd=tmp_path, stdout=subprocess.PIPE, text=True) as server:
+        try:
+            with (
+                blocking.connect(line_of(server)) as link,
+                subprocess.Popen([sys.executable, "drive.py"], cwd=tmp_path, stderr=subprocess.DEVNULL) as driving,
+            ):
+                rover = put(unity_link.load(tmp_path / "rover.ul"), link)
+                try:
+                    wait_until(lambda: rover.left.speed.get() > 0.9)
+                    driving.send_signal(signal.Signals[way])
+                    wait_until(lambda: not rover.drive.armed_.get())
+                    assert (rover.left.duty.get(), rover.right.duty.get()) == (0, 0)
+                    wait_until(lambda: rover.left.speed.get() < 0.01)
+                finally:
+                    driving.kill()
+        finally:
+            server.kill()

@@ -1,0 +1,31 @@
+// The leases of the robot: what state each is in, and a button that disarms it, which needs no token.
+
+import { make, say } from "./dom.js";
+import { text } from "./values.js";
+
+export class Lease {
+  constructor(path, about, stop) {
+    const find = (name) => about.signals.find((signal) => signal.path === `${path}.${name}`);
+    [this.state, this.reason] = [find("state"), find("reason")];
+    this.output = make("output", {}, "–");
+    this.answer = make("span", { class: "answer", role: "status" });
+    const button = make("button", { type: "button", class: "stop", "aria-label": `Stop ${path}` }, "Stop");
+    button.addEventListener("click", async () => say(this.answer, (await stop(path)) ?? ""));
+    this.element = make("div", { class: "lease", "data-lease": path }, make("span", { class: "name" }, path), this.output, button, this.answer);
+  }
+
+  // Tell the state; of one that has ended, why it did.
+  say(streams) {
+    const value = (signal) => (signal.stream === null ? null : streams[signal.stream].shown[signal.column]);
+    const state = text(this.state, value(this.state));
+    this.element.dataset.state = state;
+    say(this.output, state === "fault" ? `${state}: ${text(this.reason, value(this.reason))}` : state);
+  }
+}
+
+export function makeLeases(place, about, stop) {
+  const leases = about.leases.map((path) => new Lease(path, about, stop));
+  place.replaceChildren(...leases.map((lease) => lease.element));
+  place.hidden = !leases.length;
+  return leases;
+}
