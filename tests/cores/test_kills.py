@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import unity_link
+from generate.programs import STRICT
 from support.bridge_programs import PROGRAM, line_of, wait_until
 from unity_link import blocking
 from unity_link.data.blocking import put
@@ -78,6 +79,40 @@ asyncio.run(main())
 )
 
 
+C_PROGRAM = """
+#include <stdio.h>
+#include <stdlib.h>
+#include "rover.h"
+
+static ul_link link;
+
+int main(int count, char **arguments)
+{
+    ul_lease drive = UL_LEASE(rover.drive);
+    if (count != 3 || ul_connect(&link, arguments[1], 5.0)) return 2;
+    ul_status status = ul_lease_arm(&link, &drive, atof(arguments[2]));
+    for (int64_t turn = 1; status == UL_OK; turn++) {
+        status = ul_lease_kick(&link, &drive);
+        if (status == UL_OK) status = ul_set_signed(&link, &rover.speed, turn);
+        if (turn == 20) { puts("moving"); fflush(stdout); }
+    }
+    fprintf(stderr, "%s", ul_error(&link));
+    return 1;
+}
+"""
+
+
+@pytest.fixture(scope="module")
+def program_in_c(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("c")
+    (folder / "rover.ul").write_text(SPEC)
+    (folder / "move.c").write_text(C_PROGRAM)
+    subprocess.run([PROGRAM, "generate", "c", "rover.ul"], cwd=folder, check=True, capture_output=True)
+    sources = ["move.c", "rover.c", "unity_link.c", "unity_link_posix.c"]
+    subprocess.run(["cc", "-std=c99", *STRICT, *sources, "-o", "move"], cwd=folder, check=True)
+    return folder / "move"
+
+
 @contextlib.contextmanager
 def served(folder: Path, options: str = "") -> Iterator[tuple[str, str, Any]]:
     """Serve a rover; give the URL, the path of the spec, and the rover for who looks on."""
@@ -130,6 +165,34 @@ def test_a_program_that_is_ended_leaves_its_output_safe(face: str, way: str, tmp
         assert robot.speed.get() == 0
         with robot.armed(timeout=1):
             assert robot.speed.get() == 0
+
+
+@pytest.mark.parametrize("way", ["SIGKILL", "SIGSTOP", "stopped"])
+def test_a_program_in_c_that_is_ended_leaves_its_output_safe(way: str, program_in_c: Path, tmp_path: Path) -> None:
+    with (
+        served(tmp_path) as (url, _, robot),
+        subprocess.Popen(
+            [program_in_c, url, "3"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        ) as program,
+    ):
+        try:
+            assert line_of(program) == "moving"
+            assert robot.speed.get() > 0
+            second = subprocess.run([program_in_c, url, "3"], capture_output=True, text=True, check=False, timeout=60)
+            assert (second.returncode, second.stdout) == (1, "")
+            assert "it cannot be armed: another program has armed it" in second.stderr
+            if way == "stopped":
+                assert robot.drive.stop()
+            else:
+                program.send_signal(signal.Signals[way])
+            wait_until(lambda: not robot.drive.armed_.get())
+            assert robot.speed.get() == 0
+            if way == "stopped":
+                # Its kick, or its write, is the first to meet it.
+                _, told = program.communicate(timeout=60)
+                assert "is not armed any more: what it guards is safe" in told or "the bus refused the access" in told
+        finally:
+            program.kill()
 
 
 @pytest.mark.parametrize("way", ["SIGKILL", "SIGSTOP"])
