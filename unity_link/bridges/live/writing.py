@@ -98,9 +98,12 @@ class Writing:
         proxy = self._signals.get(wish.signal)
         if proxy is None:
             return Refused(wish.number, f"there is no signal {wish.signal!r} that can be written")
-        answer = await self._errands.run(wish.number, lambda: proxy.set(wish.value))
-        self.written += isinstance(answer, Written)
-        return answer
+
+        async def write() -> None:
+            await proxy.set(wish.value)
+            self.written += 1
+
+        return await self._errands.run(wish.number, write)
 
 
 class Stopping:
