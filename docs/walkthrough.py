@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 WALKTHROUGHS = [
     "docs/tutorials/rover.md",
-    *(f"docs/how-to/{name}.md" for name in ("own-core", "stop-safely", "unknown-board")),
+    *(f"docs/how-to/{name}.md" for name in ("own-core", "stop-safely", "act-at-a-time", "unknown-board")),
 ]
 """The pages that are one."""
 _ROOT = Path(__file__).parents[1]

@@ -52,7 +52,7 @@ class ScheduleVerbs(Verbs):
     async def play(
         self,
         times: ArrayLike,
-        values: Mapping[Proxy[Any], ArrayLike],
+        values: Mapping[Any, ArrayLike],
         *,
         then: Literal["hold", "safe"] = "hold",
         lead: float = 0.05,

@@ -87,7 +87,7 @@ class ScheduleRegisters:
             raise ArgumentError(f"{signal.path} is not timed by {self.name}: its declaration has no TIMED({self.name})")
         return signal
 
-    def words_of(self, values: Mapping[Proxy[Any], Any]) -> dict[int, int]:
+    def words_of(self, values: Mapping[Any, Any]) -> dict[int, int]:
         """Return what values put on the stage, by places.
 
         Raises:
@@ -512,7 +512,7 @@ class Timeline(Sealed):
             self._is_on = False
             self._feed.line = None
 
-    async def set(self, values: Mapping[Proxy[Any], Any], *, at: Instant | None = None) -> Done:
+    async def set(self, values: Mapping[Any, Any], *, at: Instant | None = None) -> Done:
         """Write values to signals at an instant, all of them in one clock cycle.
 
         Args:
