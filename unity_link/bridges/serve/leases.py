@@ -67,7 +67,7 @@ class ArmRequest(NamedTuple):
     """Answers it by an error."""
 
 
-class Lease:
+class ClientLease:
     """One lease, and the client that has it.
 
     Args:
@@ -103,7 +103,7 @@ class Leases:
     def __init__(self, interface: Interface, host: Host) -> None:
         self.interface = interface
         paths = [one.path for one in interface.cores if one.core is not None and one.core.word == WORD]
-        self._leases = [Lease(interface, path) for path in paths]
+        self._leases = [ClientLease(interface, path) for path in paths]
         self._host = host
         self._closed: dict[object, frozenset[bytes]] = {}
 
@@ -133,12 +133,12 @@ class Leases:
             if lease.arm[-1] not in written
         )
 
-    def armed_by(self, request: DecodedRequest, highest: int) -> Lease | None:
+    def armed_by(self, request: DecodedRequest, highest: int) -> ClientLease | None:
         """Return the lease that a request would arm: it writes the last word of that register."""
         written = set(_written(request, highest))
         return next((lease for lease in self._leases if lease.arm[-1] in written), None)
 
-    async def arm(self, lease: Lease, request: ArmRequest) -> None:
+    async def arm(self, lease: ClientLease, request: ArmRequest) -> None:
         """Hand an arm on, unless another client has the lease, and record whose it is then.
 
         The client is held meanwhile: what it asks for behind an arm is looked at when that has been settled.
@@ -174,12 +174,12 @@ class Leases:
         request.relay(lambda executed: None if over.done() else over.set_result(executed))
         await over
 
-    async def _is_armed(self, lease: Lease) -> bool:
+    async def _is_armed(self, lease: ClientLease) -> bool:
         async with asyncio.timeout(PATIENCE):
             word = await self._host.word_at(lease.armed.address)
         return bool(lease.armed.decode(word))
 
-    def _own(self, lease: Lease, client: Tenant | None) -> None:
+    def _own(self, lease: ClientLease, client: Tenant | None) -> None:
         lease.owner = client
         self._closed.clear()
 
@@ -190,7 +190,7 @@ class Leases:
         self._closed.pop(client, None)
         return [self._disarm(lease, client) for lease in self._leases if lease.owner is client]
 
-    async def _disarm(self, lease: Lease, client: object) -> None:
+    async def _disarm(self, lease: ClientLease, client: object) -> None:
         async with lease.lock:
             if lease.owner is not client:
                 return

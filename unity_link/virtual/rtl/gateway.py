@@ -26,7 +26,7 @@ from unity_link.virtual.bus import AccessError, Device, Devices, DevicesEverywhe
 from unity_link.virtual.gateway import BareGateway
 from unity_link.virtual.rtl.configurations import Configuration, find
 from unity_link.virtual.rtl.library import DeviceFunction, EventFunction, load
-from unity_link.virtual.rtl.pace import Pace
+from unity_link.virtual.rtl.pace import ClockPace
 from unity_link.virtual.rtl.ports import Port
 
 if TYPE_CHECKING:
@@ -126,7 +126,7 @@ class RtlGateway(BareGateway):
         # In cycles; those of a fraction don't come in whole ones.
         self._base_tick = max(1, self.info.clock_hz * 1000 // self.info.base_frequency_millihertz)
         self._memory = RtlMemory(self._library, self._handle, self.info)
-        self._pace = Pace(build.name, self.info.clock_hz, is_free=build.design is not None)
+        self._pace = ClockPace(build.name, self.info.clock_hz, is_free=build.design is not None)
 
     @property
     def memory(self) -> MutableMapping[int, int]:

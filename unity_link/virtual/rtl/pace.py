@@ -13,7 +13,7 @@ LEAST_WORKED = 0.5
 """Part of these that was spent on cycles where they are what takes too long."""
 
 
-class Pace:
+class ClockPace:
     """Watches a gateway that leaves time out, and says once that it is too slow for its clock.
 
     Args:
