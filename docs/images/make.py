@@ -22,6 +22,7 @@ from rich.console import Console
 from rich.text import Text
 
 from docs.images import wiring
+from docs.images.balancer import draw_balancer
 from docs.images.live import draw_live
 from docs.walkthrough import follow
 
@@ -96,6 +97,7 @@ def rover(picture: Path) -> None:
 
 PICTURES: dict[str, Callable[[Path], None]] = {
     "demo.svg": demo,
+    "balancer.svg": draw_balancer,
     "wiring-uart.svg": wiring.uart,
     "wiring-ft245.svg": wiring.ft245,
     "wiring-rs485.svg": wiring.rs485,

@@ -1,6 +1,6 @@
 """Balances the robot of `balancer.ul`, until it is told to stop: Ctrl-C, kill -9 and a pulled cable do it alike.
 
-python balance.py [URL]
+python balance.py [URL], or sim: or rtl: alone for the simulated one
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ import unity_link
 
 HERE = Path(__file__).parent
 Robot = unity_link.load(HERE / "balancer.ul")
-SIMULATED = f"sim:{HERE}/balancer.ul?model={HERE}/plant.py:Balancer"
+SIMULATED = f"{HERE}/balancer.ul?model={HERE}/plant.py:Balancer"
 TILT, RATE, SPEED, WAY = 28.6, 2.9, 0.82, 0.99
 """Volts for each rad, rad/s, rad/s of the wheels and rad of the wheels."""
 MOST_TILT = 0.5
@@ -39,5 +39,6 @@ async def balance(url: str) -> None:
 
 
 if __name__ == "__main__":
+    url = sys.argv[1] if len(sys.argv) > 1 else "sim:"
     with contextlib.suppress(KeyboardInterrupt):
-        asyncio.run(balance(sys.argv[1] if len(sys.argv) > 1 else SIMULATED))
+        asyncio.run(balance(url + SIMULATED if url in {"sim:", "rtl:"} else url))

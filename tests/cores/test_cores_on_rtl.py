@@ -15,6 +15,7 @@ from support.simulated_time import on_simulated_time
 from unity_link import BusError, NotArmedError
 from unity_link.spec import compile_file
 from unity_link.virtual.build import simulate
+from unity_link.virtual.simulated import SimulatedRobot
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -216,6 +217,57 @@ async def test_a_gpio_counts_edges_and_is_driven_under_a_lease_alone(rover: Rove
             await robot.line.drive.set(True)
             assert rover.see("line_pin_out", "line_pin_oe") == (1, 1)
         assert rover.see("line_pin_oe") == (0,)
+
+
+class Plant(SimulatedRobot):
+    """A wheel that turns as fast as its motor says, and a pin that shows the level of another one."""
+
+    def start(self) -> None:
+        """Stand still."""
+        self.angle = 0.0
+        self.volts: list[float] = []
+        self.armed_for = self.lit_for = 0
+
+    def step(self, dt: float) -> None:
+        """Turn."""
+        self.volts.append(self.left.value)
+        self.angle += 2.0 * self.left.value * dt
+        self.wheel.position = self.angle
+        self.armed_for += self.drive.armed
+        self.lit_for += self.line.level
+
+
+@pytest.mark.parametrize("rtl", [False, pytest.param(True, marks=pytest.mark.rtl)])
+@on_simulated_time
+async def test_a_plant_is_the_same_on_the_quick_models_and_at_the_pins(rtl: bool, tmp_path: Path) -> None:
+    spec = tmp_path / "rover.ul"
+    spec.write_text(SPEC)
+    gateway = simulate(spec, Plant, rtl=rtl, clock_hz=2_400_000)
+    plant: Any = gateway.robot
+    async with unity_link.connect(gateway) as link:
+        robot = unity_link.load(compile_file(spec))(link)
+        await asyncio.sleep(0.02)
+        async with robot.drive.armed(timeout=0.05) as lease:
+            await robot.line.output.set(True)
+            await robot.line.drive.set(True)
+            for volts in (6, -12, 0.03):
+                await robot.left.value.set(volts)
+                for _ in range(8):
+                    await asyncio.sleep(0.01)
+                    await lease.kick()
+                assert plant.left.value == pytest.approx(volts, abs=0.03)
+                assert plant.volts[-40:] == pytest.approx([volts] * 40, abs=0.03)
+                if abs(volts) > 1:
+                    assert await robot.wheel.velocity.get() == pytest.approx(2 * volts, rel=0.05)
+                assert await robot.wheel.position.get() == pytest.approx(plant.angle, abs=0.08)
+            assert plant.armed_for == pytest.approx(240, abs=4)
+            assert plant.lit_for == pytest.approx(240, abs=4)
+            await robot.left.value.set(6)
+            await asyncio.sleep(0.2)
+        # Whatever the program has asked for, nobody kicked.
+        assert (plant.left.value, plant.drive.armed, plant.line.level) == (0, False, False)
+        assert await robot.wheel.errors.get() == 0
+        assert await robot.wheel.position.get() == pytest.approx(plant.angle, abs=0.01)
 
 
 @pytest.mark.rtl

@@ -1,11 +1,12 @@
-"""The Python of cores: verbs for programs, and quick models for `sim:`.
+"""The Python of cores: verbs for programs, quick models for `sim:`, and what a plant has at the pins on `rtl:`.
 
 A core may bring a module, ``unity_link/cores/NAME.py`` for those that are installed with the package, else ``NAME.py``
 beside its map. It has at most one class of each kind, called as it likes:
 
 - a subclass of `Verbs`, which becomes a base of the class of its component;
 - a subclass of `RobotVerbs`, which becomes a base of the class of each robot that has such a component;
-- a subclass of `Model`, of which `sim:` makes one for each placement.
+- a subclass of `Model`, of which `sim:` makes one for each placement;
+- a subclass of `AtPins`, of which `rtl:` makes one for each placement that a model of a plant is joined to.
 
 A module is imported when a robot is loaded, generated or simulated, and never to check or show a spec.
 """
@@ -65,19 +66,41 @@ class Surroundings(Protocol):
         """Set all signals that the component guards, as a lease does, to their safe values; not those with HOLD."""
 
 
-class Model:
-    """Base of quick models: a core on `sim:`, of one placement.
+class Pins(Protocol):
+    """The compiled gateware around the pins of one placement of a core."""
+
+    @property
+    def clock_hz(self) -> int:
+        """Frequency of the gateware's clock."""
+
+    @property
+    def now(self) -> int:
+        """Clock cycles up to which time has passed, since the reset."""
+
+    def has(self, pin: str) -> bool:
+        """Return whether the spec gives the core this pin."""
+
+    def drive(self, pin: str, level: int, cycle: int) -> None:
+        """Set an input to 0 or 1 from a clock cycle on; at once, where that has passed."""
+
+    def duty(self, pin: str) -> float | None:
+        """Return in which part of the clock cycles since the last call a pin was 1; None where there were none."""
+
+    def show(self, name: str, value: Any) -> None:
+        """Set the value of a signal, in its unit, that a plant reads."""
+
+
+class _Placement:
+    """Common base of what belongs to one placement of a core.
 
     Args:
         component: its declaration.
         part: its signals, and its pins as the numbers 0 and 1, by attribute; values of signals are in their units.
-        around: the clock, and what else the model reaches.
     """
 
-    def __init__(self, component: ComponentSpec, part: Any, around: Surroundings) -> None:
+    def __init__(self, component: ComponentSpec, part: Any) -> None:
         self.component = component
         self.part = part
-        self.around = around
 
     @property
     def generics(self) -> dict[str, int | bool | str]:
@@ -88,14 +111,6 @@ class Model:
     def reset(self) -> None:
         """Begin anew, as at a reset of the gateway."""
 
-    @property
-    def due(self) -> int | None:
-        """Cycle of the clock at which something happens by itself; `step` is called up to there. None for nothing."""
-        return None
-
-    def disarmed(self) -> None:
-        """Do as the core does when the lease has ended that guards what it writes."""
-
     def step(self, dt: float) -> None:
         """Let time pass, up to `around.now`.
 
@@ -104,8 +119,51 @@ class Model:
                 again behind each step of that model.
         """
 
+
+class Model(_Placement):
+    """Base of quick models: a core on `sim:`, of one placement.
+
+    Args:
+        component: its declaration.
+        part: its signals, and its pins as the numbers 0 and 1, by attribute; values of signals are in their units.
+        around: the clock, and what else the model reaches.
+    """
+
+    def __init__(self, component: ComponentSpec, part: Any, around: Surroundings) -> None:
+        super().__init__(component, part)
+        self.around = around
+
+    @property
+    def due(self) -> int | None:
+        """Cycle of the clock at which something happens by itself; `step` is called up to there. None for nothing."""
+        return None
+
+    def disarmed(self) -> None:
+        """Do as the core does when the lease has ended that guards what it writes."""
+
     def written(self, name: str) -> None:
         """Take the value that a program has written to a signal, or a model to a pin."""
+
+
+class AtPins(_Placement):
+    """Base of the pin sides of cores: on `rtl:`, the values of a plant that reads and sets signals as on `sim:`.
+
+    Signals of neither `shows` nor `takes` are refused to the plant: the compiled core has them.
+
+    Args:
+        component: its declaration.
+        part: its signals, and its pins as the numbers 0 and 1, by attribute; values of signals are in their units.
+        around: the clock, and the pins.
+    """
+
+    shows: frozenset[str] = frozenset()
+    """Names of signals that a plant may read: `step` gives them by `around.show`."""
+    takes: frozenset[str] = frozenset()
+    """Names of signals that a plant sets: `step` looks at them, and drives pins."""
+
+    def __init__(self, component: ComponentSpec, part: Any, around: Pins) -> None:
+        super().__init__(component, part)
+        self.around = around
 
 
 def robot_verbs_of(interface: Interface) -> tuple[type[RobotVerbs], ...]:
@@ -127,7 +185,7 @@ def names_of(kinds: Iterable[type]) -> frozenset[str]:
 
 
 def classes_of(core: Core | None, base: K) -> tuple[K, ...]:
-    """Return the class of a core's module that derives from `Verbs`, `RobotVerbs` or `Model`; empty where it has none.
+    """Return the class of a core's module with one of the bases above; empty where it has none.
 
     Raises:
         ArgumentError: where the module has several, or cannot be imported.

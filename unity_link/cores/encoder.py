@@ -1,16 +1,20 @@
-"""An incremental encoder on `sim:`: a model of the plant sets its position, and the rest follows."""
+"""An incremental encoder in a simulation: a model of the plant sets its position, and the rest, or its pins, follow."""
 
 from __future__ import annotations
 
+import logging
 import math
 from typing import TYPE_CHECKING, Any
 
-from unity_link.cores import Model
+from unity_link.cores import AtPins, Model
 
 if TYPE_CHECKING:
-    from unity_link.cores import Surroundings
+    from unity_link.cores import Pins, Surroundings
     from unity_link.spec.model import ComponentSpec
 
+_LOG = logging.getLogger("unity_link.virtual")
+_LEVELS = ((0, 0), (1, 0), (1, 1), (0, 1))
+"""Levels of a and b, by the last two bits of a count."""
 LONGEST = 0.5
 """Seconds without a count after which the velocity is 0."""
 
@@ -63,3 +67,88 @@ class EncoderModel(Model):
     def _set_velocity(self, velocity: float) -> None:
         low, high = self._limits
         self.part.velocity = min(max(velocity, low), high)
+
+
+class EncoderAtPins(AtPins):
+    """Edges of a, b and z at the instants at which the position passes them, a step of the plant later.
+
+    They are as far apart at least as the filter of the core wants them.
+    """
+
+    takes = frozenset({"position"})
+
+    def __init__(self, component: ComponentSpec, part: Any, around: Pins) -> None:
+        super().__init__(component, part, around)
+        self._scale = next(signal for signal in component.signals if signal.name == "position").kind.scale
+        self._turn = int(float(component.arguments.get("COUNTS", 0)))
+        self._is_counter = bool(self.generics.get("counter", False))
+        samples = int(self.generics.get("filter", 15))
+        # Levels of a and b last two counts, one of the index lasts one, and in a counter a has both in one.
+        counts = 2.0 if self._is_counter else 1.0 if around.has("z") else 0.5
+        self._least = counts * (samples + 1)
+        """Cycles from one count to the next."""
+        self._shown = 0
+        """The count of the last edge, which may be one to come."""
+        self._edge = 0.0
+        """Cycle of that edge."""
+        self._counts = 0.0
+        """Position behind the last step, in counts."""
+        self._passed, self._span = 0.0, 1.0
+        """Cycles since the last step of the plant, and of that."""
+        self._is_told = False
+        if not (around.has("a") and around.has("b")):
+            self.takes = frozenset()
+
+    def reset(self) -> None:
+        """Go on from the levels at the pins: edges that were to come are lost."""
+        self._edge = 0.0
+        if not self._is_counter and self.takes:
+            at = _LEVELS.index((self.part.a, self.part.b))
+            self._shown -= (self._shown - at) % 4
+
+    def step(self, dt: float) -> None:
+        """Move the pins as the position has moved, over as much time as that took, which begins now."""
+        self._passed += dt * self.around.clock_hz
+        if dt or not self.takes:
+            # The plant has not moved yet.
+            return
+        if self._passed:
+            self._span, self._passed = self._passed, 0.0
+        begin, self._counts = self._counts, self.part.position / self._scale
+        missing, moved = round(self._counts) - self._shown, self._counts - begin
+        way = 1 if missing > 0 else -1
+        end = self.around.now + self._span
+        for left in range(abs(missing), 0, -1):
+            part = (self._shown + way / 2 - begin) / moved if moved else 0.0
+            cycle = max(self.around.now + min(max(part, 0.0), 1.0) * self._span, self._edge + self._least)
+            if cycle > end:
+                if left * self._least > self._span:
+                    self._tell()
+                break
+            self._move(way, cycle)
+
+    def _move(self, way: int, cycle: float) -> None:
+        """Show the next count from a cycle on."""
+        drive, old, new = self.around.drive, self._shown, self._shown + way
+        self._shown, self._edge = new, cycle
+        if self._is_counter:
+            drive("a", 0, int(cycle - self._least / 2))
+            drive("b", int(way < 0), int(cycle - self._least / 2))
+            drive("a", 1, int(cycle))
+        else:
+            for pin, before, level in zip(("a", "b"), _LEVELS[old % 4], _LEVELS[new % 4], strict=True):
+                if level != before:
+                    drive(pin, level, int(cycle))
+        if self._turn and self.around.has("z") and 0 in {old % self._turn, new % self._turn}:
+            drive("z", int(new % self._turn == 0), int(cycle))
+
+    def _tell(self) -> None:
+        if not self._is_told:
+            self._is_told = True
+            _LOG.warning(
+                "%s turns faster than its pins can: its FILTER wants %g clock cycles for a count, which are %.0f "
+                "counts a second (told once); a quicker clock_hz or a smaller FILTER lets it turn faster",
+                self.component.path,
+                self._least,
+                self.around.clock_hz / self._least,
+            )

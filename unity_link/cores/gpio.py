@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from unity_link.cores import Model
+from unity_link.cores import AtPins, Model
 
 
 class GpioModel(Model):
@@ -30,3 +30,13 @@ class GpioModel(Model):
     def written(self, name: str) -> None:  # noqa: ARG002  (all of them may change the level)
         """Drive the pin, or see that the plant has."""
         self.step(0)
+
+
+class GpioAtPins(AtPins):
+    """The level of the pin: what drives it, the core before the plant."""
+
+    shows = frozenset({"level"})
+
+    def step(self, dt: float) -> None:  # noqa: ARG002  (it is looked at)
+        """Look at the pin."""
+        self.around.show("level", bool(self.part.pin))

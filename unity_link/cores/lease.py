@@ -13,7 +13,7 @@ from asyncio import CancelledError
 from collections import deque
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, Self
 
-from unity_link.cores import Model, RobotVerbs, Verbs
+from unity_link.cores import AtPins, Model, RobotVerbs, Verbs
 from unity_link.cores.clock import TickBounds
 from unity_link.errors import (
     ArgumentError,
@@ -33,6 +33,7 @@ if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Sequence
     from types import TracebackType
 
+    from unity_link.cores import Pins
     from unity_link.link.link import Link
     from unity_link.spec.model import ComponentSpec
 
@@ -571,3 +572,17 @@ class LeaseModel(Model):
         part.armed, part.state, part.reason, part.enable = False, _FAULT, _REASONS.index(reason), 0
         part.fault_time = instant
         self.around.make_safe()
+
+
+class LeaseAtPins(AtPins):
+    """A lease that a plant sees by its enable pin."""
+
+    def __init__(self, component: ComponentSpec, part: Any, around: Pins) -> None:
+        super().__init__(component, part, around)
+        if around.has("enable"):
+            self.shows = frozenset({"armed"})
+
+    def step(self, dt: float) -> None:  # noqa: ARG002  (it is looked at)
+        """Look at the pin."""
+        if self.shows:
+            self.around.show("armed", bool(self.part.enable))

@@ -1,18 +1,36 @@
-"""The quick models of the cores of a simulated robot, and the clock that they share."""
+"""Stand-ins for the cores of a simulated robot: quick models, or the pins of compiled gateware; and their clock."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
-from unity_link.cores import Model, classes_of
+from unity_link.cores import AtPins, Model, classes_of
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.spec import Way
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable, Iterator, Mapping
 
     from unity_link.spec import ComponentSpec
     from unity_link.virtual.registers import Cell, Registers
+
+
+class PinsOfCore(Protocol):
+    """Levels of the pins of a core by their names, and more of them, as `unity_link.cores.Pins` has it."""
+
+    def __getitem__(self, name: str) -> int: ...
+    def __setitem__(self, name: str, level: int) -> None: ...
+    def __contains__(self, name: object) -> bool: ...
+    def __iter__(self) -> Iterator[str]: ...
+
+    def has(self, name: str) -> bool:
+        """Return whether the core has this pin."""
+
+    def drive(self, name: str, level: int, cycle: int) -> None:
+        """Drive a pin from a clock cycle on."""
+
+    def duty(self, name: str) -> float | None:
+        """Return in which part of the clock cycles since the last call a pin was 1."""
 
 
 class _Around:
@@ -57,6 +75,25 @@ class _Around:
         self._models.make_safe(self._path)
 
 
+class _AroundPins(_Around):
+    """Compiled gateware around the pins of one core.
+
+    Args:
+        models: all of the robot.
+        path: of the component.
+        pins: its pins.
+    """
+
+    def __init__(self, models: CoreModels, path: str, pins: PinsOfCore) -> None:
+        super().__init__(models, path)
+        self.has, self.drive, self.duty = pins.has, pins.drive, pins.duty
+
+    def show(self, name: str, value: Any) -> None:
+        """Set the value of a signal that a plant reads."""
+        cell = self._models.registers.cells[f"{self._path}.{name}"]
+        cell.take(cell.signal.kind.encode(value))
+
+
 class CoreModels:
     """The models of all cores of a robot.
 
@@ -76,6 +113,9 @@ class CoreModels:
         """Cycles of the gateway's clock up to which time has passed."""
         self.clock_hz = GatewayInfo().clock_hz
         self._ticks_at: Callable[[float], int] = lambda now: int(now * self.clock_hz)
+        self.at_pins: dict[str, AtPins] = {}
+        """The pin sides of cores of compiled gateware, by the paths of their components."""
+        self._placed: list[tuple[ComponentSpec, Any]] = []
         self._models: list[Model] = []
         self._of_signal: dict[str, tuple[Model, str]] = {}
 
@@ -85,6 +125,8 @@ class CoreModels:
 
     def add(self, component: ComponentSpec, part: Any) -> Callable[[str], None]:
         """Make the model of a component, where its core has one; return a function to call for pins that are set."""
+        if component.core is not None:
+            self._placed.append((component, part))
         kinds = classes_of(component.core, Model)
         if not kinds:
             return lambda _: None
@@ -96,14 +138,22 @@ class CoreModels:
         inputs = {pin.name for pin in component.core.pins if pin.way is not Way.OUT}
         return lambda name: model.written(name) if name in inputs else None
 
-    def leave(self) -> None:
-        """Leave the cores to others."""
+    def meet_pins(self, pins: Mapping[str, PinsOfCore]) -> None:
+        """Leave the cores to compiled gateware, and meet them at their pins.
+
+        Args:
+            pins: by the paths of their components.
+        """
         self._models.clear()
         self._of_signal.clear()
+        for component, part in self._placed:
+            for kind in classes_of(component.core, AtPins):
+                around = _AroundPins(self, component.path, pins[component.path])
+                self.at_pins[component.path] = kind(component, part, around)
 
     def step(self, now: float) -> None:
         """Let time pass up to an instant of the callers' clock (seconds)."""
-        if not self._models:
+        if not (self._models or self.at_pins):
             return
         ticks = max(self.now, self._ticks_at(now))
         while True:
@@ -111,7 +161,7 @@ class CoreModels:
             reached = min(max(min(due, default=ticks), self.now + 1), ticks)
             passed = (reached - self.now) / self.clock_hz
             self.now = reached
-            for model in self._models:
+            for model in (*self._models, *self.at_pins.values()):
                 model.step(passed)
             if reached == ticks:
                 return
@@ -133,5 +183,5 @@ class CoreModels:
     def reset(self) -> None:
         """Begin anew: the gateway's clock does so too."""
         self.now = 0
-        for model in self._models:
+        for model in (*self._models, *self.at_pins.values()):
             model.reset()

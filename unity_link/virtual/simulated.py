@@ -32,9 +32,10 @@ from unity_link.virtual.core_models import CoreModels
 from unity_link.virtual.registers import SIGNAL_FAULTS, Registers
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, MutableMapping
+    from collections.abc import Callable, Mapping
 
     from unity_link.spec import ComponentSpec, Interface, Value
+    from unity_link.virtual.core_models import PinsOfCore
     from unity_link.virtual.registers import Cell, SignalFault
 
 _LOG = logging.getLogger("unity_link.virtual")
@@ -317,13 +318,13 @@ class SimulatedRobot(Part):
         """Call `written` for a signal that has got a value of a program."""
         self.written(cell.signal.path, cell.value if cell.queue is None else self._last_of(cell))
 
-    def wire_pins(self, pins: Mapping[str, MutableMapping[str, int]]) -> None:
+    def wire_pins(self, pins: Mapping[str, PinsOfCore]) -> None:
         """Put the pins of compiled gateware in the place of those of the quick models.
 
         Args:
             pins: levels by the names of pins, by the paths of their components.
         """
-        self.cores.leave()
+        self.cores.meet_pins(pins)
         for part in self._parts:
             if part._name in pins:  # noqa: SLF001  (it is made here)
                 part.__dict__["_pins"] = pins[part._name]  # noqa: SLF001

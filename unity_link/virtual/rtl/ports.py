@@ -41,7 +41,9 @@ class Port:
         """Bits."""
         words = ctypes.c_uint32 * -(-self.width // 32)
         self._words = memoryview(words.from_address(library.ul_port_data(handle, index))).cast("B")
-        self._is_counted = False
+        self._totals: list[Counts] | None = None
+        """All counts; None until somebody wants them."""
+        self._own: list[Counts] = []
 
     def __repr__(self) -> str:
         """Return name and direction."""
@@ -76,9 +78,20 @@ class Port:
 
     def take_counts(self) -> list[Counts]:
         """Return the counts of each bit, the lowest first, since the last call; the first call begins to count."""
-        if not self._is_counted:
-            self._is_counted = True
+        before, self._own = self._own, self.counts()
+        if not before:
+            return [Counts(0, 0)] * self.width
+        return [
+            Counts(now.high - then.high, now.edges - then.edges) for now, then in zip(self._own, before, strict=True)
+        ]
+
+    def counts(self) -> list[Counts]:
+        """Return the counts of each bit, the lowest first, since the first call."""
+        if self._totals is None:
+            self._totals = [Counts(0, 0)] * self.width
             self._library.ul_count(self._handle, self.index)
         high, edges = (ctypes.c_uint64 * self.width)(), (ctypes.c_uint64 * self.width)()
         self._library.ul_take_counts(self._handle, self.index, high, edges)
-        return [Counts(*counts) for counts in zip(high, edges, strict=True)]
+        counted = zip(self._totals, high, edges, strict=True)
+        self._totals = [Counts(total.high + more, total.edges + changes) for total, more, changes in counted]
+        return self._totals

@@ -74,7 +74,7 @@ class SpecGateway(RtlGateway):
                 driven = wires[0] if wires and pin.way is not Way.OUT else None
                 out = wires[-2:] if pin.way is Way.INOUT else wires if pin.way is Way.OUT else []
                 ports[pin.name] = (driven, out[0] if out else None, out[1] if len(out) > 1 else None)
-            found[part.path] = PinLevels(ports)
+            found[part.path] = PinLevels(self, ports)
         return found
 
     def _rest_pins(self) -> None:
@@ -118,9 +118,10 @@ class SpecGateway(RtlGateway):
             ArgumentError: where the robot has set what only programs write.
         """
         offered = {path for group in self._interface.groups if group.trigger for path in group.signals}
-        self._wiring = RobotPorts(self, robot, ports_of(self._interface), offered)
         robot.is_wired = True
+        robot.cores.take_clock(self.info.clock_hz, self.ticks_at)
         robot.wire_pins(self._pins())
+        self._wiring = RobotPorts(self, robot, ports_of(self._interface), offered)
         self._robot = robot
         # Before anything at addresses of its own.
         super().attach_elsewhere(robot)

@@ -17,6 +17,7 @@ from unity_link.virtual.bus import AccessError
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
+    from unity_link.cores import AtPins
     from unity_link.virtual.registers import Cell, Queue, SignalFault
     from unity_link.virtual.rtl.gateway import RtlGateway
     from unity_link.virtual.rtl.ports import Port
@@ -79,26 +80,40 @@ class Got:
 
 
 class OfCore:
-    """A signal of a core, which the compiled gateware has: a model meets it at its pins."""
+    """A signal of a core, which the compiled gateware has: a model meets it at its pins.
+
+    Args:
+        pins: the core's side of these; None where its Python has none.
+    """
+
+    def __init__(self, pins: AtPins | None) -> None:
+        self._pins = pins
 
     def look(self, cell: Cell) -> None:
-        """Refuse to show the value.
+        """Show the value that is at the pins, or was set.
 
         Raises:
-            ArgumentError: always.
+            ArgumentError: for a signal that they do not tell.
         """
-        raise ArgumentError(
+        if self._pins is None or cell.signal.name not in self._pins.shows | self._pins.takes:
+            raise self._refusal(cell)
+
+    def drive(self, cell: Cell, raw: int) -> None:  # noqa: ARG002  (the step behind this one drives the pins)
+        """Take a value of the model.
+
+        Raises:
+            ArgumentError: for a signal that does not come from the pins.
+        """
+        if self._pins is None or cell.signal.name not in self._pins.takes:
+            raise self._refusal(cell)
+
+    def _refusal(self, cell: Cell) -> ArgumentError:
+        own = [] if self._pins is None else sorted(self._pins.shows | self._pins.takes)
+        has = f", has {' and '.join(own)}," if own else ""
+        return ArgumentError(
             f"{cell.signal.path} is a register of a core, which the compiled gateware has: a model looks at the pins "
-            "of the core and sets them, or takes sim:"
+            f"of the core and sets them{has} or takes sim:"
         )
-
-    def drive(self, cell: Cell, raw: int) -> None:  # noqa: ARG002  (none is taken)
-        """Refuse a value of the model.
-
-        Raises:
-            ArgumentError: always.
-        """
-        self.look(cell)
 
     def set_fault(self, cell: Cell, fault: SignalFault | None) -> None:
         """Refuse a fault.
@@ -116,11 +131,37 @@ class PinLevels(MutableMapping[str, int]):
     A pin of both directions has what the gateware drives, else what it is driven to.
 
     Args:
+        gateway: that has them.
         ports: of each pin, by its name: the one that is driven, the level that comes out, and whether one does.
     """
 
-    def __init__(self, ports: Mapping[str, tuple[Port | None, Port | None, Port | None]]) -> None:
-        self._ports = ports
+    def __init__(self, gateway: RtlGateway, ports: Mapping[str, tuple[Port | None, Port | None, Port | None]]) -> None:
+        self._gateway, self._ports = gateway, ports
+        self._counted: dict[str, tuple[int, int]] = {}
+        """Cycles in which an output was 1, of all of its cycles, when it was looked at last."""
+
+    def has(self, name: str) -> bool:
+        """Return whether the core has this pin."""
+        return any(self._ports.get(name, ()))
+
+    def drive(self, name: str, level: int, cycle: int) -> None:
+        """Drive a pin from a clock cycle on.
+
+        Raises:
+            ArgumentError: for an output.
+        """
+        self._input(name).drive(level, cycle)
+
+    def duty(self, name: str) -> float | None:
+        """Return in which part of the clock cycles since the last call an output was 1; None where there were none."""
+        _, output, _ = self._ports[name]
+        assert output is not None
+        high, cycles = output.counts()[0].high, self._gateway.cycles
+        before, self._counted[name] = self._counted.get(name), (high, cycles)
+        if before is None or cycles <= before[1]:
+            return None
+        # Behind a reset, cycles begin anew.
+        return min((high - before[0]) / (cycles - before[1]), 1.0)
 
     def __getitem__(self, name: str) -> int:
         """Return the level of a pin."""
@@ -135,10 +176,13 @@ class PinLevels(MutableMapping[str, int]):
         Raises:
             ArgumentError: for an output.
         """
+        self._input(name).drive(level)
+
+    def _input(self, name: str) -> Port:
         driven, _, _ = self._ports[name]
         if driven is None:
             raise ArgumentError(f"{name} is no input of the gateware: it is an output, or has no pin")
-        driven.drive(level)
+        return driven
 
     def __delitem__(self, name: str) -> None:
         """Refuse."""
@@ -194,7 +238,7 @@ class RobotPorts:
                 cell.wire.drive(cell, cell.raw)
         for part in robot.interface.cores:
             for signal in part.signals:
-                robot.cells[signal.path].wire = OfCore()
+                robot.cells[signal.path].wire = OfCore(robot.cores.at_pins.get(part.path))
 
     def take_all(self) -> None:
         """Take what stands at the ports, as behind a reset, which pulses none of them."""

@@ -1,0 +1,126 @@
+"""Draws `examples/balancer`: runs its program and its physics on modelled time, and the picture moves as they did."""
+
+import asyncio
+import contextlib
+import math
+import runpy
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from unity_link.errors import UnityLinkError
+from unity_link.virtual.build import simulate
+from unity_link.virtual.modelled_time import ModelledTimeLoop
+from unity_link.virtual.simulating import load_model
+
+FOLDER = Path(__file__).parents[2] / "examples" / "balancer"
+PUSHED, LET_GO, PULLED, SECONDS = 2.0, 2.1, 5.0, 7.0
+"""Seconds at which a hand pushes it and lets go, at which the cable is pulled, and at which the picture begins anew."""
+RATE = 25
+"""Looks in a second."""
+SCALE = 700
+"""Units of the picture for a metre."""
+
+
+class Look(NamedTuple):
+    """State of the robot at an instant."""
+
+    way: float
+    """Metres."""
+    lean: float
+    """Radians from upright, clockwise."""
+    turn: float
+    """Radians of the wheels, clockwise."""
+    is_armed: bool
+
+
+def draw_balancer(picture: Path) -> None:
+    """Draw it standing, pushed, and behind a pulled cable."""
+    with asyncio.Runner(loop_factory=ModelledTimeLoop) as runner:
+        looks = runner.run(_watch())
+    picture.write_text(_svg(looks))
+
+
+async def _watch() -> list[Look]:
+    model = load_model(f"{FOLDER}/plant.py:Balancer")
+    gateway = simulate(FOLDER / "balancer.ul", model)
+    robot: Any = gateway.robot
+    radius = runpy.run_path(str(FOLDER / "plant.py"))["RADIUS"]
+    program = asyncio.ensure_future(runpy.run_path(str(FOLDER / "balance.py"))["balance"](gateway))
+    looks = []
+    for number in range(round(SECONDS * RATE) + 1):
+        time = number / RATE
+        robot.pushed = PUSHED <= time < LET_GO
+        if time >= PULLED:
+            vars(gateway)["receive"] = lambda _data, _now: b""
+        looks.append(Look(radius * robot.angle, robot.lean, robot.angle, bool(robot.drive.armed)))
+        await asyncio.sleep(1 / RATE)
+    program.cancel()
+    # Of the cable, if it has seen it.
+    with contextlib.suppress(asyncio.CancelledError, UnityLinkError):
+        await program
+    return looks
+
+
+def _keyframes(name: str, values: list[str]) -> str:
+    rows = [f"{100 * number / (len(values) - 1):.4g}%{{transform:{value}}}" for number, value in enumerate(values)]
+    return f"@keyframes {name}{{{''.join(rows)}}}"
+
+
+def _shown(name: str, begin: float, end: float) -> str:
+    """Return keyframes of what is there from one instant to another."""
+    first, last = (100 * instant / SECONDS for instant in (begin, end))
+    hidden = "" if begin == 0 else "0%{opacity:0}"
+    gone = "" if end >= SECONDS else f"{last:.4g}%{{opacity:0}}"
+    return f"@keyframes {name}{{{hidden}{first:.4g}%{{opacity:1}}{gone}}}"
+
+
+def _svg(looks: list[Look]) -> str:
+    off = next(number for number, look in enumerate(looks) if number / RATE > 1 and not look.is_armed) / RATE
+    parts = {
+        "way": _keyframes("way", [f"translateX({SCALE * look.way:.1f}px)" for look in looks]),
+        "lean": _keyframes("lean", [f"rotate({math.degrees(look.lean):.1f}deg)" for look in looks]),
+        "turn": _keyframes("turn", [f"rotate({math.degrees(look.turn):.0f}deg)" for look in looks]),
+    }
+    shown = {
+        "runs": (0.0, PUSHED),
+        "push": (PUSHED, PUSHED + 0.5),
+        "back": (PUSHED + 0.5, PULLED),
+        "pulled": (PULLED, off),
+        "off": (off, SECONDS),
+        "enabled": (0.0, off),
+    }
+    rules = [f".{name}{{animation:{name} {SECONDS:g}s linear infinite}}" for name in parts]
+    rules += [f".{name}{{animation:{name} {SECONDS:g}s step-end infinite}}" for name in shown]
+    frames = [*parts.values(), *(_shown(name, *span) for name, span in shown.items())]
+    style = "\n".join(
+        [
+            "text{font:15px sans-serif;fill:#57606a;text-anchor:middle}",
+            *rules,
+            *frames,
+            "@media (prefers-reduced-motion){*{animation:none!important}.push,.back,.pulled,.off{opacity:0}}",
+        ]
+    )
+    captions = {
+        "runs": "its program keeps it upright",
+        "push": "a hand pushes it",
+        "back": "it goes back to where it was",
+        "pulled": "the cable is pulled",
+        "off": "0.15 s later its motors are off",
+    }
+    texts = "".join(f'<text class="{name}" x="250" y="28">{text}</text>\n' for name, text in captions.items())
+    return f"""<svg viewBox="0 0 500 240" xmlns="http://www.w3.org/2000/svg">
+<title>A robot on two wheels, simulated: it stands, is pushed, and falls when its cable is pulled</title>
+<style>
+{style}
+</style>
+<rect width="500" height="240" rx="8" fill="#f6f8fa"/>
+{texts}<path d="M20 206H480" stroke="#8c959f" stroke-width="2"/>
+<g transform="translate(220 178)"><g class="way">
+<g class="push"><path d="M-78 -82h34m-9 -7l9 7l-9 7" stroke="#bf3989" stroke-width="4" fill="none"/></g>
+<g class="lean"><rect x="-16" y="-118" width="32" height="112" rx="6" fill="#0969da"/>
+<circle cx="0" cy="-102" r="6" fill="#cf222e"/><circle class="enabled" cx="0" cy="-102" r="6" fill="#4ac26b"/></g>
+<g class="turn"><circle r="28" fill="#24292f"/><circle r="20" fill="#8c959f"/>
+<path d="M-20 0H20M0 -20V20" stroke="#24292f" stroke-width="4"/></g>
+</g></g>
+</svg>
+"""
