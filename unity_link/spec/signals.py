@@ -83,6 +83,8 @@ class SignalReader:
         safe = self._safe(kind, access, arguments, binder)
         lowest = bits.lowest if bits is not None else 0
         start = safe.bits if safe is not None and safe.bits is not None else reset
+        if safe is None and "RESET" not in arguments:
+            start = self._unguarded(kind, access, arguments, binder)
         timed = self._timed(access, arguments, binder)
         return SignalParts(kind, lowest, access, arguments, publishing, start, safe, timed, binder.places)
 
@@ -285,6 +287,13 @@ class SignalReader:
             message = "a signal with SAFE begins with its safe value, and has no RESET"
             self._fault(binder.places["RESET"], "bad-reset", message, "leave out RESET")
         return Safe(self._initial("SAFE", value, kind, access, arguments, binder), lease)
+
+    def _unguarded(self, kind: Kind, access: Access, arguments: Bound, binder: Binder) -> int:
+        """Return the bits that a signal with SAFE begins with where its lease is none; 0 for a signal without SAFE."""
+        clause: Bound = arguments.get("SAFE", {})
+        if "LEASE" in clause or clause.get("VALUE") == HOLD:
+            return 0
+        return self._initial("SAFE", clause.get("VALUE"), kind, access, arguments, binder)
 
     def _timed(self, access: Access, arguments: Bound, binder: Binder) -> str | None:
         clause: Bound | None = arguments.get("TIMED")

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the motion of an axis promises, for any commands, which change in any round: no speed differs from the last one by
+// more than the acceleration, none is above the limit but one that slows down, and the direction changes at standstill
+// alone. An axis that can stop before its target, or stands, never passes it, and is told to be there exactly where it
+// stands there. One that follows nothing slows down, stands, and stays.
+//
+// A round has seven cycles, as in ul_stepgen. The last part is the invariant that makes the proof hold without a bound:
+// `needed` is the sum of the speeds from now on, if the axis slows down.
+
+module ul_stepgen_ramp_properties #(
+	parameter PLACE = 6,
+	parameter SPEED = 3
+) (
+	input clk,
+	input some_is_position, some_follows, some_is_down, some_is_sudden,
+	input [PLACE-1:0] some_target,
+	input [SPEED-1:0] some_wanted, some_limit, some_accel
+);
+	reg [2:0] stage = 0;
+	reg clear = 1, begun = 0;
+	// Commands of this round, and the acceleration of the round before.
+	reg is_position, follows, is_down, is_sudden;
+	reg [PLACE-1:0] target;
+	reg [SPEED-1:0] taken_wanted, taken_limit, accel, last_accel, passed_wanted, wanted, limit;
+	reg last_sudden;
+	// The axis.
+	reg [PLACE-1:0] place, needed;
+	reg [SPEED-1:0] speed;
+	reg down, kept_known, stands;
+
+	wire [PLACE-1:0] next_place, next_needed;
+	wire [SPEED-1:0] next_speed;
+	wire next_down, next_known, next_stands, arrived;
+	wire known = kept_known && (stands || (accel == last_accel && is_sudden == last_sudden));
+
+	ul_stepgen_ramp dut (.*);
+
+	always @(posedge clk) begin
+		stage <= stage == 6 ? 0 : stage + 1;
+		passed_wanted <= taken_wanted;
+		wanted <= passed_wanted;
+		limit <= taken_limit;
+		if (stage == 0) begin
+			begun <= 1;
+			clear <= !begun;
+			is_position <= some_is_position;
+			follows <= some_follows;
+			is_down <= some_is_down;
+			is_sudden <= some_is_sudden;
+			target <= some_target;
+			taken_wanted <= some_wanted > some_limit ? some_limit : some_wanted;
+			taken_limit <= some_limit;
+			accel <= some_is_sudden ? 0 : some_accel == 0 ? 1 : some_accel;
+			last_accel <= accel;
+			last_sudden <= is_sudden;
+			place <= next_place;
+			needed <= next_needed;
+			speed <= next_speed;
+			down <= next_down;
+			kept_known <= next_known;
+			stands <= next_stands;
+		end
+	end
+
+	// The way to the target in the direction of the axis, and what it goes until it stands if it slows down.
+	wire signed [PLACE-1:0] ahead = down ? place - target : target - place;
+	wire signed [PLACE-1:0] next_ahead = down ? next_place - target : target - next_place;
+	wire signed [PLACE:0] stop = {1'b0, needed} - speed, next_stop = {1'b0, next_needed} - next_speed;
+	wire [SPEED-1:0] slower = is_sudden || accel > speed ? 0 : speed - accel;
+	wire [SPEED-1:0] most_wanted = is_position ? taken_limit : taken_wanted;
+	wire [SPEED:0] faster = speed + (is_sudden || accel > taken_limit ? taken_limit : accel);
+	wire [SPEED:0] most = is_sudden ? speed + taken_limit : speed + accel;
+
+	always @(posedge clk) if (begun && !clear && stage == 0) begin
+		assert (next_place == (down ? place - next_speed : place + next_speed));
+		assert (next_stands == (next_speed == 0));
+		assert (next_down == down || (speed == 0 && next_speed == 0));
+
+		// Acceleration and speed.
+		assert (next_speed >= slower);
+		assert (next_speed <= most);
+		assert (next_speed <= most_wanted || next_speed == slower);
+		if (!follows)
+			assert (next_speed == slower && next_down == down);
+		if (follows && !is_position && down != is_down)
+			assert (next_speed == slower && next_down == (speed == 0 ? is_down : down));
+		if (follows && !is_position && down == is_down && speed <= most_wanted)
+			assert (next_speed == (faster < most_wanted ? faster : most_wanted));
+
+		// The target.
+		if (follows && is_position && known && ahead >= 0 && stop <= ahead) begin
+			assert (next_ahead >= 0 && next_stop <= next_ahead);
+			assert (next_known && next_down == down);
+		end
+		if (follows && is_position && !known)
+			assert (next_speed == slower);
+		if (follows && is_position && speed == 0 && ahead < 0)
+			assert (next_speed == 0 && next_down != down);
+		if (follows && is_position && speed == 0 && ahead > 0 && taken_limit != 0)
+			assert (next_speed != 0);
+		assert (arrived == (follows && is_position && speed == 0 && place == target && next_speed == 0));
+
+		cover (arrived && target == 3);
+		cover (next_speed == 5 && down);
+	end
+
+	integer round;
+	reg [PLACE+SPEED:0] sum;
+
+	always @* begin
+		sum = speed;
+		for (round = 1; round < 1 << SPEED; round = round + 1)
+			if (!last_sudden && round * last_accel < speed)
+				sum = sum + speed - round * last_accel;
+	end
+
+	always @(posedge clk) begin
+		assert (stage < 7 && (begun || clear));
+		assert (begun || stage == 0);
+		if (!clear) begin
+			assert (stands == (speed == 0));
+			assert (!stands || kept_known);
+			// The state stays for a round.
+			if (stage == 1)
+				assert (!kept_known || needed == sum);
+			assert (accel != 0 || is_sudden);
+		end
+	end
+endmodule

@@ -1,0 +1,105 @@
+"""Step generators from a program: on `sim:`, and on the compiled gateware of a whole design."""
+
+from __future__ import annotations
+
+import asyncio
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+import unity_link
+from support.simulated_time import on_simulated_time
+from unity_link import NotArmedError, UnityLinkError
+from unity_link.spec import compile_file
+from unity_link.virtual.build import simulate
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+SPEC = """\
+public gantry() {
+  drive: LEASE(TIMEOUT=1) @(0xC0);
+  x: STEPGEN(STEPS=100, UNIT="mm", MAXVEL=200, MAXACCEL=20000, LEASE=drive) @(0x10, step="gp4", dir="gp5");
+  y: STEPGEN(STEPS=50, UNIT="mm", MAXVEL=100, MAXACCEL=4000, LEASE=drive) @(0x20, step="gp6", dir="gp7");
+}
+"""
+
+
+@pytest.fixture(params=["sim", pytest.param("rtl", marks=pytest.mark.rtl)])
+def gantry(request: pytest.FixtureRequest, tmp_path: Path) -> tuple[Any, Any]:
+    """Return the class of the robot, and the gateway."""
+    path = tmp_path / "gantry.ul"
+    path.write_text(SPEC)
+    return unity_link.load(compile_file(path)), simulate(path, rtl=request.param == "rtl")
+
+
+@on_simulated_time
+async def test_axes_go_to_positions_and_the_program_waits_for_them(gantry: tuple[Any, Any]) -> None:
+    robot_class, gateway = gantry
+    async with unity_link.connect(gateway) as link:
+        robot = robot_class(link)
+        with pytest.raises(NotArmedError):
+            await robot.x.move_to(1)
+        assert await robot.x.maxvel.get() == pytest.approx(200)
+        async with robot.armed(timeout=0.9):
+            await robot.x.move_to(3)
+            assert await robot.x.position.get() == 3
+            assert await robot.x.in_position.get() is True
+            await robot.x.move_to(-1.5)
+            assert await robot.x.position.get() == -1.5
+            assert await robot.y.position.get() == 0
+            await robot.y.move_to(0.5)
+            assert await robot.y.position.get() == 0.5
+        if "x_step" in getattr(gateway, "ports", {}):
+            (count,) = gateway.ports["x_step"].take_counts()
+            assert count.edges == 2 * (300 + 450)
+
+
+@on_simulated_time
+async def test_a_velocity_is_reached_and_stopped(gantry: tuple[Any, Any]) -> None:
+    robot_class, gateway = gantry
+    async with unity_link.connect(gateway) as link:
+        robot = robot_class(link)
+        async with robot.armed(timeout=0.9):
+            await robot.x.velocity_cmd.set(-20)
+            await robot.x.mode.set("velocity")
+            await asyncio.sleep(0.1)
+            assert await robot.x.velocity.get() == pytest.approx(-20)
+            assert await robot.x.position.get() == pytest.approx(-2, abs=0.1)
+            await robot.x.stop()
+            await asyncio.sleep(0.05)
+            assert await robot.x.velocity.get() == 0
+
+
+@on_simulated_time
+async def test_an_axis_whose_lease_ends_slows_down_stays_and_knows_where_it_is(gantry: tuple[Any, Any]) -> None:
+    robot_class, gateway = gantry
+    async with unity_link.connect(gateway) as link:
+        robot = robot_class(link)
+        with pytest.raises(NotArmedError, match="no kick came before its end"):
+            async with robot.armed(timeout=0.1):
+                await robot.y.move_to(1000)
+        await asyncio.sleep(1)
+        stands_at = await robot.y.position.get()
+        # 0.1 s at 100 mm/s, less a ramp of 25 ms, and then another one.
+        assert 5 < stands_at < 15
+        assert await robot.y.velocity.get() == 0
+        assert await robot.y.holding.get() is True
+        async with robot.armed(timeout=0.5):
+            await asyncio.sleep(0.2)
+            assert await robot.y.position.get() == stands_at
+            await robot.y.move_to(stands_at + 1)
+            assert await robot.y.position.get() == pytest.approx(stands_at + 1)
+
+
+@on_simulated_time
+async def test_a_way_that_becomes_another_ends_with_an_error(gantry: tuple[Any, Any]) -> None:
+    robot_class, gateway = gantry
+    async with unity_link.connect(gateway) as link:
+        robot = robot_class(link)
+        async with robot.armed(timeout=0.9):
+            way = asyncio.create_task(robot.x.move_to(20))
+            await asyncio.sleep(0.03)
+            await robot.x.stop()
+            with pytest.raises(UnityLinkError, match=r"x does not go to 20: it was told something else"):
+                await way

@@ -1,0 +1,188 @@
+"""A step generator: verbs that wait for a way, and its motion on `sim:`."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+from unity_link.cores import Model, Verbs
+from unity_link.cores.lease import LeaseRegisters
+from unity_link.errors import UnityLinkError
+from unity_link.link.synchronisation import gather, running
+
+if TYPE_CHECKING:
+    from unity_link.errors import NotArmedError
+    from unity_link.spec.model import ComponentSpec
+
+LOOK_AGAIN = 0.005
+"""Seconds between two looks at an axis that is on its way."""
+_CLOSE = 1e-9
+"""Part of a way, a speed or a step that is none."""
+
+
+class StepgenVerbs(Verbs):
+    """Verbs of a STEPGEN."""
+
+    async def move_to(self, position: float) -> None:
+        """Go to a position, and return when the axis stands there.
+
+        It waits for as long as that takes; in ``asyncio.timeout`` no longer than that.
+
+        Args:
+            position: in the unit of `position_cmd`.
+
+        Raises:
+            NotArmedError: where its lease is not armed, or ends on the way: then the axis stops by itself.
+            ArgumentError: for a position that `position_cmd` cannot have.
+            UnityLinkError: where `mode` or `position_cmd` was written on the way, so that the axis goes elsewhere.
+        """
+        axis: Any = self
+        wanted = axis.position_cmd.signal.encode(position)
+        await axis.mode.set("position")
+        await axis.position_cmd.set(position)
+        while True:
+            is_there, holds, mode, target = await gather(
+                axis.in_position.get(), axis.holding.get(), axis.mode.get(), axis.position_cmd.get()
+            )
+            if holds:
+                raise await self._stopped()
+            if mode != "position" or axis.position_cmd.signal.encode(target) != wanted:
+                name = axis.position_cmd.path.rpartition(".")[0]
+                raise UnityLinkError(f"{name} does not go to {position:g}: it was told something else on the way")
+            if is_there:
+                return
+            await running().sleep(LOOK_AGAIN)
+
+    async def stop(self) -> None:
+        """Slow down and stand: the mode is `velocity` from now on, and the velocity 0; it does not wait.
+
+        Raises:
+            NotArmedError: where its lease is not armed, so that the axis stops by itself.
+        """
+        axis: Any = self
+        await axis.velocity_cmd.set(0)
+        await axis.mode.set("velocity")
+
+    async def _stopped(self) -> NotArmedError:
+        """Return the error for an axis that goes nowhere: only one whose lease has ended does."""
+        axis: Any = self
+        registers = LeaseRegisters(axis.position_cmd.robot, axis.position_cmd.signal.safe.lease)
+        return await registers.fault(await registers.condition())
+
+
+class StepgenModel(Model):
+    """The motion of an axis, from one instant to another: the same trapezoid as of the entity, without its rounds.
+
+    The pins stay as they are. Between a velocity and a position it does not stop, as the entity does.
+    """
+
+    def __init__(self, component: ComponentSpec, part: Any, around: Any) -> None:
+        super().__init__(component, part, around)
+        signals = {signal.name: signal for signal in component.signals}
+        self._step = abs(signals["maxaccel"].kind.scale)
+        """One step, in the unit of the position."""
+        between = sum(int(self.generics.get(name, 2000)) for name in ("steplen_ns", "stepspace_ns"))
+        self._fastest = self._step * 1e9 / between if between else math.inf
+        self._motion = Motion()
+        self._is_fresh = False
+
+    def disarmed(self) -> None:
+        """Wait for a new command."""
+        self._is_fresh = False
+
+    def reset(self) -> None:
+        """Stand at 0."""
+        part = self.part
+        part.position, part.velocity, part.in_position, part.holding = 0, 0, False, True
+        self._motion = Motion()
+        self._is_fresh = False
+
+    def step(self, dt: float) -> None:
+        """Move for some time."""
+        part, motion = self.part, self._motion
+        self._is_fresh = self._is_fresh and self.around.is_armed
+        at_velocity = part.mode == "velocity"
+        obeys = self.around.is_armed and (self._is_fresh or at_velocity)
+        limit = min(part.maxvel, self._fastest)
+        accel = part.maxaccel or math.inf
+        if obeys and not at_velocity:
+            motion.go_to(part.position_cmd, limit, accel, dt)
+        else:
+            motion.go_at(min(max(part.velocity_cmd, -limit), limit) if obeys else 0.0, accel, dt)
+        part.position, part.velocity = motion.place, motion.speed
+        part.holding = not obeys
+        part.in_position = obeys and not at_velocity and motion.stands_at(part.position_cmd)
+
+    def written(self, name: str) -> None:
+        """Take a command."""
+        if name == "position_cmd":
+            self._is_fresh = True
+        self.step(0)
+
+
+class Motion:
+    """A place and a speed that change with time; speeds of either sign, accelerations above 0."""
+
+    def __init__(self) -> None:
+        self.place = self.speed = 0.0
+
+    def stands_at(self, target: float) -> bool:
+        """Return whether it stands at a place, to what numbers can tell."""
+        return not self.speed and self.place == target
+
+    def go_at(self, speed: float, accel: float, seconds: float) -> None:
+        """Move for some time, and change the speed to another one."""
+        taken = min(abs(speed - self.speed) / accel, seconds)
+        self._pass(taken, math.copysign(accel, speed - self.speed) if taken else 0.0)
+        if taken < seconds or math.isinf(accel):
+            self.speed = speed
+            self._pass(seconds - taken, 0.0)
+
+    def go_to(self, target: float, limit: float, accel: float, seconds: float) -> None:
+        """Move for some time, to a place and as soon as that can be: without passing it, unless it is too near."""
+        if math.isinf(accel):
+            way = target - self.place
+            self.speed = math.copysign(limit, way) if abs(way) > limit * seconds else 0.0
+            self.place = self.place + self.speed * seconds if self.speed else target if limit else self.place
+            return
+        while seconds > 0 and not self.stands_at(target):
+            seconds -= self._phase(target, limit, accel, seconds)
+
+    def _phase(self, target: float, limit: float, accel: float, seconds: float) -> float:
+        """Move in one of the phases of a way, or its part that fits into some time; return the seconds that it took."""
+        way = target - self.place
+        sign = math.copysign(1.0, self.speed or way)
+        ahead, speed = sign * way, abs(self.speed)
+        stop = speed * speed / (2 * accel)
+        slack = _CLOSE * (abs(target) + stop)
+        if ahead < stop - slack or speed > limit * (1 + _CLOSE):
+            # It cannot stop before, or is too fast.
+            slower = limit if ahead >= stop - slack else 0.0
+            return self._change(sign * slower, accel, seconds)
+        if ahead <= stop + slack:
+            if not speed or seconds >= speed / accel:
+                self.place, self.speed = target, 0.0
+                return speed / accel
+            return self._change(0.0, accel, seconds)
+        if not limit:
+            return seconds
+        # To the speed from which it has to slow down at once, or to the limit; then at that.
+        top = math.sqrt(accel * ahead + speed * speed / 2)
+        if speed < min(top, limit) * (1 - _CLOSE):
+            return self._change(sign * min(top, limit), accel, seconds)
+        taken = min((ahead - stop) / speed, seconds)
+        self._pass(taken, 0.0)
+        return taken
+
+    def _change(self, speed: float, accel: float, seconds: float) -> float:
+        taken = min(abs(speed - self.speed) / accel, seconds)
+        self._pass(taken, math.copysign(accel, speed - self.speed))
+        if taken < seconds:
+            self.speed = speed
+        return taken
+
+    def _pass(self, seconds: float, accel: float) -> None:
+        if not seconds:
+            return
+        self.place += (self.speed + accel * seconds / 2) * seconds
+        self.speed += accel * seconds
