@@ -13,6 +13,7 @@ cores/encoder/ul_encoder_axis.vhd
 cores/gpio/ul_gpio.vhd
 cores/lease/ul_lease.vhd
 cores/pwm/ul_pwm.vhd
+cores/stepgen/ul_stepgen_ramp.vhd
 rtl/application/ul_base_tick.vhd
 rtl/application/ul_frame_writer.vhd
 rtl/application/ul_group_timer.vhd
@@ -33,6 +34,7 @@ rtl/datalink/ul_plain_tx.vhd
 rtl/physical/ul_ft245_pads.vhd
 cores/encoder/ul_encoder_velocity.vhd
 cores/schedule/ul_schedule.vhd
+cores/stepgen/ul_stepgen.vhd
 rtl/application/ul_gateway_clock.vhd
 rtl/physical/ul_ft245_async.vhd
 rtl/physical/ul_ft245_sync.vhd

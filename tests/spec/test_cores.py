@@ -197,3 +197,16 @@ def test_every_installed_core_is_a_component_with_an_entity() -> None:
         assert spec.vhdl == ()
         assert [source.name for source in spec.sources] == ["<text>", f"cores/{word.lower()}/{word.lower()}.ul"]
         assert (INSTALLED / word.lower() / f"{component.core.entity}.vhd").is_file()
+
+
+def test_a_register_that_no_lease_guards_begins_with_its_safe_value() -> None:
+    text = """
+    axis(LEASE=none): @(at) {
+      @limit = at: unsigned 8 READWRITE(SCALE=0.5, SAFE(20, LEASE));
+      @place = at + 1: unsigned 8 READWRITE(SAFE(HOLD, LEASE));
+    }
+    public robot() { a: axis() @(4); }
+    """
+    signals = compile_text(text).interface().signals
+    assert (signals["a.limit"].reset, signals["a.limit"].safe) == (40, None)
+    assert (signals["a.place"].reset, signals["a.place"].safe) == (0, None)

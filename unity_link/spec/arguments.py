@@ -290,7 +290,8 @@ class Binder:
         by_place = 0 if slot.name == "JOINTS" else len(slot.clause)
         prefix = f"{slot.name}."
         bound = self._bind(slot.name, value.place, given, slot.clause, by_place, prefix)
-        if any(inner.required and bound.get(inner.name) is LEFT_OUT for inner in slot.clause):
+        # A register that no lease guards begins with its safe value all the same.
+        if slot.name != "SAFE" and any(inner.required and bound.get(inner.name) is LEFT_OUT for inner in slot.clause):
             self.places = {name: place for name, place in self.places.items() if not name.startswith(prefix)}
             return LEFT_OUT
         return {name: inner for name, inner in bound.items() if inner is not LEFT_OUT}
