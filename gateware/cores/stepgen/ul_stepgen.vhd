@@ -313,6 +313,9 @@ begin
         velocity_now <= (others => '0');
         maxvel_now   <= (others => '0');
         maxaccel_now <= (others => '0');
+        size_now     <= (others => '0');
+        limit_now    <= (others => '0');
+        wanted_now   <= (others => '0');
         is_position  <= '1';
         follows      <= '0';
         is_changed   <= '0';
