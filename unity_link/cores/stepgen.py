@@ -11,7 +11,6 @@ from unity_link.errors import UnityLinkError
 from unity_link.link.synchronisation import gather, running
 
 if TYPE_CHECKING:
-    from unity_link.errors import NotArmedError
     from unity_link.spec.model import ComponentSpec
 
 LOOK_AGAIN = 0.005
@@ -34,7 +33,7 @@ class StepgenVerbs(Verbs):
         Raises:
             NotArmedError: where its lease is not armed, or ends on the way: then the axis stops by itself.
             ArgumentError: for a position that `position_cmd` cannot have.
-            UnityLinkError: where `mode` or `position_cmd` was written on the way, so that the axis goes elsewhere.
+            UnityLinkError: where `mode` or `position_cmd` was written on the way, or the gateway was reset.
         """
         axis: Any = self
         wanted = axis.position_cmd.signal.encode(position)
@@ -44,9 +43,11 @@ class StepgenVerbs(Verbs):
             is_there, holds, mode, target = await gather(
                 axis.in_position.get(), axis.holding.get(), axis.mode.get(), axis.position_cmd.get()
             )
-            if holds:
-                raise await self._stopped()
-            if mode != "position" or axis.position_cmd.signal.encode(target) != wanted:
+            safe = axis.position_cmd.signal.safe
+            if holds and safe is not None:
+                registers = LeaseRegisters(axis.position_cmd.robot, safe.lease)
+                raise await registers.fault(await registers.condition())
+            if holds or mode != "position" or axis.position_cmd.signal.encode(target) != wanted:
                 name = axis.position_cmd.path.rpartition(".")[0]
                 raise UnityLinkError(f"{name} does not go to {position:g}: it was told something else on the way")
             if is_there:
@@ -62,12 +63,6 @@ class StepgenVerbs(Verbs):
         axis: Any = self
         await axis.velocity_cmd.set(0)
         await axis.mode.set("velocity")
-
-    async def _stopped(self) -> NotArmedError:
-        """Return the error for an axis that goes nowhere: only one whose lease has ended does."""
-        axis: Any = self
-        registers = LeaseRegisters(axis.position_cmd.robot, axis.position_cmd.signal.safe.lease)
-        return await registers.fault(await registers.condition())
 
 
 class StepgenModel(Model):
