@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 MEMORY_OUTPUTS = {
     "ul_fifo_async": ["out_data"],
     "ul_ft245_sync": ["rx_data"],
+    "ul_schedule": ["stage_data"],
     "ul_subscription_manager": ["access_address"],
     "ul_word_ring": ["read_data"],
 }

@@ -387,6 +387,7 @@ begin
         read_at     <= (others => '0');
         stage_write <= '0';
         stage_clear <= '0';
+        stage_at    <= (others => '0');
         state       <= header;
       end if;
     end if;
