@@ -23,13 +23,13 @@ entity ul_stepgen is
     axes : positive := 1;
     -- At least 1792 for each axis: Hz of clk.
     clock_hz : positive := 50_000_000;
-    -- Nanoseconds for which a pulse is high at least.
+    -- At least 0: nanoseconds for which a pulse is high at least.
     steplen_ns : natural := 2000;
-    -- Nanoseconds between two pulses at least.
+    -- At least 0: nanoseconds between two pulses at least.
     stepspace_ns : natural := 2000;
-    -- Nanoseconds for which dir is stable before a pulse begins, at least.
+    -- At least 0: nanoseconds for which dir is stable before a pulse begins, at least.
     dirsetup_ns : natural := 5000;
-    -- Nanoseconds for which dir is stable after a pulse has ended, at least.
+    -- At least 0: nanoseconds for which dir is stable after a pulse has ended, at least.
     dirhold_ns : natural := 5000;
     -- Whether dir is '1' upwards, and not downwards.
     reverse : boolean := false
