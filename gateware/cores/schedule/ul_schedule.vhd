@@ -18,6 +18,7 @@ library ieee;
 
 library work;
   use work.ul_math_pkg.all;
+  use work.unity_link_pkg.all;
 
 entity ul_schedule is
   generic (
@@ -169,8 +170,8 @@ begin
 
   with part select is_last <=
     '0' when header_part,
-    words_left ?= 0 when instant_part,
-    words_left ?= 1 when body_part;
+    to_std_logic(words_left = 0) when instant_part,
+    to_std_logic(words_left = 1) when body_part;
 
   ends    <= is_given and is_last;
   accepts <= ends and is_good and not voids;
@@ -268,7 +269,7 @@ begin
   -- The words of the next batch go into shadows, and wait.
 
   -- `data` is what `word` was a cycle ago.
-  is_later <= unsigned(data(23 downto 8)) ?/= finished;
+  is_later <= to_std_logic(data(23 downto 8) /= std_logic_vector(finished));
 
   -- Of those that have no place in the queue.
   refuses <= '1' when state = numbered and (has_batch = '0' or is_later = '1') else
@@ -288,7 +289,7 @@ begin
 
     if rising_edge(clk) then
       read_at     <= read_next;
-      has_batch   <= read_at ?/= base;
+      has_batch   <= to_std_logic(std_logic_vector(read_at) /= std_logic_vector(base));
       stage_write <= '0';
       stage_clear <= '0';
       data        <= word;
