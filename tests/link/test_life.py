@@ -85,6 +85,7 @@ class Answering:
 
     memory: dict[int, int]
     next_due = None
+    leaves_time_out = False
     waiting = 0
     info = INFO
     open = Gateway.open

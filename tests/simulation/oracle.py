@@ -208,6 +208,10 @@ class Tap:
     def next_due(self) -> float | None:
         return self.gateway.next_due
 
+    @property
+    def leaves_time_out(self) -> bool:
+        return self.gateway.leaves_time_out
+
     def _pass_on_wake(self) -> None:
         self.wake()
 
