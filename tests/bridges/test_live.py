@@ -4,17 +4,16 @@ from __future__ import annotations
 
 import json
 import re
-import shutil
 import socket
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
-from playwright.sync_api import expect, sync_playwright
+from playwright.sync_api import expect
 
-from support.bridge_programs import PATIENCE, wait_until
-from support.live_page import COUNTS_PER_DEGREE, POSITION_SET_POINT, SPEC, TOKEN, gateway, live
+from support.bridge_programs import wait_until
+from support.live_page import COUNTS_PER_DEGREE, POSITION_SET_POINT, SPEC, TOKEN, gateway, live, needs_chromium
 from unity_link import blocking
 
 if TYPE_CHECKING:
@@ -24,47 +23,13 @@ if TYPE_CHECKING:
 
     from support.live_page import Live
 
-CHROMIUM = shutil.which("chromium")
 EXAMPLES = Path(SPEC).parent
-
-needs_chromium = pytest.mark.skipif(CHROMIUM is None, reason="needs Chromium: apt install chromium")
 
 
 @pytest.fixture
 def token(monkeypatch: pytest.MonkeyPatch) -> str:
     monkeypatch.setenv("UNITY_LINK_TOKEN", TOKEN)
     return TOKEN
-
-
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    with sync_playwright() as playwright:
-        opened = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
-        yield opened
-        opened.close()
-
-
-@pytest.fixture
-def page(browser: Browser) -> Iterator[Page]:
-    """A page that may not complain."""
-    context = browser.new_context(viewport={"width": 1280, "height": 900})
-    context.set_default_timeout(1000 * PATIENCE)
-    expect.set_options(timeout=1000 * PATIENCE)
-    opened = context.new_page()
-    complaints: list[str] = []
-    opened.on("pageerror", lambda error: complaints.append(str(error)))
-    # A server that has gone is a complaint of the browser's own, which no page can avoid.
-    opened.on(
-        "console",
-        lambda said: (
-            complaints.append(said.text)
-            if said.type in {"error", "warning"} and "net::ERR_CONNECTION_" not in said.text
-            else None
-        ),
-    )
-    yield opened
-    context.close()
-    assert complaints == []
 
 
 @contextmanager

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import json
-import shutil
 from typing import TYPE_CHECKING
 
 import pytest
-from playwright.sync_api import expect, sync_playwright
+from playwright.sync_api import expect
 
 import unity_link
-from support.bridge_programs import PATIENCE, wait_until
-from support.live_page import gateway, hear, live, looking
+from support.bridge_programs import wait_until
+from support.live_page import gateway, hear, live, looking, needs_chromium
 from unity_link import blocking
 from unity_link.data.blocking import put
 
@@ -19,9 +18,10 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from pathlib import Path
 
+    from playwright.sync_api import Page
+
     from support.live_page import Live
 
-CHROMIUM = shutil.which("chromium")
 SPEC = """
 public rover() {
   GATEWAY(ADDRESS_BITS=12);
@@ -58,15 +58,9 @@ def end(running: Live) -> None:
     running.process.stderr.close()
 
 
-@pytest.mark.skipif(CHROMIUM is None, reason="needs Chromium: apt install chromium")
-def test_a_page_shows_each_lease_and_its_button_disarms(served: str, spec: Path, shown: Live) -> None:
-    with (
-        sync_playwright() as playwright,
-        playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"]) as browser,
-        blocking.connect(served) as link,
-    ):
-        expect.set_options(timeout=1000 * PATIENCE)
-        page = browser.new_page(viewport={"width": 1280, "height": 900})
+@needs_chromium
+def test_a_page_shows_each_lease_and_its_button_disarms(page: Page, served: str, spec: Path, shown: Live) -> None:
+    with blocking.connect(served) as link:
         page.goto(shown.url)
         drive, lift = page.locator("[data-lease=drive]"), page.locator("[data-lease=lift]")
         expect(drive.locator("output")).to_have_text("disarmed")
@@ -80,6 +74,7 @@ def test_a_page_shows_each_lease_and_its_button_disarms(served: str, spec: Path,
             assert robot.speed.get() == 0
         with robot.lift.armed(timeout=0.5):
             expect(lift.locator("output")).to_have_text("fault: silence")
+        page.goto("about:blank")
     end(shown)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 import socket
 import struct
 import subprocess
@@ -12,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+import pytest
 from websockets.sync.client import ClientConnection, connect
 from websockets.typing import Origin
 
@@ -25,6 +27,8 @@ SPEC = str(Path(__file__).parents[2] / "examples" / "scara.ul")
 FAST = "sim:scara?base_frequency_millihertz=2000000000"
 """A gateway that publishes 20,000 samples a second."""
 TOKEN = "a-token"
+CHROMIUM = shutil.which("chromium")
+needs_chromium = pytest.mark.skipif(CHROMIUM is None, reason="needs Chromium: apt install chromium")
 POSITION_SET_POINT = 0x8C
 COUNTS_PER_DEGREE = 50 * 4000 / 360
 
