@@ -264,7 +264,7 @@ async def test_a_plant_is_the_same_on_the_quick_models_and_at_the_pins(rtl: bool
             assert plant.lit_for == pytest.approx(240, abs=4)
             await robot.left.value.set(6)
             await asyncio.sleep(0.2)
-        # Whatever the program has asked for, nobody kicked.
+        # The writes went on and the kicks did not.
         assert (plant.left.value, plant.drive.armed, plant.line.level) == (0, False, False)
         assert await robot.wheel.errors.get() == 0
         assert await robot.wheel.position.get() == pytest.approx(plant.angle, abs=0.01)

@@ -86,7 +86,7 @@ async def test_a_write_that_comes_too_late_does_not_act_and_raises() -> None:
         with pytest.raises(LateError, match=r"free has not made the write at .* s of the gateway's clock: it came too"):
             await late
         assert await robot.lamp.get() == 0
-        # One that nobody looks at is raised by the next.
+        # The error of a write that is not awaited is raised by the next one.
         await robot.lamp.set(30, at=clock.now())
         good = await robot.lamp.set(31, at=clock.now().after(0.02))
         assert await good == good.instant

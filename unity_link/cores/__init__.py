@@ -17,7 +17,7 @@ import functools
 import importlib
 import importlib.util
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, Protocol, Self, TypeVar
 
 from unity_link.errors import ANY_ERROR, ArgumentError
 
@@ -39,6 +39,30 @@ class Verbs:
 
 class RobotVerbs:
     """Base of classes with what a program does with a robot that has a core."""
+
+
+class CoreRegisters:
+    """The registers of one placement of a core, as a program's robot has them.
+
+    Args:
+        robot: with the core.
+        name: path of the placement in it.
+    """
+
+    def __init__(self, robot: Any, name: str) -> None:
+        self.robot = robot
+        self.name = name
+        self.core: Core = next(one.core for one in robot.interface.cores if one.path == name)
+
+    @classmethod
+    def of(cls, component: Any) -> Self:
+        """Return the registers of a component with verbs."""
+        first = component.signals[0]
+        return cls(first.robot, first.path.rpartition(".")[0])
+
+    def find(self, register: str) -> Any:
+        """Return a register by its name in the core."""
+        return self.robot[f"{self.name}.{register}"]
 
 
 class Surroundings(Protocol):

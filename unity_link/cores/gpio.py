@@ -37,6 +37,6 @@ class GpioAtPins(AtPins):
 
     shows = frozenset({"level"})
 
-    def step(self, dt: float) -> None:  # noqa: ARG002  (it is looked at)
+    def step(self, dt: float) -> None:  # noqa: ARG002  (the level of now counts)
         """Look at the pin."""
         self.around.show("level", bool(self.part.pin))

@@ -13,7 +13,7 @@ from asyncio import CancelledError
 from collections import deque
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, Self
 
-from unity_link.cores import AtPins, Model, RobotVerbs, Verbs
+from unity_link.cores import AtPins, CoreRegisters, Model, RobotVerbs, Verbs
 from unity_link.cores.clock import TickBounds
 from unity_link.errors import (
     ArgumentError,
@@ -87,21 +87,13 @@ class _Condition(NamedTuple):
     """Leases that have begun since the reset, modulo 2 ** 16."""
 
 
-class LeaseRegisters:
-    """The registers of a lease.
-
-    Args:
-        robot: with the lease.
-        name: path of the lease in it.
-    """
+class LeaseRegisters(CoreRegisters):
+    """The registers of a lease."""
 
     def __init__(self, robot: Any, name: str) -> None:
-        def find(register: str) -> Any:
-            return robot[f"{name}.{register}"]
-
-        self.name = name
-        core = next(one.core for one in robot.interface.cores if one.path == name)
-        self.most_seconds = float(core.generics["most_us"]) / 1e6
+        super().__init__(robot, name)
+        find = self.find
+        self.most_seconds = float(self.core.generics["most_us"]) / 1e6
         """Most seconds that an end may be ahead."""
         self.arm, self.kick, self.clock = find("arm"), find("kick"), find("clock")
         self.disarm, self.fault_time = find("disarm"), find("fault_time")
@@ -175,7 +167,7 @@ class LeaseVerbs(Verbs):
         Raises:
             ArgumentError: for a time-out that is not above 0, or is above that of the spec.
         """
-        registers = _registers_of(self)
+        registers = LeaseRegisters.of(self)
         most, name = registers.most_seconds, registers.name
         what = f"the time-out of {name} is a number of seconds above 0, and {most:g} s at most as its spec says"
         seconds = most if timeout is None else real_number(timeout, what)
@@ -189,7 +181,7 @@ class LeaseVerbs(Verbs):
         Returns:
             True if it was armed.
         """
-        registers = _registers_of(self)
+        registers = LeaseRegisters.of(self)
         # The state is asked for on the way: nothing waits before the write.
         state = registers.ask()
         try:
@@ -225,14 +217,9 @@ def leases_of(robot: Any) -> dict[str, LeaseVerbs]:
     while waiting:
         member = waiting.pop(0)
         if isinstance(member, LeaseVerbs):
-            found[_registers_of(member).name] = member
+            found[LeaseRegisters.of(member).name] = member
         waiting += getattr(member, "_members", ())
     return found
-
-
-def _registers_of(component: Any) -> LeaseRegisters:
-    first = component.signals[0]
-    return LeaseRegisters(first.robot, first.path.rpartition(".")[0])
 
 
 class Lease(Sealed):
@@ -582,7 +569,7 @@ class LeaseAtPins(AtPins):
         if around.has("enable"):
             self.shows = frozenset({"armed"})
 
-    def step(self, dt: float) -> None:  # noqa: ARG002  (it is looked at)
+    def step(self, dt: float) -> None:  # noqa: ARG002  (the level of now counts)
         """Look at the pin."""
         if self.shows:
             self.around.show("armed", bool(self.part.enable))

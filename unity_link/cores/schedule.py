@@ -33,7 +33,7 @@ class ScheduleVerbs(Verbs):
 
     async def clock(self) -> TickClock:
         """Read the gateway's clock, and return how it goes with this machine's."""
-        return await feed_of(_registers_of(self)).clock()
+        return await feed_of(ScheduleRegisters.of(self)).clock()
 
     def timeline(self, *, lead: float = 0.05, lease: Lease | None = None) -> Timeline:
         """Return a line of writes at instants, for an ``async with`` block. What was scheduled before is cancelled.
@@ -45,7 +45,7 @@ class ScheduleVerbs(Verbs):
         Raises:
             ArgumentError: for a lead that is no number of seconds from 0 on.
         """
-        registers = _registers_of(self)
+        registers = ScheduleRegisters.of(self)
         what = f"the lead of {registers.name} is a number of seconds from 0 on"
         return Timeline(registers, seconds_of(lead, what), lease)
 
@@ -75,7 +75,7 @@ class ScheduleVerbs(Verbs):
             LateError: where a row has not acted. What is behind it is cancelled.
             NotArmedError: where that is since the lease is not armed.
         """
-        registers = _registers_of(self)
+        registers = ScheduleRegisters.of(self)
         if then not in {"hold", "safe"}:
             raise ArgumentError(f"then={then!r:.40}: 'hold' or 'safe' was expected")
         if then == "safe" and registers.lease is None:
@@ -92,11 +92,6 @@ class ScheduleVerbs(Verbs):
         if then == "safe":
             await registers.robot[f"{registers.lease}.disarm"].set(1)
         return acted
-
-
-def _registers_of(component: Any) -> ScheduleRegisters:
-    first = component.signals[0]
-    return ScheduleRegisters(first.robot, first.path.rpartition(".")[0])
 
 
 def _rising(times: ArrayLike) -> list[float]:

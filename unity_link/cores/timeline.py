@@ -11,6 +11,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple, Self
 from weakref import WeakKeyDictionary
 
+from unity_link.cores import CoreRegisters
 from unity_link.cores.batches import FATES, FRAME, MOST_WORDS, batch_of
 from unity_link.cores.clock import Instant, TickBounds, TickClock
 from unity_link.errors import ArgumentError, LateError, OfLink, Sealed, refusing
@@ -43,22 +44,13 @@ _NUMBERS = 1 << 16
 _OPEN = "write `async with` before this timeline, and `with` where it is one of a blocking link"
 
 
-class ScheduleRegisters:
-    """The registers of a schedule.
-
-    Args:
-        robot: with the schedule.
-        name: path of the schedule in it.
-    """
+class ScheduleRegisters(CoreRegisters):
+    """The registers of a schedule."""
 
     def __init__(self, robot: Any, name: str) -> None:
-        def find(register: str) -> Any:
-            return robot[f"{name}.{register}"]
-
-        self.name = name
-        self.robot = robot
-        core = next(one.core for one in robot.interface.cores if one.path == name)
-        self.depth = int(core.generics["depth"])
+        super().__init__(robot, name)
+        find = self.find
+        self.depth = int(self.core.generics["depth"])
         """Words of its queue."""
         self.entry, self.cancel, self.clock, self.fates = (
             find(register) for register in ("entry", "cancel", "clock", "fates")

@@ -306,6 +306,11 @@ class ModuleSpec(msgspec.Struct, frozen=True, kw_only=True):
         """Return whether it takes addresses: a MEMORY without a name is only a base for what stands in it."""
         return self.type != "MEMORY" or self.name is not None
 
+    @property
+    def size(self) -> int | None:
+        """Number of addresses that it takes: a queue has one by itself; None where the spec does not say."""
+        return 1 if self.type == "FIFO" and self.words is None else self.words
+
 
 class Joint(msgspec.Struct, frozen=True, kw_only=True):
     """One joint of a group that is declared as joints: paths of its signals."""
@@ -386,10 +391,11 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
             return False
         first = page_address(self.address_bits)
         ends = [signal.addresses[-1] for signal in self.signals.values()]
-        for module in self.modules:
-            words = 1 if module.type == "FIFO" and module.words is None else module.words
-            if module.is_hardware:
-                ends.append((1 << self.address_bits if words is None else module.base + words) - 1)
+        ends += [
+            (1 << self.address_bits if module.size is None else module.base + module.size) - 1
+            for module in self.modules
+            if module.is_hardware
+        ]
         return all(end < first for end in ends)
 
     @functools.cached_property

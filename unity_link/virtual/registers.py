@@ -381,5 +381,4 @@ def _limits(signal: Signal) -> str:
 
 
 def _has(module: ModuleSpec, address: int) -> bool:
-    words = 1 if module.type == "FIFO" and module.words is None else module.words
-    return address >= module.base and (words is None or address < module.base + words)
+    return address >= module.base and (module.size is None or address < module.base + module.size)

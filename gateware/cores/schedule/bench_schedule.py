@@ -94,7 +94,7 @@ class Batch:
 
 
 class Model:
-    """What is there after each edge."""
+    """The core, a clock cycle at a time: its outputs behind each edge."""
 
     def __init__(self) -> None:
         """Begin as behind a reset."""

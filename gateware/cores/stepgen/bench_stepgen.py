@@ -75,7 +75,7 @@ class Settings:
 
 
 class Commands(NamedTuple):
-    """What an axis is told, in units of the registers; `mode` is 1 for a velocity."""
+    """Commands of an axis, in units of the registers; `mode` is 1 for a velocity."""
 
     position_cmd: int = 0
     velocity_cmd: int = 0

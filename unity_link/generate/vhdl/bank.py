@@ -467,16 +467,14 @@ def _owner(interface: Interface, index: int | None) -> int | None:
 
 def _windows(interface: Interface) -> Iterator[AddressWindow]:
     modules = [module for index, module in enumerate(interface.modules) if _owner(interface, index) == index]
-    sizes = {id(module): 1 if module.type == "FIFO" and module.words is None else module.words for module in modules}
     bases = sorted(module.base for module in modules)
     scope = Scope(ELSEWHERE, "wb")
     open_at: dict[int, ModuleSpec] = {}
     # Those of known size come first: an open one has only what they leave.
-    for module in sorted(modules, key=lambda one: (sizes[id(one)] is None, one.base)):
+    for module in sorted(modules, key=lambda one: (one.size is None, one.base)):
         name = scope.unique(module.path or module.type)
-        words = sizes[id(module)]
-        if words is not None:
-            yield AddressWindow(name, module.base, module.base + words - 1, module)
+        if module.size is not None:
+            yield AddressWindow(name, module.base, module.base + module.size - 1, module)
             continue
         other = open_at.setdefault(module.base, module)
         if other is not module:
