@@ -86,7 +86,7 @@ def test_the_page_is_opened_in_the_browser_with_its_token(tmp_path: Path, monkey
 @pytest.mark.parametrize(
     ("arguments", "sentence", "code"),
     [
-        ((), "a SPEC was expected, or words by --watch ADDRESS", 2),
+        ((), "the gateway of sim:scara carries no description of its own: give a spec, such as robot.ul", 2),
         ((SPEC, "--watch", "1"), "a SPEC was expected, or words by --watch ADDRESS, not both", 2),
         (("--watch", "0x100"), "address 0x100 is not from 0 to 0xff", 2),
         (("--watch", "1", "--watch", "0x1"), "address 0x1 was given twice", 2),

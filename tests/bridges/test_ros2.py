@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import itertools
 import json
 import math
 import os
@@ -28,6 +27,7 @@ from support.bridge_programs import (
     PROGRAM,
     Noted,
     bridge_on_shared,
+    free_domain,
     line_of,
     program,
     wait_for,
@@ -49,8 +49,6 @@ PEER = str(Path(__file__).with_name("dds_peer.py"))
 SPEC = str(Path(__file__).parents[2] / "examples" / "scara.ul")
 GATEWAY = "sim:scara?base_frequency_millihertz=20000000"
 ROS = get_typestore(Stores.ROS2_JAZZY)
-DOMAINS = itertools.count(60 + os.getpid() % 100)
-"""Tests that run side by side must not hear each other."""
 
 SCALES = [360 / 200_000, 360 / 200_000, 10 / 4000, 360 / 80_000]
 """Degrees and millimetres a count, of the joints of the SCARA."""
@@ -133,7 +131,7 @@ def listen(domain: int, topic: str, name: str, count: int) -> list[Any]:
 
 @pytest.mark.slow
 def test_every_sample_arrives_once_and_in_order(tmp_path: Path) -> None:
-    domain = next(DOMAINS)
+    domain = free_domain()
     with bridge_on_shared("ros2", SPEC, GATEWAY, tmp_path, "--domain", str(domain)) as (process, url):
         assert "8 topics published, 11 subscribed to at /scara" in wait_for(process, "topics published")
 
@@ -157,7 +155,7 @@ def test_every_sample_arrives_once_and_in_order(tmp_path: Path) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("own", [OWN["sim"], pytest.param(OWN["rtl"], marks=pytest.mark.campaign)], ids=OWN)
 def test_a_robot_of_ones_own_has_its_topics_and_moves_by_them(own: Own, tmp_path: Path) -> None:
-    domain = next(DOMAINS)
+    domain = free_domain()
     with bridge_on_shared("ros2", own.spec, own.url, tmp_path, "--domain", str(domain), "--namespace", "own") as (
         process,
         _,
@@ -174,7 +172,7 @@ def topic_of(path: str) -> str:
 
 @pytest.mark.slow
 def test_values_on_a_topic_are_written_in_order_and_one_beyond_the_limits_is_told(tmp_path: Path) -> None:
-    domain = next(DOMAINS)
+    domain = free_domain()
     with bridge_on_shared("ros2", SPEC, GATEWAY, tmp_path, "--domain", str(domain), "--namespace", "arm") as (
         process,
         url,
@@ -195,7 +193,7 @@ def test_values_on_a_topic_are_written_in_order_and_one_beyond_the_limits_is_tol
 
 @pytest.mark.slow
 def test_one_message_sets_all_joints_and_one_that_is_wrong_sets_none(tmp_path: Path) -> None:
-    domain = next(DOMAINS)
+    domain = free_domain()
     options = ("--domain", str(domain), "--frame-id", "arm_base")
     with bridge_on_shared("ros2", SPEC, GATEWAY, tmp_path, *options) as (process, url):
         wait_for(process, "at /scara")
@@ -218,7 +216,7 @@ def test_one_message_sets_all_joints_and_one_that_is_wrong_sets_none(tmp_path: P
 
 @pytest.mark.slow
 def test_diagnostics_tell_of_the_link(tmp_path: Path) -> None:
-    domain = next(DOMAINS)
+    domain = free_domain()
     with bridge_on_shared("ros2", SPEC, GATEWAY, tmp_path, "--domain", str(domain)) as (process, url):
         wait_for(process, "at /scara")
 
@@ -242,7 +240,7 @@ def test_the_types_of_ros_2_have_its_hashes() -> None:
 
 @pytest.mark.slow
 def test_a_peer_may_come_late_and_go_in_between(tmp_path: Path) -> None:
-    domain = next(DOMAINS)
+    domain = free_domain()
     with bridge_on_shared("ros2", SPEC, GATEWAY, tmp_path, "--domain", str(domain)) as (process, _):
         wait_for(process, "topics published")
         for _ in range(2):
@@ -268,7 +266,7 @@ def test_a_reader_that_is_stuck_holds_up_neither_writes_nor_the_end_and_others_a
 ) -> None:
     spec = tmp_path / "bench.ul"
     spec.write_text(FAST_SPEC)
-    domain = next(DOMAINS)
+    domain = free_domain()
     follow = ("follow", "rt/bench/value", "std_msgs/msg/Float64")
     with (
         program("ros2", str(spec), "--link", FAST_GATEWAY, "--domain", str(domain)) as process,
@@ -293,7 +291,7 @@ def test_a_reader_that_is_stuck_holds_up_neither_writes_nor_the_end_and_others_a
 
 @pytest.mark.slow
 def test_a_gateway_may_come_late_and_go_in_between_and_no_value_is_written_twice(tmp_path: Path) -> None:
-    gateway, domain = Noted(tmp_path), next(DOMAINS)
+    gateway, domain = Noted(tmp_path), free_domain()
     with contextlib.ExitStack() as bridge:
         process = bridge.enter_context(program("ros2", gateway.spec, "--link", gateway.url, "--domain", str(domain)))
         wait_for(process, "waiting for the gateway")
@@ -313,7 +311,7 @@ def test_a_gateway_may_come_late_and_go_in_between_and_no_value_is_written_twice
 
 @pytest.mark.slow
 def test_no_number_on_a_topic_is_told_in_a_sentence_and_the_next_value_is_written(tmp_path: Path) -> None:
-    domain = next(DOMAINS)
+    domain = free_domain()
     with bridge_on_shared("ros2", SPEC, GATEWAY, tmp_path, "--domain", str(domain)) as (process, url):
         wait_for(process, "topics published")
 
@@ -326,7 +324,7 @@ def test_no_number_on_a_topic_is_told_in_a_sentence_and_the_next_value_is_writte
 
 @pytest.mark.slow
 def test_a_second_bridge_at_the_same_topics_is_refused_in_a_sentence_and_one_elsewhere_is_not() -> None:
-    domain = str(next(DOMAINS))
+    domain = str(free_domain())
     command = ("ros2", SPEC, "--link", "sim:scara", "--domain", domain)
     with program(*command) as first, program(*command, "--namespace", "left") as other:
         wait_for(first, "topics published")
@@ -415,6 +413,6 @@ def devices_of_ports() -> set[bytes]:
 
 @pytest.mark.parametrize(("network", "devices"), [(False, {b"lo"}), (True, {b""})])
 def test_other_machines_are_heard_only_where_that_is_asked_for(network: bool, devices: set[bytes]) -> None:
-    opened = open_participant(BridgeSettings(network=network, domain=next(DOMAINS)))
+    opened = open_participant(BridgeSettings(network=network, domain=free_domain()))
     assert devices_of_ports() == devices
     del opened

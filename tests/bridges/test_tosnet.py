@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
-import os
 import shutil
 import signal
 import socket
@@ -14,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from support.bridge_programs import PATIENCE, bridge_on_shared, wait_for, wait_until
+from support.bridge_programs import PATIENCE, bridge_on_shared, free_domain, wait_for, wait_until
 from support.spec_examples import FIGURE_1
 from unity_link import blocking
 from unity_link.generate import generate, write
@@ -35,7 +33,6 @@ SET_POINTS = {"j1": 1200, "j2": -700, "j3": 345, "j4": 2000}
 """In counts."""
 POSITIONS = range(0x88, 0x8C)
 PEER = str(Path(__file__).with_name("dds_peer.py"))
-DOMAINS = itertools.count(160 + os.getpid() % 60)
 SYSTEM_PYTHON = "/usr/bin/python3"
 TALKER = """
 import sys, time, rospy
@@ -137,7 +134,7 @@ def test_a_launch_file_takes_the_parameters(tmp_path: Path, monkeypatch: pytest.
 
 @pytest.mark.parametrize("gateway", GATEWAYS)
 def test_figure_1_moves_the_motors_from_ros_2(gateway: str, spec: str, tmp_path: Path) -> None:
-    domain = str(next(DOMAINS))
+    domain = str(free_domain())
     with bridge_on_shared("ros2", spec, gateway, tmp_path, "--domain", domain, *GIVEN) as (process, url):
         wait_for(process, "at /scara")
         peers = [

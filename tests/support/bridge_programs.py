@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import socket
 import subprocess
 import sys
 import time
@@ -67,6 +68,29 @@ def line_of(process: subprocess.Popen[str]) -> str:
     """Return the next line on stdout."""
     assert process.stdout is not None
     return process.stdout.readline().strip()
+
+
+_DOMAINS: list[socket.socket] = []
+"""A socket for each domain that this process has, open until it ends."""
+
+
+def free_domain() -> int:
+    """Return a DDS domain that no other test on this machine has: two that run side by side must not hear each other.
+
+    Raises:
+        RuntimeError: where all are taken.
+    """
+    # From 60 on their ports lie beyond most services; 232 is the highest (DDSI-RTPS 2.5, 9.6.2).
+    for domain in range(60, 233):
+        claim = socket.socket(socket.AF_UNIX)
+        try:
+            claim.bind(f"\0unity-link-tests-domain-{domain}")
+        except OSError:
+            claim.close()
+            continue
+        _DOMAINS.append(claim)
+        return domain
+    raise RuntimeError("domains 60 to 232 are all taken by tests of this machine")
 
 
 @contextmanager
