@@ -13,7 +13,7 @@ import unity_link
 from unity_link import ArgumentError, blocking
 from unity_link.data.blocking import put
 from unity_link.generate import generate
-from unity_link.hardware import Module
+from unity_link.modules import Module
 from unity_link.spec import compile_text
 
 SPEC = compile_text("""

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
     from unity_link.data import Proxy
-    from unity_link.hardware import Bus
+    from unity_link.modules import Bus
 
 
 FEWEST = 12

@@ -31,7 +31,7 @@ from unity_link.data.proxies import OPERATORS, Proxy
 from unity_link.data.robot import Component, Robot
 from unity_link.data.sampling import GroupSubscription
 from unity_link.errors import ArgumentError, OfLink
-from unity_link.hardware import Module
+from unity_link.modules import Module
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

@@ -14,7 +14,7 @@ from typing_extensions import TypeVar
 
 from unity_link.data.callbacks import Callback, Registration
 from unity_link.errors import ArgumentError, Sealed, missing
-from unity_link.hardware import link_under
+from unity_link.modules import link_under
 
 if TYPE_CHECKING:
     import enum
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from unity_link.errors import BusError
-    from unity_link.hardware import Bus
+    from unity_link.modules import Bus
     from unity_link.spec.kinds import Enumeration
     from unity_link.spec.model import Interface, Signal
 

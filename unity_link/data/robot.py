@@ -20,8 +20,8 @@ from unity_link.data.ports import Port, ReadPort, WritePort
 from unity_link.data.proxies import Proxy, signals_table
 from unity_link.data.signals import Readable, ReadWrite, Writable
 from unity_link.errors import ArgumentError, OfLink, UnknownNameError, UnsupportedError, did_you_mean, missing
-from unity_link.hardware import Fifo, Memory, Module
 from unity_link.link.link import NOT_CONNECTED, Link
+from unity_link.modules import Fifo, Memory, Module
 from unity_link.network import TosnetNetwork, TosnetNode
 from unity_link.protocol.configuration import Feature
 from unity_link.spec.model import Access, ComponentArray, ParameterReference
@@ -30,8 +30,8 @@ if TYPE_CHECKING:
     import enum
     from collections.abc import Iterable, Iterator, Mapping
 
-    from unity_link.hardware import Bus
     from unity_link.link.connection import Connection
+    from unity_link.modules import Bus
     from unity_link.spec import model
     from unity_link.spec.kinds import Enumeration
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Coroutine, Mapping
 
     from unity_link.data.proxies import Proxy
-    from unity_link.hardware import Bus
+    from unity_link.modules import Bus
 
 
 async def write_values(values: Mapping[Proxy[Any], Any], *, posted: bool = False) -> None:

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from unity_link.spec import EnumValue, Interface, Kind, Signal
 
 IMPORTED = ("ClassVar", "Component", "Link", "Literal", "Mapping", "NamedNumber", "Robot")
-"""Names that the module has for itself, beside those of proxies and hardware modules."""
+"""Names that the module has for itself, beside those of proxies and modules."""
 
 
 _IMPORTED_PACKAGES = {"anyio", "jinja2", "lark", "msgspec", "numpy", "unity_link"}
@@ -232,7 +232,7 @@ def _modules(interface: Interface) -> tuple[tuple[str, tuple[str, ...]], ...]:
     """Return the classes of the modules that have names, by the packages that they are imported from."""
     packages: dict[str, set[str]] = {}
     for kind in {MODULE_TYPES[module.type] for module in interface.modules if module.name is not None}:
-        packages.setdefault(kind.__module__.rpartition(".")[0], set()).add(kind.__name__)
+        packages.setdefault(".".join(kind.__module__.split(".")[:2]), set()).add(kind.__name__)
     return tuple((package, tuple(sorted(names))) for package, names in sorted(packages.items()))
 
 

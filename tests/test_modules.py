@@ -11,7 +11,7 @@ import unity_link
 from support.simulated_time import on_simulated_time
 from unity_link import ArgumentError, BusError, GatewayInfo
 from unity_link.data.robot import MODULE_TYPES
-from unity_link.hardware import Fifo, Memory, Module
+from unity_link.modules import Fifo, Memory, Module
 from unity_link.network import TosnetNetwork, TosnetNode
 from unity_link.protocol.messages import ErrorCode
 from unity_link.spec import compile_text

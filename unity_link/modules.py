@@ -1,17 +1,21 @@
-"""The common part of all hardware modules: addresses that count from the module's own first word.
+"""Layer 3, proxies of modules: windows on a gateway's bus, each by addresses of its own.
 
-A module stands on a `Bus`, and gives one to what stands in it: the link itself, or what an outer module puts before
-it, as a TosNet network does to commit what was written.
+A proxy stands on a `Bus`, with or without a spec, and gives one to what stands in it: the link itself, or what an outer
+module puts before it, as a TosNet network does to commit what was written::
+
+    pool = Memory(link, 0x80, size=64)
+    await pool.store(range(64))
 """
+
+# ruff: noqa: D102  (the methods of `Bus` are those of `unity_link.Link`, which says what they do)
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, Protocol, cast
 
 import numpy as np
 
 from unity_link.errors import ArgumentError, Sealed
-from unity_link.hardware.bus import link_under
 from unity_link.protocol.numbers import whole_number
 
 if TYPE_CHECKING:
@@ -19,9 +23,35 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
 
-    from unity_link.hardware.bus import Bus
+    from unity_link.link.link import Link
     from unity_link.link.subscription import Sample, Subscription
     from unity_link.protocol.arrays import Words
+    from unity_link.protocol.configuration import GatewayInfo
+
+__all__ = ["Bus", "Fifo", "Memory", "Module", "link_under"]
+
+
+class Bus(Protocol):
+    """A link, or what a module puts before it. The latter names the link as ``link``."""
+
+    gateway: GatewayInfo
+
+    async def read(self, address: int, /) -> int: ...
+    async def write(self, address: int, value: int, /) -> None: ...
+    async def write_masked(self, address: int, value: int, mask: int, /) -> int: ...
+    async def post(self, address: int, value: int, /) -> None: ...
+    async def read_block(self, address: int, count: int, /) -> Words: ...
+    async def write_block(self, address: int, values: ArrayLike, /) -> None: ...
+    async def read_queue(self, address: int, count: int, /) -> Words: ...
+    async def write_queue(self, address: int, values: ArrayLike, /) -> None: ...
+    async def read_many(self, addresses: ArrayLike, /) -> Words: ...
+    async def write_many(self, addresses: ArrayLike, values: ArrayLike, /) -> None: ...
+    async def post_many(self, addresses: ArrayLike, values: ArrayLike, /) -> None: ...
+
+
+def link_under(bus: Bus) -> Link:
+    """Return the link that a bus stands on."""
+    return cast("Link", getattr(bus, "link", bus))
 
 
 class Module(Sealed):
@@ -118,3 +148,77 @@ class Module(Sealed):
     ) -> Subscription:
         """Subscribe to offsets that the gateway samples; `unity_link.Link.subscribe` documents the options."""
         return self.link.subscribe([self.address(offset) for offset in offsets], callback=callback, **options)
+
+
+class Memory(Module):
+    """Plain memory, or registers that have no proxy of their own: MEMORY in a spec.
+
+    Every word reads back what was written last. Offsets are words.
+    """
+
+    def __len__(self) -> int:
+        """Return the number of words."""
+        return self._known_size()
+
+    def __bool__(self) -> bool:
+        """Be true: a memory is no container of the program's."""
+        return True
+
+    async def load(self) -> Words:
+        """Read all of it; shape (words,)."""
+        return await self.read_block(0, self._known_size())
+
+    async def store(self, values: ArrayLike) -> None:
+        """Write all of it, or its beginning."""
+        await self.write_block(0, values)
+
+    async def fill(self, value: int = 0) -> None:
+        """Write the same word everywhere."""
+        await self.write_block(0, np.full(self._known_size(), value, np.uint64))
+
+    def _known_size(self) -> int:
+        if self.size is None:
+            raise ArgumentError(f"{self!r}: its size is not known; give SIZE in the spec, or size=")
+        return self.size
+
+
+class Fifo(Module):
+    """A queue behind one address: FIFO in a spec.
+
+    | offset | read | write |
+    |---|---|---|
+    | 0 | takes the oldest word | appends a word |
+
+    An empty or a full queue is the gateware's business: a bus error, which is raised here, or a wait state.
+    """
+
+    SIZE = 1
+
+    def __init__(self, bus: Bus, base: int = 0, *, size: int | None = None, words: int | None = None) -> None:
+        """Stand on a link.
+
+        Args:
+            bus: as for `Module`.
+            base: address of the port.
+            size: as for `Module`.
+            words: depth of the queue, where it is known.
+        """
+        super().__init__(bus, base, size=size)
+        self.words = words
+
+    async def take(self, count: int) -> Words:
+        """Take `count` words; shape (count,).
+
+        Raises:
+            AnswerLostError: where words were taken from the queue, but lost on the way.
+            BusError: where the queue had fewer, if the gateware says so; those that it had are gone.
+        """
+        return await self.bus.read_queue(self.address(0), count)
+
+    async def append(self, values: ArrayLike) -> None:
+        """Append words.
+
+        Raises:
+            BusError: where there was no room for all, if the gateware says so; the first ones were appended.
+        """
+        await self.bus.write_queue(self.address(0), np.atleast_1d(np.asarray(values)))
