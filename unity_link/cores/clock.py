@@ -52,6 +52,10 @@ class TickBounds:
 
     def __init__(self, hertz: int) -> None:
         self.hertz = hertz
+        self.forget()
+
+    def forget(self) -> None:
+        """Begin anew, for a clock that was reset."""
         self.read_at: float | None = None
         """Instant of this machine's clock at which the last reading had come; None before the first."""
         self._asked_at = 0.0

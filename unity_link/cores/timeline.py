@@ -7,21 +7,33 @@ room in the queue from the registers of the schedule. Nothing runs in the backgr
 from __future__ import annotations
 
 from collections import deque
+from contextlib import suppress
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple, Self
-from weakref import WeakKeyDictionary
 
 from unity_link.cores import CoreRegisters
 from unity_link.cores.batches import FATES, FRAME, MOST_WORDS, batch_of
 from unity_link.cores.clock import Instant, TickBounds, TickClock
-from unity_link.errors import ArgumentError, LateError, OfLink, Sealed, refusing
+from unity_link.errors import (
+    ArgumentError,
+    GatewayResetError,
+    LateError,
+    LinkLostError,
+    NotArmedError,
+    OfLink,
+    Outcome,
+    Sealed,
+    UnansweredError,
+    UnityLinkError,
+    refusing,
+)
 from unity_link.link.asked import Asked
-from unity_link.link.synchronisation import running
+from unity_link.link.synchronisation import Lock, running
 from unity_link.protocol.numbers import real_number
 from unity_link.spec.model import STAGE_BITS
 
 if TYPE_CHECKING:
-    from collections.abc import Generator, Mapping, Sequence
+    from collections.abc import Callable, Generator, Mapping, Sequence
     from types import TracebackType
 
     from unity_link.cores.lease import Lease
@@ -118,8 +130,10 @@ class Done(OfLink):
         """Words that it takes in the queue."""
         self.acted: bool | None = None
         """True if it has acted, False if it will not; None where that is not known yet."""
-        self.told = False
-        """True if its error was raised."""
+        self.error: UnityLinkError | None = None
+        """Error that says why it has not, where the gateway does not."""
+        self.is_awaited = False
+        """True if its error is raised there."""
         self._feed = feed
 
     def __repr__(self) -> str:
@@ -137,12 +151,20 @@ class Done(OfLink):
         Raises:
             LateError: where it has not, and will not.
             NotArmedError: where that is since the lease of what it writes is not armed.
-            LinkLostError: where the link has ended.
+            GatewayResetError: where the gateway was reset, which voids what its schedule has.
+            LinkLostError: where the link has ended, or the connection was lost while words of it were under way.
         """
-        await self._feed.wait_for(self)
-        if not self.acted:
-            self.told = True
-            raise await self._feed.failure([self])
+        self.is_awaited = True
+        try:
+            await self._feed.wait_for(self)
+            error = None if self.acted else await self._feed.failure([self])
+        except UnityLinkError:
+            raise
+        except BaseException:
+            self.is_awaited = False
+            raise
+        if error is not None:
+            raise error
         return self.instant
 
 
@@ -156,11 +178,16 @@ class ScheduleFeed:
     def __init__(self, registers: ScheduleRegisters) -> None:
         self.registers = registers
         self._link = registers.link
+        self._session = self._link.interruptions
         self._bounds = TickBounds(self._link.gateway.clock_hz)
         self.time = TickClock(self._bounds)
         self.line: object | None = None
         """The timeline that is open."""
-        self._has_begun = False
+        self.has_begun = False
+        """True from the beginning to what cancels it."""
+        self._looking = Lock()
+        self._is_torn = False
+        """True if words may not have come."""
         self._pending: deque[Done] = deque()
         """Batches that are sent, and whose end is not known."""
         self._unsure: list[Done] = []
@@ -180,41 +207,81 @@ class ScheduleFeed:
 
     async def begin(self) -> None:
         """Cancel what is there, and begin."""
-        await self._read_clock()
-        self._give_up()
-        await self.registers.cancel.set(1)
-        look = await self._ask()
-        while True:
-            # What was cancelled ends one batch a cycle.
-            again = await self._ask()
-            if again.ended == look.ended and again.refused == look.refused:
-                break
-            look = again
-        self._ended, self._base, self._counted = again.ended, again.late + again.refused, 0
-        self._late, self._refused, self._room = again.late, again.refused, again.room
-        self._last, self.acted = None, 0
-        self._has_begun = True
+        async with self._looking:
+            await self._read_clock()
+            await self.cancel()
+            look = await self._ask()
+            while True:
+                # What was cancelled ends one batch a cycle.
+                again = await self._ask()
+                if again.ended == look.ended and again.refused == look.refused:
+                    break
+                look = again
+            self._ended, self._base, self._counted = again.ended, again.late + again.refused, 0
+            self._late, self._refused, self._room = again.late, again.refused, again.room
+            self._last, self.acted = None, 0
+            self._is_torn, self.has_begun = False, True
 
     async def cancel(self) -> None:
         """Cancel what was sent and has not acted."""
-        self._give_up()
-        self._has_begun = False
+        self.give_up()
+        self._failed.clear()
         await self.registers.cancel.set(1)
 
-    def _give_up(self) -> None:
+    def give_up(self, error: Callable[[Done], UnityLinkError] | None = None) -> None:
+        """Want nothing more of what was sent; `error` returns the one of each write."""
+        self.has_begun = False
         for queued in self._queued:
             queued.give_up()
         self._queued.clear()
-        for done in (*self._pending, *self._unsure):
+        for done in (*self._unsure, *self._pending):
             done.acted = False
+            if error is not None:
+                done.error = error(done)
+                self._failed.append(done)
         self._pending.clear()
         self._unsure.clear()
-        self._failed.clear()
 
-    async def _read_clock(self) -> None:
-        asked = running().time()
-        ticks = await self.registers.clock.get()
-        self._bounds.read(int(ticks), asked, running().time())
+    async def _read_clock(self) -> bool:
+        """Read the gateway's clock; return whether it was reset, which voids what was sent."""
+        session, asked = self._link.interruptions, running().time()
+        ticks, now = int(await self.registers.clock.get()), running().time()
+        if session != self._link.interruptions:
+            return await self._read_clock()
+        bounds = self._bounds
+        is_new, self._session = session != self._session, session
+        was_reset = is_new and bounds.read_at is not None and ticks < bounds.least(now)
+        # The last cycle in which something may have acted.
+        last = bounds.most(now) - (ticks if was_reset else 0)
+        if was_reset:
+            bounds.forget()
+        bounds.read(ticks, asked, now)
+        if was_reset:
+            self._void(GatewayResetError, "the gateway was reset", last)
+        elif await self._has_lost_words():
+            # Those behind them would be taken for others.
+            await self.registers.cancel.set(1)
+            self._void(LinkLostError, "words were lost on the way", bounds.most(running().time()))
+        return was_reset
+
+    async def _has_lost_words(self) -> bool:
+        """Return whether words have not come for sure."""
+        while self._queued and self._queued[0].done() and not self._is_torn:
+            with suppress(UnansweredError):
+                await self._take_answer()
+        return self._is_torn
+
+    def _void(self, kind: type[LinkLostError], reason: str, last: int) -> None:
+        def error(done: Done) -> LinkLostError:
+            outcome = Outcome.NOT_EXECUTED if done.instant.ticks > last else Outcome.UNKNOWN
+            return kind(f"{reason}, and {self.registers.name} has forgotten the write at {done.instant}", outcome)
+
+        self.give_up(error)
+
+    async def _see_session(self) -> bool:
+        """Return whether the gateway was reset, which voids what was sent."""
+        is_as_before = self._session == self._link.interruptions and not self._is_torn
+        return not is_as_before and await self._read_clock()
 
     async def clock(self) -> TickClock:
         """Read the gateway's clock; return it."""
@@ -223,9 +290,23 @@ class ScheduleFeed:
 
     # Feeding
 
+    async def check(self, instant: Instant) -> None:
+        """Raise what there is to say before a write at an instant.
+
+        Raises:
+            LateError: for an earlier write that has not acted, and whose error was not raised.
+            NotArmedError: where that is since the lease is not armed.
+            GatewayResetError: where the gateway was reset since the last write, and its clock with it.
+        """
+        was_reset = await self._see_session()
+        await self.raise_failures()
+        if was_reset:
+            reason = f"the gateway was reset, and its clock with it: {instant} is an instant of before"
+            raise GatewayResetError(reason, Outcome.NOT_EXECUTED)
+
     async def ready(self) -> None:
         """Begin, if that is still to be done, and see to it that the clock is known."""
-        if not self._has_begun:
+        if not self.has_begun:
             await self.begin()
         elif self._bounds.is_old(running().time()):
             await self._read_clock()
@@ -243,15 +324,7 @@ class ScheduleFeed:
         """
         batch = batch_of(instant.ticks, words)
         self._check(instant, batch)
-        if len(self._pending) > LOOK_BEHIND:
-            # The ends of those that are far behind can no longer be told apart.
-            behind = self._pending[LOOK_BEHIND].instant.ticks
-            if behind < self._bounds.least(running().time()):
-                await self._look(lease)
-        while self._room < len(batch):
-            await self._look(lease)
-            if self._room < len(batch):
-                await self._pause(max(len(batch) - self._room, self.registers.depth // PARTS), lease)
+        await self._wait_for_room(instant, len(batch), lease)
         self._last = instant
         self._room -= len(batch)
         self._sent += len(batch)
@@ -262,8 +335,32 @@ class ScheduleFeed:
             part = batch[start : start + most]
             self._queued.append(Asked(self._link, self.registers.entry.signal.address, write=part, to_queue=True))
         while self._queued and (self._queued[0].done() or len(self._queued) > MOST_UNDER_WAY):
-            await self._queued.popleft().words()
+            await self._take_answer()
         return done
+
+    async def _wait_for_room(self, instant: Instant, size: int, lease: Lease | None) -> None:
+        if self._is_passed(LOOK_BEHIND):
+            # The ends of those that are far behind can no longer be told apart.
+            await self._look(lease)
+        while self.has_begun and self._room < size:
+            await self._look(lease)
+            if self._room < size:
+                await self._pause(max(size - self._room, self.registers.depth // PARTS), lease)
+        if not self.has_begun:
+            await self.raise_failures()
+            raise LateError(f"{self.registers.name} was cancelled before the write at {instant}", instant.ticks)
+
+    def _is_passed(self, place: int) -> bool:
+        """Return whether the instant of a batch that is under way has passed for sure."""
+        pending = self._pending
+        return len(pending) > place and pending[place].instant.ticks < self._bounds.least(running().time())
+
+    async def _take_answer(self) -> None:
+        try:
+            await self._queued.popleft().words()
+        except UnansweredError:
+            self._is_torn = True
+            raise
 
     def _check(self, instant: Instant, batch: Sequence[int]) -> None:
         name = self.registers.name
@@ -299,39 +396,70 @@ class ScheduleFeed:
     async def drain(self, lease: Lease | None = None) -> None:
         """Wait until it is known of each batch."""
         while self._queued:
-            await self._queued.popleft().words()
+            # It is told below, of the instants for which they were.
+            with suppress(UnansweredError):
+                await self._take_answer()
         while self._pending or self._unsure:
             await self._look(lease)
             if self._pending:
                 await self._pause(self.registers.depth, lease)
 
-    async def raise_failures(self) -> None:
-        """Raise the error of the batches that are known not to have acted, and whose own was not raised.
+    async def see(self, *, is_connected: bool) -> None:
+        """Raise the error of what is known not to have acted, and is not awaited, as a fence does.
+
+        What has passed is waited for, and what is to act later is not. A timeline tells in its own block of what it
+        writes.
+
+        Args:
+            is_connected: False where the gateway cannot be asked.
 
         Raises:
             LateError: for what came too late.
             NotArmedError: for what was refused since its lease is not armed.
+            LinkLostError: for what nothing is known of, since the connection was lost or the gateway reset.
         """
-        failed = [done for done in self._failed if not done.told]
+        if self.line is not None:
+            return
+        if is_connected:
+            await self._see_session()
+            while self._pending or self._unsure:
+                await self._look()
+                if not self._unsure and not self._is_passed(0):
+                    break
+                await running().sleep(SHORTEST_PAUSE)
+        else:
+            self._void(LinkLostError, "the connection was lost", self._bounds.most(running().time()))
+        await self.raise_failures()
+
+    async def raise_failures(self) -> None:
+        """Raise the error of the batches that are known not to have acted, and are not awaited.
+
+        Raises:
+            LateError: for what came too late.
+            NotArmedError: for what was refused since its lease is not armed.
+            LinkLostError: for what was forgotten.
+        """
+        failed = [done for done in self._failed if not done.is_awaited]
         self._failed.clear()
         if failed:
             raise await self.failure(failed)
 
     async def failure(self, failed: Sequence[Done]) -> Exception:
         """Return the error for batches that have not acted."""
+        first, others = failed[0], len(failed) - 1
+        if first.error is not None:
+            return first.error
+        more = f", and {others} more up to {failed[-1].instant}" if others else ""
+        what = f"{self.registers.name} has not made the write at {first.instant}{more}"
         if self.registers.lease is not None and self._refused:
             from unity_link.cores.lease import LeaseRegisters
 
             lease = LeaseRegisters(self.registers.robot, self.registers.lease)
             condition = await lease.condition()
             if not condition.armed:
-                return await lease.fault(condition)
-        first, others = failed[0].instant, len(failed) - 1
-        more = f", and {others} more up to {failed[-1].instant}" if others else ""
-        return LateError(
-            f"{self.registers.name} has not made the write at {first}{more}: it came too late, or was cancelled",
-            first.ticks,
-        )
+                fault = await lease.fault(condition)
+                return NotArmedError(f"{what}: {fault}", fault.reason, fault.instant)
+        return LateError(f"{what}: it came too late, or was cancelled", first.instant.ticks)
 
     async def _ask(self) -> _Look:
         """Read the registers; the counters are as new as the ends, or newer."""
@@ -351,8 +479,19 @@ class ScheduleFeed:
         """See which batches have ended, and how much room there is."""
         if lease is not None:
             await lease.kick()
-        sent = self._sent
-        look = await self._ask()
+        async with self._looking:
+            sent = self._sent
+            try:
+                look = await self._ask()
+            except GatewayResetError:
+                # The link goes on, and what was sent is forgotten.
+                look = await self._ask()
+            await self._see_session()
+            if self.has_begun:
+                await self._take(look, sent)
+
+    async def _take(self, look: _Look, sent: int) -> None:
+        """Take what the registers have said, when so many words were sent."""
         self._room = look.room - (self._sent - sent)
         new = (look.ended - self._ended) % _NUMBERS
         if new > len(self._pending):
@@ -401,6 +540,7 @@ async def set_at(proxy: Proxy[Any], value: Any, at: Instant) -> Done:
         ArgumentError: for a signal that no schedule times, a value that it does not take, what is no instant, and while
             a timeline feeds the schedule.
         LateError: where an earlier write has not acted.
+        GatewayResetError: where the gateway was reset since the last one: an instant is one of before.
     """
     schedule = proxy.signal.timed
     if schedule is None:
@@ -410,21 +550,19 @@ async def set_at(proxy: Proxy[Any], value: Any, at: Instant) -> Done:
     if feed.line is not None:
         raise ArgumentError(f"{schedule} is fed by a timeline of this link: its `set` takes {proxy.path} as well")
     instant, words = check_instant(at, feed.time), registers.words_of({proxy: value})
+    await feed.check(instant)
     await feed.ready()
-    await feed.raise_failures()
     return await feed.send(instant, words)
 
 
-_FEEDS: WeakKeyDictionary[Any, dict[int, ScheduleFeed]] = WeakKeyDictionary()
-
-
 def feed_of(registers: ScheduleRegisters) -> ScheduleFeed:
-    """Return the writer of a schedule on its link."""
-    feeds = _FEEDS.setdefault(registers.link, {})
+    """Return the writer of a schedule on its link, of which the fences of that tell."""
+    told = registers.link.told_by_fence
     address = registers.entry.signal.address
-    if address not in feeds:
-        feeds[address] = ScheduleFeed(registers)
-    return feeds[address]
+    if address not in told:
+        told[address] = ScheduleFeed(registers)
+    feed: ScheduleFeed = told[address]
+    return feed
 
 
 class Timeline(Sealed):
@@ -498,7 +636,7 @@ class Timeline(Sealed):
                 await self._feed.cancel()
             else:
                 # What ends a program waits for no answer.
-                self._feed._give_up()  # noqa: SLF001  (the same room)
+                self._feed.give_up()
                 await self._feed.registers.cancel.post(1)
         finally:
             self._is_on = False
@@ -520,6 +658,7 @@ class Timeline(Sealed):
                 was sent.
             LateError: where an earlier write has not acted.
             NotArmedError: where that is since the lease is not armed.
+            GatewayResetError: where the gateway was reset, which voids what was set and ends the line.
             LinkLostError: when the link has ended.
         """
         self._check_on()
@@ -532,7 +671,7 @@ class Timeline(Sealed):
     async def put(self, words: Mapping[int, int], at: Instant) -> Done:
         """Write words to places of the stage at an instant; like `set` otherwise."""
         await self._kick()
-        await self._feed.raise_failures()
+        await self._feed.check(at)
         return await self._feed.send(at, words, self._lease)
 
     def delay(self, seconds: float) -> None:

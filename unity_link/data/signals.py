@@ -112,7 +112,7 @@ class Writable(Proxy[T], Generic[T, S]):
 
         Returns:
             With `at`, what can be awaited until it has acted: it gives the instant, or raises `LateError`. Where that
-            is not awaited, the next such `set` raises it.
+            is not awaited, the next such `set` raises it, or the link's next `fence`.
 
         Raises:
             ArgumentError: for a value outside of the limits, or that the kind cannot say. Nothing was sent. With `at`,

@@ -142,6 +142,8 @@ class Connection:
         self._resumption: Job | None = None
         _CONNECTIONS.add(self)
         self._sessions = 0
+        self.interruptions = 0
+        """Sessions that were lost and are opened again; the gateway may have been reset since."""
         self._opened_again_at = -math.inf
         """Instant of the last attempt to connect again that succeeded."""
         self._lost_at_once = 0
@@ -216,6 +218,7 @@ class Connection:
         self._session_ended(event.error)
 
     def _session_ended(self, error: LinkLostError) -> None:
+        self.interruptions += 1
         self._fail_restoring(error)
         self._interrupted(error.reason)
 

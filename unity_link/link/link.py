@@ -122,6 +122,8 @@ class Link(OfLink, Connection):
         self._posted = False
         self._posted_error: UnityLinkError | None = None
         self._posted_failures = 0
+        self.told_by_fence: dict[int, Any] = {}
+        """Writers in the gateway's own time, each with a `see`, by their addresses: a fence raises their errors."""
         self._flow.handlers |= {PostedFailure: self._note_posted, **self._publishing.handlers}
 
     # Life
@@ -160,13 +162,13 @@ class Link(OfLink, Connection):
         A gateway that is away is not waited for: what is not known of posted writes is then one of their errors.
         """
         try:
-            if error is None and self._posted:
+            if error is None and (self._posted or self.told_by_fence):
                 if self.connected:
                     with contextlib.suppress(LinkLostError):
                         await self._fence(leaving=True)
                 # A program that closes its link in the block knows that it gives up what is under way.
                 if not self._closed_by_program:
-                    self._raise_posted()
+                    await self._raise_errors()
         finally:
             await self.aclose()
 
@@ -284,7 +286,8 @@ class Link(OfLink, Connection):
         """Wait until everything that was asked for before has been executed.
 
         Raises:
-            UnityLinkError: the first error of the writes posted since the last fence.
+            UnityLinkError: the first error of the writes posted since the last fence; or, of writes at instants that
+                are not awaited, the one of the first that is known not to have acted. Those to come are not waited for.
         """
         self._posted = False
         try:
@@ -296,7 +299,7 @@ class Link(OfLink, Connection):
         except BaseException:
             self._posted = True
             raise
-        self._raise_posted()
+        await self._raise_errors()
 
     async def _fence(self, *, leaving: bool) -> None:
         await self._flow.answer(Fence(self._flow.codec, of_session=leaving))
@@ -308,6 +311,11 @@ class Link(OfLink, Connection):
             BusTimeoutError: where a server answers, whose gateway is away.
         """
         await self._flow.answer(Request(self._flow.codec, "H", b"", 0, of_session=True))
+
+    async def _raise_errors(self) -> None:
+        self._raise_posted()
+        for writer in tuple(self.told_by_fence.values()):
+            await writer.see(is_connected=self.connected)
 
     def _raise_posted(self) -> None:
         first, count = self._posted_error, self._posted_failures
