@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import itertools
 import random
 from typing import TYPE_CHECKING, Any
 
@@ -321,6 +322,39 @@ async def test_the_clock_is_known_as_well_as_it_says() -> None:
         assert abs(drift) <= unsure + 1e-9
         assert clock.offset == pytest.approx(clock.time_of(Instant(0, HZ)))
         assert "known to" in repr(clock)
+
+
+SAMPLED = compile_text("""
+group state(RATE=100, TIMESTAMPS);
+public robot() {
+  GATEWAY(ADDRESS_BITS=12);
+  free: SCHEDULE(DEPTH=64) @(0x100);
+  @lamp = 0x40: unsigned 8 READWRITE(TIMED(free));
+  @light = 0x60: READ(PUBLISH(state));
+}
+""")
+
+
+@on_simulated_time
+async def test_a_write_follows_a_sample_by_a_time_that_is_exact_to_the_cycle() -> None:
+    gateway = simulated(SAMPLED.interface(), Plant)
+    async with unity_link.connect(gateway) as link:
+        robot: Any = unity_link.load(SAMPLED)(link)
+        clock = await robot.free.clock()
+        instants: list[Instant] = []
+        async for sample in robot.groups["state"]:
+            taken = clock.sampled(sample.time)
+            assert abs(clock.now().ticks - taken.ticks) <= HZ // 100
+            await robot.lamp.set(len(instants), at=taken.after(0.02))
+            instants.append(taken)
+            if len(instants) == 100:
+                break
+        assert {(after.ticks - before.ticks) for before, after in itertools.pairwise(instants)} == {HZ // 100}
+        await asyncio.sleep(0.1)
+        await link.fence()
+        assert [cycle for cycle, _ in gateway.robot.of("lamp")] == [taken.ticks + HZ // 50 for taken in instants]
+        with pytest.raises(ArgumentError, match="the time of a sample with a timestamp is a number of seconds"):
+            clock.sampled(None)
 
 
 def test_blocking_programs_write_at_instants() -> None:

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import asyncio
+import time
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any
 
 import pytest
 import trio
+import trio.testing
 
 import unity_link
+from support.simulated_time import on_simulated_time
 from unity_link import blocking
-from unity_link.link.synchronisation import Event, Lock, gather
+from unity_link.link.synchronisation import Event, Lock, gather, running
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine
@@ -89,3 +92,47 @@ def test_an_event_is_waited_for_by_all(way: Callable[..., int]) -> None:
         await event.wait()
 
     assert way(program, 3) & 1
+
+
+# The clock that nobody adjusts
+
+
+async def _steady() -> float:
+    return running().steady()
+
+
+def _under_asyncio() -> float:
+    return asyncio.run(_steady())
+
+
+def _under_trio(clock: trio.abc.Clock | None = None) -> float:
+    async def program() -> float:
+        async with unity_link.connect("sim:"):
+            return await _steady()
+
+    return trio.run(program, clock=clock)
+
+
+def _in_blocking_code() -> float:
+    with blocking.connect("sim:") as link:
+        seconds: float = link._call(_steady)
+        return seconds
+
+
+@pytest.mark.parametrize("read", [_under_asyncio, _under_trio, _in_blocking_code])
+def test_the_steady_clock_is_the_one_that_all_programs_have_in_common(read: Callable[[], float]) -> None:
+    before = time.clock_gettime(time.CLOCK_MONOTONIC_RAW)
+    seconds = read()
+    assert before <= seconds <= time.clock_gettime(time.CLOCK_MONOTONIC_RAW)
+
+
+@on_simulated_time
+async def test_the_steady_clock_of_a_modelled_loop_is_its_own() -> None:
+    await asyncio.sleep(1000)
+    assert running().steady() == asyncio.get_running_loop().time()
+
+
+def test_the_steady_clock_under_a_modelled_clock_of_trio_is_that_one() -> None:
+    clock = trio.testing.MockClock(rate=1)
+    clock.jump(1e9)
+    assert _under_trio(clock) == pytest.approx(1e9, abs=1e6)

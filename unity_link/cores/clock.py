@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 import msgspec
 
@@ -11,11 +12,16 @@ from unity_link.link.freshness import MOST_DRIFT
 from unity_link.link.synchronisation import running
 from unity_link.protocol.numbers import real_number
 
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
 READ_AGAIN = 10.0
 """Seconds after which the gateway's clock is read anew: the estimate is off by what quartzes drift apart meanwhile,
 2 ms, and by the time that the answer was on its way."""
 _LEAST_APART = 0.1
 """Seconds between two readings that tell how fast the gateway's clock is."""
+TURN = 1 << 32
+"""Ticks after which a timestamp comes again."""
 
 
 class Instant(msgspec.Struct, frozen=True, order=True):
@@ -89,6 +95,12 @@ class TickBounds:
         """Return what it is at most."""
         return self._ticks + int((now - self._asked_at) * (1 + MOST_DRIFT) * self.hertz) + 1
 
+    def nearest(self, timestamp: int, now: float) -> int:
+        """Return what it was at a timestamp of 32 bits, which is the nearest that there is."""
+        # To the most that it is: a compiled gateway is ahead by the cycles that an answer takes.
+        most = self.most(now)
+        return most + (timestamp - most + TURN // 2) % TURN - TURN // 2
+
     def is_old(self, now: float) -> bool:
         """Return whether it should be read anew."""
         return self.read_at is None or now - self.read_at > READ_AGAIN
@@ -107,11 +119,17 @@ class TickBounds:
 
 
 class TickClock:
-    """The clock of a gateway, by this machine's: that of the event loop, which is `time.monotonic` but in models."""
+    """The clock of a gateway, by this machine's ``CLOCK_MONOTONIC_RAW`` in seconds.
 
-    def __init__(self, bounds: TickBounds) -> None:
+    All programs of a machine have that clock in common, as ``time.clock_gettime(time.CLOCK_MONOTONIC_RAW)``, and
+    nothing adjusts it. Where a system has none it is `time.perf_counter`, and in models of time the modelled one.
+    """
+
+    def __init__(self, bounds: TickBounds, timestamp_of: Callable[[float], int]) -> None:
         self._bounds = bounds
-        self._time = running().time
+        self._timestamp_of = timestamp_of
+        self.time: Callable[[], float] = running().steady
+        """Returns this machine's clock."""
 
     @property
     def clock_hz(self) -> int:
@@ -120,12 +138,24 @@ class TickClock:
 
     def now(self) -> Instant:
         """Return the instant that it is now, as near as is known."""
-        return self.at(self._time())
+        return self.at(self.time())
 
     def at(self, time: float) -> Instant:
         """Return the instant at a time of this machine's clock (seconds), as near as is known."""
         bounds = self._bounds
         return Instant((bounds.least(time) + bounds.most(time)) // 2, bounds.hertz)
+
+    def sampled(self, time: float) -> Instant:
+        """Return the instant at which a sample was taken.
+
+        Args:
+            time: of the sample, which has a timestamp and is no older than half a turn of 32 bits: 42 s at 50 MHz.
+
+        Raises:
+            ArgumentError: for a sample without a timestamp, whose time is None.
+        """
+        seconds = real_number(time, "the time of a sample with a timestamp is a number of seconds")
+        return Instant(self._bounds.nearest(self._timestamp_of(seconds), self.time()), self.clock_hz)
 
     def time_of(self, instant: Instant) -> float:
         """Return when an instant is by this machine's clock (seconds).
@@ -135,7 +165,7 @@ class TickClock:
         """
         if instant.clock_hz != self.clock_hz:
             raise ArgumentError(f"{instant!r} is of another clock: this one has {self.clock_hz} Hz")
-        now = self._time()
+        now = self.time()
         return now + (instant.ticks - self.at(now).ticks) / self.clock_hz
 
     @property
@@ -146,7 +176,7 @@ class TickClock:
     @property
     def error(self) -> float:
         """Most seconds by which `now` is off; it grows with the time since the clock was read."""
-        now = self._time()
+        now = self.time()
         return (self._bounds.most(now) - self._bounds.least(now)) / 2 / self.clock_hz
 
     @property

@@ -14,7 +14,7 @@ from collections import deque
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, Self
 
 from unity_link.cores import AtPins, CoreRegisters, Model, RobotVerbs, Verbs
-from unity_link.cores.clock import TickBounds
+from unity_link.cores.clock import TURN, TickBounds
 from unity_link.errors import (
     ArgumentError,
     BusError,
@@ -51,8 +51,6 @@ MOST_KICKS = 16
 """Kicks that are under way; the next one waits for the first of them."""
 BUFFER = 16_384
 """Samples that wait for the body of a loop, as in `unity_link.Link.subscribe`."""
-_TURN = 1 << 32
-"""Ticks after which a timestamp comes again."""
 _REASONS = ("none_yet", "disarmed", "silence", "estop")
 _ENDED = {"disarmed": "was disarmed", "silence": "has run out", "estop": "was stopped by its e-stop"}
 _ARMED, _FAULT = 1, 2
@@ -289,14 +287,14 @@ class Lease(Sealed):
         return self
 
     async def _read_clock(self) -> None:
-        asked = running().time()
+        asked = running().steady()
         ticks = await self._registers.clock.get()
-        self._clock.read(int(ticks), asked, running().time())
+        self._clock.read(int(ticks), asked, running().steady())
 
     async def _arm(self) -> None:
         registers = self._registers
         self._token = secrets.randbits(TOKEN_BITS)
-        self._end = self._clock.least(running().time()) + self._ticks
+        self._end = self._clock.least(running().steady()) + self._ticks
         before, error, after = await gather(registers.condition(), self._write_arm(), registers.condition())
         self._arms = after.arms
         is_mine = after.armed and not before.armed and after.arms == (before.arms + 1) % MOST_ARMS and error is None
@@ -339,7 +337,7 @@ class Lease(Sealed):
             await self._disarm()
 
     def _has_ended(self) -> bool:
-        return self._is_over or self._clock.least(running().time()) >= self._end
+        return self._is_over or self._clock.least(running().steady()) >= self._end
 
     async def _disarm(self) -> None:
         try:
@@ -398,7 +396,7 @@ class Lease(Sealed):
                     advice = f"declare it with them, as in group {group.name}(RATE=500, TIMESTAMPS)"
                     raise ArgumentError(f"{group.name} has no timestamps, of which kicks are made: {advice}")
                 last = self._ticks_of(samples[-1].time, last)
-                self._clock.see(last, running().time())
+                self._clock.see(last, running().steady())
                 for sample in samples:
                     self._check_on()
                     await self._kick(last + self._ticks)
@@ -419,10 +417,8 @@ class Lease(Sealed):
         """Return the gateway's clock at the time of a sample; `last` is that of the one before."""
         timestamp = self._link.timestamp_of(time)
         if last is not None:
-            return last + (timestamp - last) % _TURN
-        # The nearest one: a compiled gateway is ahead of this machine's clock by the cycles that an answer takes.
-        most = self._clock.most(running().time())
-        return most + (timestamp - most + _TURN // 2) % _TURN - _TURN // 2
+            return last + (timestamp - last) % TURN
+        return self._clock.nearest(timestamp, running().steady())
 
     async def kick(self) -> None:
         """Move the end of the lease to a time-out from now.
@@ -437,9 +433,9 @@ class Lease(Sealed):
             LinkLostError: when the link has ended.
         """
         self._check_on()
-        if self._clock.is_old(running().time()):
+        if self._clock.is_old(running().steady()):
             await self._read_clock()
-        await self._kick(self._clock.least(running().time()) + self._ticks)
+        await self._kick(self._clock.least(running().steady()) + self._ticks)
 
     def _check_on(self) -> None:
         if not self._is_on:

@@ -180,7 +180,7 @@ class ScheduleFeed:
         self._link = registers.link
         self._session = self._link.interruptions
         self._bounds = TickBounds(self._link.gateway.clock_hz)
-        self.time = TickClock(self._bounds)
+        self.time = TickClock(self._bounds, self._link.timestamp_of)
         self.line: object | None = None
         """The timeline that is open."""
         self.has_begun = False
@@ -244,8 +244,8 @@ class ScheduleFeed:
 
     async def _read_clock(self) -> bool:
         """Read the gateway's clock; return whether it was reset, which voids what was sent."""
-        session, asked = self._link.interruptions, running().time()
-        ticks, now = int(await self.registers.clock.get()), running().time()
+        session, asked = self._link.interruptions, running().steady()
+        ticks, now = int(await self.registers.clock.get()), running().steady()
         if session != self._link.interruptions:
             return await self._read_clock()
         bounds = self._bounds
@@ -261,7 +261,7 @@ class ScheduleFeed:
         elif await self._has_lost_words():
             # Those behind them would be taken for others.
             await self.registers.cancel.set(1)
-            self._void(LinkLostError, "words were lost on the way", bounds.most(running().time()))
+            self._void(LinkLostError, "words were lost on the way", bounds.most(running().steady()))
         return was_reset
 
     async def _has_lost_words(self) -> bool:
@@ -308,7 +308,7 @@ class ScheduleFeed:
         """Begin, if that is still to be done, and see to it that the clock is known."""
         if not self.has_begun:
             await self.begin()
-        elif self._bounds.is_old(running().time()):
+        elif self._bounds.is_old(running().steady()):
             await self._read_clock()
 
     async def send(self, instant: Instant, words: Mapping[int, int], lease: Lease | None = None) -> Done:
@@ -353,7 +353,7 @@ class ScheduleFeed:
     def _is_passed(self, place: int) -> bool:
         """Return whether the instant of a batch that is under way has passed for sure."""
         pending = self._pending
-        return len(pending) > place and pending[place].instant.ticks < self._bounds.least(running().time())
+        return len(pending) > place and pending[place].instant.ticks < self._bounds.least(running().steady())
 
     async def _take_answer(self) -> None:
         try:
@@ -378,7 +378,7 @@ class ScheduleFeed:
         for done in self._pending:
             size -= done.size
             if size <= 0 or done is self._pending[-1]:
-                pause = max(self.time.time_of(done.instant) - running().time(), pause)
+                pause = max(self.time.time_of(done.instant) - running().steady(), pause)
                 break
         if lease is not None:
             pause = min(pause, lease.timeout / KICKS)
@@ -389,7 +389,7 @@ class ScheduleFeed:
     async def wait_for(self, done: Done) -> None:
         """Wait until it is known what became of a batch."""
         while done.acted is None:
-            left = self.time.time_of(done.instant) - running().time()
+            left = self.time.time_of(done.instant) - running().steady()
             await running().sleep(max(left, SHORTEST_PAUSE))
             await self._look()
 
@@ -428,7 +428,7 @@ class ScheduleFeed:
                     break
                 await running().sleep(SHORTEST_PAUSE)
         else:
-            self._void(LinkLostError, "the connection was lost", self._bounds.most(running().time()))
+            self._void(LinkLostError, "the connection was lost", self._bounds.most(running().steady()))
         await self.raise_failures()
 
     async def raise_failures(self) -> None:

@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any, Never, ParamSpec, TypeVar
 from unity_link.errors import ArgumentError
 from unity_link.link.connection import forked
 from unity_link.link.loop_thread import Relay, run_in_loop
-from unity_link.link.runtime import report
+from unity_link.link.runtime import report, unadjusted_time
 from unity_link.link.synchronisation import CALLING
 from unity_link.link.timers import Timers
 from unity_link.link.waiter import Result
@@ -122,6 +122,7 @@ class CallingThread:
 
     def __init__(self) -> None:
         self.time = time.monotonic
+        self.steady = unadjusted_time
         self.create_future = self.create_lone_future = CallWaiter
         self.ended = ()
         self._lock = threading.RLock()

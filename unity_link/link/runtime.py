@@ -29,6 +29,18 @@ SHORTEST_SLEEP = 0.0002
 """Seconds that are not slept: an event loop sleeps whole milliseconds, and a sign of loss may be due much sooner."""
 
 
+_UNADJUSTED = getattr(time, "CLOCK_MONOTONIC_RAW", None)
+
+
+def unadjusted_time() -> float:
+    """Return ``CLOCK_MONOTONIC_RAW`` in seconds; `time.perf_counter`, where a system has none.
+
+    It goes as the machine's quartz does. Other clocks are made quicker and slower by what sets the time by a network,
+    some by a part in ten.
+    """
+    return time.perf_counter() if _UNADJUSTED is None else time.clock_gettime(_UNADJUSTED)
+
+
 def report(message: str, error: BaseException) -> None:
     """Log an error that no call can raise: of a program's own callback, or of what runs beside the calls."""
     log.error(message, exc_info=error)
@@ -82,6 +94,9 @@ class Runtime(Protocol):
 
     def time(self) -> float:
         """Return the time in seconds, from any origin."""
+
+    def steady(self) -> float:
+        """Return the time in seconds of a clock that nobody adjusts, `unadjusted_time` but in models of time."""
 
     def create_future(self) -> Waiter:
         """Return what a coroutine can await."""
@@ -292,6 +307,9 @@ class AsyncioRuntime:
         # The loop's own methods: nothing stands between them and the calls, nor between the calls and its clock.
         is_monotonic = getattr(loop.time, "__func__", None) is asyncio.BaseEventLoop.time
         self.time = time.monotonic if is_monotonic else loop.time
+        # A loop of asyncio that has a clock of its own models time.
+        models_time = isinstance(loop, asyncio.BaseEventLoop) and not is_monotonic
+        self.steady = loop.time if models_time else unadjusted_time
         self.create_future = loop.create_future
         self.call_soon = loop.call_soon
         self.call_soon_threadsafe = loop.call_soon_threadsafe

@@ -13,10 +13,11 @@ from typing import TYPE_CHECKING, Any, Self
 
 import anyio
 import anyio.lowlevel
+import trio
 from anyio.from_thread import BlockingPortal
 
 from unity_link.link.loop_thread import Relay, run_in_loop
-from unity_link.link.runtime import report
+from unity_link.link.runtime import report, unadjusted_time
 from unity_link.link.synchronisation import STRUCTURED
 from unity_link.link.timers import Timers
 from unity_link.link.waiter import Result
@@ -80,6 +81,9 @@ class Structured:
 
     def __init__(self) -> None:
         self.time = anyio.current_time
+        # Another clock than the system's models time.
+        is_real = type(trio.lowlevel.current_clock()).__name__ == "SystemClock"
+        self.steady = unadjusted_time if is_real else anyio.current_time
         self.create_future = self.create_lone_future = TaskWaiter
         self.ended = ()
         self.sleep = anyio.sleep
