@@ -76,6 +76,32 @@ FAULTS = {
     ),
     "a value is torn by reads in a row": ("bank_registers pipelined in_a_row", "position_keeps", "position_kept"),
     "a module's strobe does not fall": ("bank_registers pipelined in_a_row", "rests", "1'b0"),
+    "a write without a lease is taken": ("leased_registers", "allowed", "1'b1"),
+    "a register keeps its value without a lease": (
+        "leased_registers",
+        r"n\d+_o(?= = n\d+_o \? 8'b01011010 : (?P<kept>n\d+_o);)",
+        r"\g<kept>",
+    ),
+    "half a value outlives its lease": (
+        "leased_registers",
+        r"n\d+_o(?= = n\d+_o \? 32'b0+ : (?P<kept>n\d+_o);)",
+        r"\g<kept>",
+    ),
+    "a shadow outlives its lease": (
+        "leased_registers",
+        r"n\d+_o(?= = n\d+_o \? 2'b00 : (?P<kept>n\d+_o);)",
+        r"\g<kept>",
+    ),
+    "a write at an instant moves what holds": (
+        "leased_registers",
+        r"n\d+_o(?= = drive_armed_from_core & axis_goal_pending;)",
+        "axis_goal_pending",
+    ),
+    "a write at an instant acts twice": (
+        "leased_registers",
+        r"n\d+_o(?= = plan_commit \? 1'b0 : speed_pending;)",
+        "speed_pending",
+    ),
     "no session is needed": ("ul_request_executor", r"(?P<bit>\w+)(?= = r\[3\];.*\n.* = ~(?P=bit);)", "1'b1"),
     "every numbered request is executed": ("at_most_once", r"\w+(?= = r\[15\];)", "1'b1"),
     "a gap is told again and again": ("at_most_once", r"(?P<told>\w+)(?= = r\[12\];.*\n.* = ~(?P=told);)", "1'b0"),

@@ -104,6 +104,7 @@ PROOFS = [
         # A classic bank also stands behind a pipelined master.
         for ways in ((), ("PIPELINED",), ("PIPELINED", "IN_A_ROW"))
     ),
+    Proof("leased_registers", {"description": False}, spec="leased", induction_steps=3),
     Proof("ul_request_executor", {"data_bits": 8, "id_digits": 2, "room_bits": 3}),
     Proof(
         "at_most_once",

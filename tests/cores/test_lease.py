@@ -149,6 +149,18 @@ async def test_without_kicks_all_is_safe_at_the_end_and_each_signal_until_it_is_
             assert (world.seen("left.value"), world.seen("left.rest")) == (0, 7)
 
 
+@on_simulated_time
+async def test_half_a_value_that_was_written_before_a_lease_ended_is_in_none_behind_it() -> None:
+    world = World(TEXT.replace("  @lamp", "  @far = 0x30: unsigned 64 READWRITE(SAFE(3, drive));\n  @lamp"))
+    async with unity_link.connect(world.gateway) as link:
+        robot = world.kind(link)
+        async with robot.armed():
+            await link.write(0x30, 0xFFFF)
+        async with robot.armed():
+            await link.write(0x31, 1)
+            assert world.seen("far") == 1 << 32
+
+
 async def set_one(robot: Any) -> None:
     await robot.left.value.set(3)
 

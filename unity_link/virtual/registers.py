@@ -186,6 +186,14 @@ class Cell:
         self.take(self._raw_with(part, word))
         return True
 
+    def make_safe(self) -> None:
+        """Take the safe value, but for one with HOLD, and forget the words of a value that is not whole."""
+        assert self.signal.safe is not None
+        self._gathered = [0] * self.signal.words
+        if self.signal.safe.bits is not None:
+            self.raw = self.signal.safe.bits
+            self.value = self.signal.kind.decode(self.raw)
+
     def _raw_with(self, part: int, word: int) -> int:
         words = [*self._gathered[:part], word]
         whole = sum(one << index * self.signal.word_bits for index, one in enumerate(words))
@@ -322,11 +330,7 @@ class Registers:
             lease: its path.
         """
         for cell in self._guarded.get(lease, ()):
-            assert cell.signal.safe is not None
-            if cell.signal.safe.bits is None:
-                continue
-            cell.raw = cell.signal.safe.bits
-            cell.value = cell.signal.kind.decode(cell.raw)
+            cell.make_safe()
 
     def _read_description(self, address: int) -> int:
         if address == self._page_number:
