@@ -18,7 +18,7 @@ With a spec of what stands behind the gateway, the same by names and in units::
 import importlib
 import signal
 import sys
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar, overload
 
 # A command that is still being loaded ends at Ctrl-C without a traceback; `unity_link.cli.main` takes the signal back.
 if sys.argv[0].endswith("unity-link") and signal.getsignal(signal.SIGINT) is signal.default_int_handler:
@@ -39,6 +39,7 @@ from unity_link.errors import (
     Outcome,
     OutOfRangeError,
     SamplesLostError,
+    SpecMismatchError,
     UnansweredError,
     UnityLinkError,
     UnsupportedError,
@@ -56,7 +57,10 @@ if TYPE_CHECKING:
     from unity_link import blocking as blocking
     from unity_link import data as data
     from unity_link.data.loading import LoadedRobot
+    from unity_link.data.robot import Robot
     from unity_link.spec import Spec
+
+    R = TypeVar("R", bound=Robot)
 
 __version__ = "0.1.0"
 
@@ -84,6 +88,7 @@ __all__ = [
     "Reconnect",
     "Sample",
     "SamplesLostError",
+    "SpecMismatchError",
     "Statistics",
     "Subscription",
     "UnansweredError",
@@ -114,22 +119,37 @@ def load(spec: "str | Path | Spec", interface: str | None = None) -> "type[Loade
     return load_class(spec, interface)
 
 
-async def robot(link: Link) -> "LoadedRobot":
-    """Return the robot behind a link to a gateway that carries its description: nothing else has to be known of it.
+@overload
+async def robot(link: Link, spec: "str | Path | Spec | None" = None, /, **parameters: int | None) -> "LoadedRobot": ...
+@overload
+async def robot(link: Link, spec: "type[R]", /, **parameters: int | None) -> "R": ...
+async def robot(
+    link: Link, spec: "str | Path | Spec | type[Robot] | None" = None, /, **parameters: int | None
+) -> "Robot":
+    """Return the robot behind a link: that of a spec, compared with the board's, or of the board's own.
 
-    The description is the spec that the gateway was generated from, and is read in some round trips. Cores have the
-    verbs of the package, or of another that is installed.
+    A gateway that was generated from a spec can carry its description: that spec, which is read in some round trips.
+    Without a spec, nothing else has to be known of the board; cores have the verbs of the package, or of another that
+    is installed. With one, the board is taken where all that the spec declares is there alike: addresses, bits, types,
+    scales, units, limits, groups, leases, cores. It may have more. The description is read where the fingerprint of the
+    gateway is not that of the spec; a gateway without a description is compared by its fingerprint alone, as by
+    ``Scara(link)``.
 
     Args:
         link: open.
+        spec: path of a spec, a compiled one, or the class of a robot, loaded or generated.
+        parameters: those of the interface that have no value, as for the class.
 
     Raises:
-        UnsupportedError: where the gateway carries no description, or one that cannot be read here.
+        SpecMismatchError: where the gateway was generated from another spec; it says what differs.
+        UnsupportedError: where the gateway's description is needed, and it carries none, or one that cannot be read.
+        SpecError: as by `load`.
+        ArgumentError: as by `load`, and for a parameter that there is not.
         LinkLostError: when the link has ended.
     """
     from unity_link.data.describing import robot_behind
 
-    return await robot_behind(link)
+    return await robot_behind(link, spec, **parameters)
 
 
 if not TYPE_CHECKING:  # It would have every name be known to a type checker.

@@ -44,6 +44,19 @@ class UnsupportedError(UnityLinkError):
     """The gateway was built without the feature that the call needs, or speaks another protocol version."""
 
 
+class SpecMismatchError(UnsupportedError):
+    """The gateway was generated from another spec than the program's. Nothing was written to a signal."""
+
+    def __init__(self, message: str, differences: tuple[str, ...] = ()) -> None:
+        super().__init__(message)
+        self.differences = differences
+        """All differences in words, such as ``"tilt: SCALE is 0.1 in robot.ul and 0.2 on the board"``; empty where they
+        are not known: the gateway carries no description, or it was not read."""
+
+    def __reduce__(self) -> Any:
+        return type(self), (str(self), self.differences)
+
+
 class SamplesLostError(UnityLinkError):
     """A subscription with ``overflow="fail"`` was read too slowly, and its buffer is full."""
 

@@ -221,12 +221,12 @@ def unity_link_modelled_time() -> Callable[[Coroutine[Any, Any, Any]], Any]:
     return run
 
 
-def _robot(settings: GatewaySettings, link: Link) -> Robot:
+async def _robot(settings: GatewaySettings, link: Link) -> Robot:
     import unity_link
 
     if settings.spec is None:
         raise pytest.UsageError("a robot needs a spec: pytest.mark.unity_link(spec='robot.ul'), or unity_link_spec")
-    return unity_link.load(settings.spec)(link)
+    return await unity_link.robot(link, settings.spec)
 
 
 async def _a_link(unity_link_open: Callable[[], AbstractAsyncContextManager[Link]]) -> AsyncIterator[Link]:
@@ -245,9 +245,9 @@ async def unity_link_anyio_link(
 
 
 @pytest.fixture
-def unity_link_anyio_robot(unity_link_settings: GatewaySettings, unity_link_anyio_link: Link) -> Robot:
+async def unity_link_anyio_robot(unity_link_settings: GatewaySettings, unity_link_anyio_link: Link) -> Robot:
     """Return the robot of the spec in a test of anyio's plugin."""
-    return _robot(unity_link_settings, unity_link_anyio_link)
+    return await _robot(unity_link_settings, unity_link_anyio_link)
 
 
 if importlib.util.find_spec("pytest_asyncio") is not None:
@@ -255,7 +255,7 @@ if importlib.util.find_spec("pytest_asyncio") is not None:
 
     unity_link_link = pytest_asyncio.fixture(_a_link, name="unity_link_link")
 
-    @pytest.fixture
-    def unity_link_robot(unity_link_settings: GatewaySettings, unity_link_link: Link) -> Robot:
+    @pytest_asyncio.fixture
+    async def unity_link_robot(unity_link_settings: GatewaySettings, unity_link_link: Link) -> Robot:
         """Return the robot of the spec in a test of pytest-asyncio."""
-        return _robot(unity_link_settings, unity_link_link)
+        return await _robot(unity_link_settings, unity_link_link)

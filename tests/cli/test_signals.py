@@ -159,6 +159,30 @@ def test_a_spec_that_is_not_the_gateways_is_refused_before_a_write_unless_the_ur
     assert "map=some" in run("get", "sim:?map=some", rover).stderr
 
 
+def test_commands_say_in_a_sentence_what_differs_from_the_spec_of_the_board(rover: str, tmp_path: Path) -> None:
+    other = tmp_path / "board.ul"
+    other.write_text(SPEC.replace("SCALE=0.5", "SCALE=0.25").replace("  @ticks", "  @more = 0x20: READ();\n  @ticks"))
+    url = f"sim:{other}"
+    for command in (
+        ["get", url, rover],
+        ["set", url, rover, "left=1"],
+        ["watch", url, rover, "left", "--count", "1"],
+        ["record", url, rover, "--poll", "10", "--output", str(tmp_path / "run.mcap"), "--duration", "5"],
+        ["live", url, rover, "--poll", "10", "--no-browser"],
+        ["ros2", rover, "--link", url, "--poll", "10"],
+    ):
+        result = run(*command)
+        assert (result.returncode, result.stdout) == (1, ""), command
+        assert "left: SCALE is 0.5 in rover.ul and 0.25 on the board" in result.stderr
+        assert "Traceback" not in result.stderr
+    result = run("doctor", url, rover)
+    assert result.returncode == 1
+    assert "wrong spec: left: SCALE is 0.5 in rover.ul and 0.25 on the board" in result.stdout
+    other.write_text(SPEC.replace("  @ticks", "  @more = 0x20: READ();\n  @ticks"))
+    assert run("set", url, rover, "left=1").stdout == "left  1 m/s\n"
+    assert "the gateway has all of rover alike" in run("doctor", url, rover).stdout
+
+
 def test_the_command_line_is_a_module_too() -> None:
     command = [sys.executable, "-m", "unity_link", "--version"]
     assert subprocess.run(command, capture_output=True, text=True, check=True).stdout.startswith("unity-link ")
@@ -251,6 +275,16 @@ def test_stop_disarms_all_leases_of_a_spec_which_may_stand_anywhere(leased: str)
     assert run("stop", "sim:?address_bits=12", UNITY_LINK_SPEC=leased) == both
     printed = json.loads(run("stop", f"sim:{leased}", "--json").stdout)
     assert printed["leases"] == {"drive": {"was_armed": False}, "arm": {"was_armed": False}}
+
+
+def test_stop_disarms_the_leases_of_a_board_whose_spec_is_another(leased: str, tmp_path: Path) -> None:
+    board = tmp_path / "board.ul"
+    board.write_text(LEASES.replace("0x10:", "0x11:").replace("arm: LEASE() @(0x200)", "arm: LEASE() @(0x300)"))
+    result = run("stop", f"sim:{board}", leased)
+    assert (result.returncode, result.stdout) == (0, "drive: was not armed\narm: was not armed\n")
+    assert (
+        "speed: address is 0x10 in rover.ul and 0x11 on the board: the leases are those of the board" in result.stderr
+    )
 
 
 def test_a_lease_that_cannot_be_disarmed_leaves_no_other_one_armed(leased: str) -> None:

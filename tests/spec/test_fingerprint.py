@@ -16,8 +16,19 @@ def test_the_same_map_has_the_same_fingerprint_wherever_it_was_read_from() -> No
     assert 0 < interface.fingerprint < 1 << 32
 
 
-def test_what_a_program_alone_sees_of_a_signal_is_not_in_it() -> None:
-    assert interface_of(MAP.replace("mm", "m")).fingerprint == interface_of(MAP).fingerprint
+@pytest.mark.parametrize(
+    "members",
+    [
+        MAP.replace("; @y", "; /// Doc.\n @y"),
+        MAP.replace("READ(", 'READ(ID="other", '),
+        "; ".join(reversed(MAP.removesuffix(";").split("; "))) + ";",
+        MAP.replace("WRITE()", "WRITE(MIN=0, MAX=65535, SCALE=1.0, OFFSET=0, RESET=0)"),
+    ],
+    ids=["comment", "ID", "order", "what holds anyway"],
+)
+def test_what_changes_no_read_or_write_of_a_program_is_not_in_it(members: str) -> None:
+    assert members != MAP
+    assert interface_of(members).fingerprint == interface_of(MAP).fingerprint
 
 
 @pytest.mark.parametrize(
@@ -30,8 +41,13 @@ def test_what_a_program_alone_sees_of_a_signal_is_not_in_it() -> None:
         ("READ(", "READWRITE("),
         ("WRITE()", "WRITE(FIFO)"),
         ("@y", "@z"),
+        ("mm", "m"),
+        ("WRITE()", "WRITE(SCALE=2)"),
+        ("WRITE()", "WRITE(OFFSET=2)"),
+        ("WRITE()", "WRITE(MAX=2)"),
+        ("WRITE()", "WRITE(RESET=2)"),
     ],
-    ids=["address", "bits", "kind", "width", "access", "queue", "name"],
+    ids=["address", "bits", "kind", "width", "access", "queue", "name", "unit", "scale", "offset", "limit", "reset"],
 )
 def test_another_map_has_another_fingerprint(text: str, other: str) -> None:
     assert text in MAP

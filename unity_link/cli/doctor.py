@@ -41,8 +41,9 @@ def doctor(
 ) -> None:
     """Find what is slow or wrong: this computer, the port, the line, the gateway; and say what to do.
 
-    Nothing on the gateway's bus is read or written. Exits with 1 where something is wrong. Under --json each finding
-    is an object: "check", "text", and where something is wrong its name as "fault" and "advice".
+    Nothing on the gateway's bus is read or written, but the spec that a board carries is read where SPEC is another.
+    Exits with 1 where something is wrong. Under --json each finding is an object: "check", "text", and where something
+    is wrong its name as "fault" and "advice".
     """
     expected: Interface | None = None
     if spec is not None:

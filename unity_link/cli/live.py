@@ -112,7 +112,7 @@ class _Shown:
         self._rate = rate
         self._poll = poll
 
-    def behind(self, link: Link) -> tuple[Robot, list[SampledGroup]]:
+    async def behind(self, link: Link) -> tuple[Robot, list[SampledGroup]]:
         """Return the robot behind a link, and its groups."""
         if self._spec is None:
             from unity_link.bridges.live import robot_of_words
@@ -120,8 +120,9 @@ class _Shown:
             return robot_of_words(link, self._words, self._rate)
         from unity_link.bridges.sampled import sampled_groups
         from unity_link.data import load
+        from unity_link.data.describing import robot_behind
 
-        robot = load(self._spec, self._interface)(link)
+        robot = await robot_behind(link, load(self._spec, self._interface))
         return robot, sampled_groups(robot, self._poll)
 
 
@@ -151,7 +152,7 @@ async def _live(
 
     async with contextlib.AsyncExitStack() as stack:
         link = await stack.enter_async_context(connect(url, timeout=timeout, reconnect=True))
-        robot, groups = shown.behind(link)
+        robot, groups = await shown.behind(link)
         foxglove = None
         if foxglove_port is not None:
             foxglove = stack.enter_context(FoxgloveServer(robot, groups, foxglove_port))

@@ -94,11 +94,13 @@ async def _record(  # noqa: PLR0913  (as `record`)
 ) -> None:
     from unity_link.bridges.recording import Recorder, RecordingError
     from unity_link.data import load
+    from unity_link.data.describing import robot_behind
     from unity_link.link.connecting import connect
 
     robot_type = load(spec, interface)
     async with connect(url, timeout=timeout, reconnect=True) as link:
-        recorder = Recorder(robot_type(link), output, poll_hz=poll, overwrite=overwrite, report=print_note)
+        robot = await robot_behind(link, robot_type)
+        recorder = Recorder(robot, output, poll_hz=poll, overwrite=overwrite, report=print_note)
         began = time.monotonic()
         try:
             async with asyncio.timeout(duration):

@@ -67,11 +67,12 @@ async def _ros1(spec: Spec, interface: str | None, url: str, options: dict[str, 
     from unity_link.bridges.ros1 import Ros1Bridge, find_rospy
     from unity_link.bridges.waiting import connect_when_there
     from unity_link.data import load
+    from unity_link.data.describing import robot_behind
 
     robot_type = load(spec, interface)
     find_rospy()
     async with connect_when_there(url, print_note) as link:
-        await run_and_sum_up(Ros1Bridge(robot_type(link), report=print_note, **options))
+        await run_and_sum_up(Ros1Bridge(await robot_behind(link, robot_type), report=print_note, **options))
 
 
 def ros2(  # noqa: PLR0913  (each is an option)
@@ -132,10 +133,11 @@ async def _ros2(spec: Spec, interface: str | None, url: str, settings: BridgeSet
     from unity_link.bridges.ros2 import Ros2Bridge
     from unity_link.bridges.waiting import connect_when_there
     from unity_link.data import load
+    from unity_link.data.describing import robot_behind
 
     robot_type = load(spec, interface)
     async with connect_when_there(url, print_note) as link:
-        await run_and_sum_up(Ros2Bridge(robot_type(link), settings, report=print_note))
+        await run_and_sum_up(Ros2Bridge(await robot_behind(link, robot_type), settings, report=print_note))
 
 
 async def run_and_sum_up(bridge: Ros1Bridge | Ros2Bridge | ZenohBridge) -> None:

@@ -72,12 +72,13 @@ async def _get(
     json: bool,
     timeout: float,  # noqa: ASYNC109  (an option of the command)
 ) -> None:
+    from unity_link.data.describing import robot_behind
     from unity_link.data.groups import Group
     from unity_link.link.connecting import connect
 
     chosen = choose(robot_type, names, "read")
     async with connect(url, timeout=timeout) as link:
-        robot = robot_type(link)
+        robot = await robot_behind(link, robot_type)
         values = await Group(*(robot[path] for path in chosen)).get()
     if json:
         found = {proxy.path: plain(value) for proxy, value in values.items()}
@@ -126,11 +127,12 @@ async def _set(
     json: bool,
     timeout: float,  # noqa: ASYNC109  (an option of the command)
 ) -> None:
+    from unity_link.data.describing import robot_behind
     from unity_link.link.connecting import connect
 
     written: list[Proxy[Any]] = []
     async with connect(url, timeout=timeout) as link:
-        robot = robot_type(link)
+        robot = await robot_behind(link, robot_type)
         for path, value in values:
             proxy: Any = robot[path]
             await proxy.set(value)

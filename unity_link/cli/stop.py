@@ -8,7 +8,7 @@ import typer
 
 from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json, Timeout, Url
 from unity_link.cli.completion import complete_signal
-from unity_link.cli.output import print_json, print_line
+from unity_link.cli.output import print_json, print_line, print_note
 from unity_link.cli.running import run
 from unity_link.cli.signals import is_spec, robot_of, split
 from unity_link.cli.spec import Name  # noqa: TC001  (typer reads the annotations)
@@ -17,6 +17,7 @@ from unity_link.transport import is_url
 
 if TYPE_CHECKING:
     from unity_link.data.loading import LoadedRobot
+    from unity_link.link.link import Link
 
 
 def add_to(app: typer.Typer) -> None:
@@ -66,7 +67,7 @@ async def _stop(
     found: dict[str, bool] = {}
     failed: UnityLinkError | None = None
     async with connect(url, timeout=timeout) as link:
-        for path, lease in leases_of(robot_type(link)).items():
+        for path, lease in leases_of(await _robot_to_stop(link, robot_type)).items():
             try:
                 found[path] = await lease.stop()
             except UnityLinkError as error:
@@ -79,3 +80,17 @@ async def _stop(
             print_line(f"{path}: disarmed" if was_armed else f"{path}: was not armed")
     if failed is not None:
         raise failed
+
+
+async def _robot_to_stop(link: Link, robot_type: type[LoadedRobot]) -> LoadedRobot:
+    """Return the robot of a spec behind a link; where the board's own is another, that one, as a stop does not wait."""
+    from unity_link.data.describing import robot_behind
+    from unity_link.errors import SpecMismatchError
+
+    try:
+        return await robot_behind(link, robot_type)
+    except SpecMismatchError as error:
+        if not error.differences:
+            raise
+        print_note(f"{error.differences[0]}: the leases are those of the board's own spec")
+        return await robot_behind(link)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from contextlib import asynccontextmanager
 from typing import TYPE_CHECKING, Any, Protocol
 
 from unity_link.cli.signals import choose, plain, text
 from unity_link.protocol.numbers import Format, address_text, in_form, to_signed
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import AsyncIterator, Sequence
     from contextlib import AbstractAsyncContextManager
 
     from unity_link.data.batch import GroupSample
@@ -99,13 +100,20 @@ class WatchedSignals:
         self._robot_type = robot_type
         self._group: Group
 
-    def subscribe(self, link: Link, rate_hz: float) -> GroupSubscription:
-        """Return the stream of their samples."""
+    @asynccontextmanager
+    async def subscribe(self, link: Link, rate_hz: float) -> AsyncIterator[GroupSubscription]:
+        """Return the stream of their samples.
+
+        Raises:
+            SpecMismatchError: where the gateway was generated from another spec.
+        """
+        from unity_link.data.describing import robot_behind
         from unity_link.data.groups import Group
 
-        robot = self._robot_type(link)
+        robot = await robot_behind(link, self._robot_type)
         self._group = Group(*(robot[path] for path in self.names))
-        return self._group.subscribe(rate_hz=rate_hz)
+        async with self._group.subscribe(rate_hz=rate_hz) as samples:
+            yield samples
 
     def values(self, sample: GroupSample) -> list[Any]:
         """Return the values in their units."""

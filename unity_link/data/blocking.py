@@ -27,6 +27,7 @@ from unity_link.cores.lease import Lease
 from unity_link.cores.timeline import Done, Timeline
 from unity_link.data import groups
 from unity_link.data.callbacks import Registration
+from unity_link.data.describing import robot_behind
 from unity_link.data.proxies import OPERATORS, Proxy
 from unity_link.data.robot import Component, Robot
 from unity_link.data.sampling import GroupSubscription
@@ -154,13 +155,13 @@ for _name in OPERATORS:
 
 
 def put(robot: type[Robot], link: BlockingLink, /, **parameters: int | None) -> Any:
-    """Put the robot of a spec behind a blocking link; the arguments and errors are those of `Robot`."""
+    """Put the robot of a spec behind a blocking link; what is compared and raised is as by `unity_link.robot`."""
     if not isinstance(link, BlockingLink):
         raise ArgumentError(f"put needs a blocking link, by `unity_link.blocking.connect`, not {link!r:.80}")
     given: object = robot
     if not (isinstance(given, type) and issubclass(given, Robot)):
         raise ArgumentError(f"put needs the class of a robot, by `unity_link.load`, not {robot!r:.80}")
-    return _call(link, robot, link._link, **parameters)  # noqa: SLF001  (another face of the same link)
+    return _call(link, robot_behind, link._link, robot, **parameters)  # noqa: SLF001  (another face of the same link)
 
 
 def Group(*members: View, rate_hz: float | None = None, name: str = "a group") -> Any:  # noqa: N802  (as the class)

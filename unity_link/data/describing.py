@@ -2,30 +2,91 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar, overload
 
 from unity_link.data.loading import load
-from unity_link.errors import UnsupportedError
+from unity_link.data.robot import Robot, check_link
+from unity_link.errors import SpecMismatchError, UnsupportedError
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.description import PAGE_WORDS, description_of, length_of, page_address, pages_of
+from unity_link.spec.comparing import compare, source_name
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from unity_link.data.loading import LoadedRobot
     from unity_link.link.link import Link
-    from unity_link.spec.model import Spec
+    from unity_link.spec.model import Interface, Spec
 
 ATTEMPTS = 5
 """Readings of a description: another program that reads it at the same time turns its pages, too."""
 
 
-async def robot_behind(link: Link) -> LoadedRobot:
+MOST_DIFFERENCES = 5
+"""Differences that an error says."""
+
+R = TypeVar("R", bound=Robot)
+
+
+@overload
+async def robot_behind(link: Link, spec: str | Path | Spec | None = None, **parameters: int | None) -> LoadedRobot: ...
+@overload
+async def robot_behind(link: Link, spec: type[R], **parameters: int | None) -> R: ...
+async def robot_behind(
+    link: Link, spec: str | Path | Spec | type[Robot] | None = None, **parameters: int | None
+) -> Robot:
     """Return the robot behind a link; `unity_link.robot` says more.
 
     Raises:
-        UnsupportedError: as by `read_spec`.
+        UnsupportedError: as by `read_spec`; a SpecMismatchError where the gateway was generated from another spec.
         LinkLostError: when the link has ended.
     """
-    return load(await read_spec(link))(link)
+    robot_type: type[Robot]
+    if spec is None:
+        robot_type = load(await read_spec(link))
+    elif isinstance(spec, type) and issubclass(spec, Robot):
+        robot_type = spec
+    else:
+        robot_type = load(spec)
+    await check_board(robot_type.interface, link)
+    return robot_type(link, **parameters)
+
+
+async def check_board(interface: Interface, link: Link) -> None:
+    """Compare an interface with that of a gateway's description, where the fingerprints are not the same.
+
+    Where it carries none, `check_gateway` compares what can be.
+
+    Raises:
+        SpecMismatchError: where the gateway does not have all of the interface alike.
+        UnsupportedError: where its description cannot be read here.
+        LinkLostError: when the link has ended.
+    """
+    check_link(interface, link)
+    info = link.gateway
+    is_same = Feature.FINGERPRINT in info.features and info.build_id == interface.fingerprint
+    if is_same or link.any_map or interface.fingerprint in link.compatible_maps:
+        return
+    if Feature.DESCRIPTION not in info.features:
+        return
+    differences = compare(interface, (await read_spec(link)).interface())
+    if differences:
+        raise SpecMismatchError(_refusal(differences, source_name(interface)), differences)
+    link.compatible_maps.add(interface.fingerprint)
+
+
+def shown_differences(differences: tuple[str, ...]) -> str:
+    """Return differences as a part of a sentence, the first of them where they are many."""
+    more = len(differences) - MOST_DIFFERENCES
+    return "; ".join(differences[:MOST_DIFFERENCES]) + (f"; and {more} more" if more > 0 else "")
+
+
+def _refusal(differences: tuple[str, ...], name: str) -> str:
+    return (
+        f"the gateway was built from another spec than {name} ({shown_differences(differences)}): "
+        f"load the spec that the gateway was built from, or build it from {name}, "
+        "or write map=any in the URL if you know better"
+    )
 
 
 async def read_spec(link: Link) -> Spec:

@@ -19,7 +19,15 @@ from unity_link.data.groups import Group
 from unity_link.data.ports import Port, ReadPort, WritePort
 from unity_link.data.proxies import Proxy, signals_table
 from unity_link.data.signals import Readable, ReadWrite, Writable
-from unity_link.errors import ArgumentError, OfLink, UnknownNameError, UnsupportedError, did_you_mean, missing
+from unity_link.errors import (
+    ArgumentError,
+    OfLink,
+    SpecMismatchError,
+    UnknownNameError,
+    UnsupportedError,
+    did_you_mean,
+    missing,
+)
 from unity_link.link.link import NOT_CONNECTED, Link
 from unity_link.modules import Fifo, Memory, Module
 from unity_link.network import TosnetNetwork, TosnetNode
@@ -126,11 +134,11 @@ class Robot(Component):
 
         Raises:
             ArgumentError: for a parameter that there is not.
-            UnsupportedError: where the gateway's words are not those of the spec, its addresses are too few, or it was
-                generated from another spec.
+            UnsupportedError: where the gateway's words are not those of the spec, or its addresses are too few.
+            SpecMismatchError: where it was generated from another spec; `unity_link.robot` says what differs.
         """
         interface = self.interface
-        _check_link(interface, link)
+        check_link(interface, link)
         check_gateway(interface, link)
         interface.check_given(parameters)
         own = vars(self)
@@ -321,7 +329,8 @@ def _add_module(attributes: dict[str, Any], described: model.ModuleSpec, module:
         attributes[described.name] = module
 
 
-def _check_link(interface: model.Interface, link: object) -> None:
+def check_link(interface: model.Interface, link: object) -> None:
+    """Raise ArgumentError where something is no open link."""
     if isinstance(link, Link):
         return
     from unity_link.blocking import BlockingLink
@@ -335,7 +344,12 @@ def _check_link(interface: model.Interface, link: object) -> None:
 
 
 def check_gateway(interface: model.Interface, link: Connection) -> None:
-    """Raise UnsupportedError where the gateway of a link is another one than a spec describes."""
+    """Check, as far as its configuration says, that the gateway of a link is the one that a spec describes.
+
+    Raises:
+        SpecMismatchError: where it was generated from another spec.
+        UnsupportedError: where its words or addresses are others.
+    """
     info = link.gateway
     if info.data_bits != interface.data_bits:
         raise UnsupportedError(
@@ -348,11 +362,14 @@ def check_gateway(interface: model.Interface, link: Connection) -> None:
             f"the spec of {interface.name} has addresses up to {highest:#x}, and those of the gateway end at "
             f"{(1 << info.address_bits) - 1:#x}"
         )
-    if Feature.FINGERPRINT in info.features and info.build_id != interface.fingerprint and not link.any_map:
-        raise UnsupportedError(
+    is_told = Feature.FINGERPRINT in info.features and info.build_id != interface.fingerprint
+    if is_told and not link.any_map and interface.fingerprint not in link.compatible_maps:
+        advice = "load the spec that the gateway was built from, or build it from this one"
+        if isinstance(link, Link) and Feature.DESCRIPTION in info.features:
+            advice = f"`await unity_link.robot(link, spec)` says what differs; {advice}"
+        raise SpecMismatchError(
             f"the gateway was built for the map {info.build_id:08X}, and the spec of {interface.name} describes the "
-            f"map {interface.fingerprint:08X}: load the spec that the gateway was built from, or build it from this "
-            "one, or write map=any in the URL if you know what differs"
+            f"map {interface.fingerprint:08X}: {advice}, or write map=any in the URL if you know what differs"
         )
 
 

@@ -1,6 +1,7 @@
 """An open link, against what its medium allows: the gateway's version and map, FIFOs, round trip, throughput, noise.
 
-All that is sent is ``h``, which does nothing and is answered.
+All that is sent is ``h``, which does nothing and is answered; and what reads the description of a gateway whose
+fingerprint is not that of the spec.
 """
 
 from __future__ import annotations
@@ -11,12 +12,15 @@ import time
 from typing import TYPE_CHECKING, NamedTuple
 from urllib.parse import urlencode
 
+from unity_link.data.describing import read_spec, shown_differences
 from unity_link.doctor.answers import has_speed
 from unity_link.doctor.findings import FaultName, Finding
 from unity_link.doctor.media import CHIP_SCHEMES
+from unity_link.errors import UnsupportedError
 from unity_link.link.connecting import connect
 from unity_link.protocol.configuration import PROTOCOL_VERSION, Feature
 from unity_link.protocol.numbers import feature_names
+from unity_link.spec.comparing import compare
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator
@@ -47,6 +51,9 @@ _LONG_LATENCY = 64
 """ms, far above any round trip: what arrives before was sent at once by SIWU#."""
 
 
+_OTHER_SPEC = "give the spec that the gateway was built from, or build the gateway from this one"
+
+
 class Measured(NamedTuple):
     """Result of many requests."""
 
@@ -67,7 +74,7 @@ async def check_gateway(url: DriverUrl, link: Link, interface: Interface | None)
         f"words of {info.data_bits} bits, addresses of {info.address_bits}; "
         f"{', '.join(feature_names(info)) or 'no features'}",
     )
-    yield _check_map(info, interface)
+    yield await _check_map(link, interface)
     rate = bytes_per_second(url)
     yield _check_fifo(info, url)
     round_trip = await _round_trip(link, ROUND_TRIPS)
@@ -84,23 +91,37 @@ def bytes_per_second(url: DriverUrl) -> float | None:
     return _FIFO_BYTES_PER_SECOND if url.scheme in CHIP_SCHEMES else None
 
 
-def _check_map(info: GatewayInfo, interface: Interface | None) -> Finding:
+async def _check_map(link: Link, interface: Interface | None) -> Finding:
+    info = link.gateway
     told = Feature.FINGERPRINT in info.features
     if interface is None:
         return Finding(
             "map", f"{info.build_id:08X}, not compared: no SPEC was given" if told else "the gateway names none"
         )
+    if told and info.build_id == interface.fingerprint:
+        return Finding("map", f"{info.build_id:08X}, that of {interface.name}")
+    if Feature.DESCRIPTION in info.features:
+        return await _compare(link, interface)
     if not told:
         return Finding("map", f"the gateway does not say which it is, so {interface.name} cannot be compared with it")
-    if info.build_id == interface.fingerprint:
-        return Finding("map", f"{info.build_id:08X}, that of {interface.name}")
     return Finding(
         "map",
         f"the gateway was built for the map {info.build_id:08X}, and the spec of {interface.name} describes the map "
         f"{interface.fingerprint:08X}",
         FaultName.SPEC,
-        "give the spec that the gateway was built from, or build the gateway from this one",
+        _OTHER_SPEC,
     )
+
+
+async def _compare(link: Link, interface: Interface) -> Finding:
+    """Compare a spec with that of the board, which is read."""
+    try:
+        differences = compare(interface, (await read_spec(link)).interface())
+    except UnsupportedError as error:
+        return Finding("map", str(error), FaultName.SPEC, _OTHER_SPEC)
+    if not differences:
+        return Finding("map", f"by its description, the gateway has all of {interface.name} alike")
+    return Finding("map", shown_differences(differences), FaultName.SPEC, _OTHER_SPEC)
 
 
 def _check_fifo(info: GatewayInfo, url: DriverUrl) -> Finding:

@@ -121,6 +121,8 @@ class Connection:
         self._new_waiter = self._runtime.create_future
         self.any_map = isinstance(target, DriverUrl) and target.any_map
         """True if robots of another map than the gateway's are taken."""
+        self.compatible_maps: set[int] = set()
+        """Fingerprints of specs of which the gateway has all alike, by its description."""
         self._session = Session(node_of(target), choose_seed, resumes=resumes or reconnect is not None)
         self._flow = Flow(self._session, self._runtime, self._disconnected)
         handlers: dict[type, Callable[[Any], None]] = {

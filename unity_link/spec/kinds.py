@@ -73,6 +73,12 @@ class Enumeration(msgspec.Struct, frozen=True):
         return max(value.value for value in self.values)
 
     @property
+    def names(self) -> str:
+        """All names with their numbers, as a text in the order of these."""
+        named = sorted((value.value, value.name) for value in self.values)
+        return ", ".join(f"{name} = {number}" for number, name in named)
+
+    @property
     def python_type(self) -> type[NamedNumber]:
         """The same as a Python class, made once."""
         return _python_type(self)

@@ -17,7 +17,7 @@ import enum
 import functools
 import hashlib
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence  # noqa: TC003  (msgspec reads the annotations)
+from collections.abc import Callable, Container, Iterator, Mapping, Sequence  # noqa: TC003  (msgspec reads the annotations)
 
 import msgspec
 
@@ -28,6 +28,25 @@ from unity_link.spec.kinds import Enumeration, Kind, Value  # noqa: TC001
 
 STAGE_BITS = 32
 """Bits that a schedule writes at once."""
+WHOLE = "the interface"
+"""Name of an interface among its facts."""
+_HANDLES = frozenset({"CTRL", "COMM"})
+"""Arguments of modules that a program can give when it opens an interface with parameters."""
+
+
+def _facts(**properties: str | None) -> dict[str, str]:
+    """Return those properties that a thing has."""
+    return {what: value for what, value in properties.items() if value is not None}
+
+
+def _number(value: Value) -> str:
+    """Write a number alike whether it is a float or not."""
+    return str(value).lower() if isinstance(value, bool) else repr(value).removesuffix(".0")
+
+
+def _value(kind: Kind, bits: int) -> str:
+    value = kind.decode(bits)
+    return str(getattr(value, "name", None) or _number(value))
 
 
 class Access(enum.StrEnum):
@@ -112,6 +131,16 @@ class Core(msgspec.Struct, frozen=True, kw_only=True):
     def stages(self) -> bool:
         """Return whether it writes to registers of others, at an instant."""
         return "stage" in self.wants
+
+    @property
+    def facts(self) -> dict[str, str]:
+        """As `Interface.facts`."""
+        generics = {
+            f"generic {name}": repr(value) if isinstance(value, str) else _number(value)
+            for name, value in self.generics.items()
+        }
+        triggers = {f"TRIGGER {one.name}": one.group for one in self.triggers if one.group is not None}
+        return {"ENTITY": self.entity, **generics, **triggers}
 
 
 class Safe(msgspec.Struct, frozen=True):
@@ -239,6 +268,42 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
         unit = f" {self.unit}" if self.unit else ""
         return ArgumentError(f"{self.path}: {value} is outside of its limits, {low:.12g} to {high:.12g}{unit}")
 
+    def facts(self, place: int, module: str | None) -> dict[str, str]:
+        """As `Interface.facts`.
+
+        Args:
+            place: its own on the stage of its schedule, if it has one: a program puts values there.
+            module: name of the module that it stands in.
+        """
+        kind, queue = self.kind, "a queue" if self.fifo_words is None else f"{self.fifo_words} words"
+        low, high = kind.range
+        return {
+            "address": f"{self.address:#x}",
+            "lowest bit": str(self.lowest_bit),
+            "type": f"enum {kind.width}" if kind.enumeration is not None else str(kind),
+            "access": str(self.access),
+            **_facts(
+                SCALE=None if kind.scale == 1 else _number(float(kind.scale)),
+                OFFSET=None if kind.offset == 0 else _number(float(kind.offset)),
+                UNIT=repr(self.unit) if self.unit else None,
+                # A limit that the bits have anyway is none.
+                MIN=None if self.minimum is None or self.minimum <= low else _number(self.minimum),
+                MAX=None if self.maximum is None or self.maximum >= high else _number(self.maximum),
+                RESET=_value(kind, self.reset) if self.reset else None,
+                SAFE=None if self.safe is None else self._safe_text(self.safe),
+                TIMED=None if self.timed is None else f"{self.timed}, place {place}",
+                PUBLISH=self.group,
+                FIFO=queue if self.fifo else None,
+                values=None if kind.enumeration is None else kind.enumeration.names,
+                module=module,
+            ),
+            # Who writes a whole word would clear what others have there.
+            **({"its word": "shared with others that are written"} if self.is_field else {}),
+        }
+
+    def _safe_text(self, safe: Safe) -> str:
+        return f"({'HOLD' if safe.bits is None else _value(self.kind, safe.bits)}, {safe.lease})"
+
 
 class ComponentSpec(msgspec.Struct, frozen=True, kw_only=True, tag_field="part", tag="component"):
     """A part of an interface: its signals, and the parts that it is made of. The root is the interface itself."""
@@ -311,6 +376,22 @@ class ModuleSpec(msgspec.Struct, frozen=True, kw_only=True):
         """Number of addresses that it takes: a queue has one by itself; None where the spec does not say."""
         return 1 if self.type == "FIFO" and self.words is None else self.words
 
+    @property
+    def called(self) -> str:
+        """Its path; of one without a name, its type and address."""
+        return self.path or f"{self.type} at {self.base:#x}"
+
+    def facts(self, around: str | None, open_: Container[str]) -> dict[str, str]:
+        """As `Interface.facts`.
+
+        Args:
+            around: name of the module that it stands in.
+            open_: arguments that a program can give.
+        """
+        size = None if self.size is None else str(self.size)
+        arguments = {name: str(value) for name, value in self.arguments.items() if name not in open_}
+        return {"type": self.type, "address": f"{self.base:#x}", **_facts(SIZE=size, module=around), **arguments}
+
 
 class Joint(msgspec.Struct, frozen=True, kw_only=True):
     """One joint of a group that is declared as joints: paths of its signals."""
@@ -350,6 +431,19 @@ class GroupSpec(msgspec.Struct, frozen=True, kw_only=True):
     joints: tuple[Joint, ...] = ()
     doc: str = ""
     span: Span = NOWHERE
+
+    @property
+    def facts(self) -> dict[str, str]:
+        """As `Interface.facts`."""
+        return _facts(
+            RATE=None if self.rate_hz is None else f"{_number(self.rate_hz)} Hz",
+            divisor=None if self.divisor is None else str(self.divisor),
+            # Only there does its number in the gateway matter: each has a trigger of its own.
+            TRIGGER=f"that of number {self.number}" if self.trigger else None,
+            ON_CHANGE="given" if self.on_change else None,
+            IMMEDIATE="given" if self.immediate else None,
+            TIMESTAMPS="given" if self.timestamps else None,
+        )
 
 
 class Parameter(msgspec.Struct, frozen=True):
@@ -483,16 +577,44 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
 
     @functools.cached_property
     def fingerprint(self) -> int:
-        """32 bits that name the map: those of another layout, access or kind are others.
+        """32 bits that name the `facts`, in whatever order the spec declares them.
 
         A gateway that was generated from the interface has them as its build identifier.
         """
-        lines = (
-            f"{signal.path} {signal.address} {signal.lowest_bit} {signal.kind} {signal.access} {signal.fifo}"
-            for signal in self.signals.values()
-        )
-        widths = f"{self.name} {self.address_bits} {self.data_bits}"
-        return int.from_bytes(hashlib.sha256("\n".join([widths, *lines]).encode()).digest()[:4])
+        lines = [
+            "\n".join([thing, *sorted(f"{what}={value}" for what, value in properties.items())])
+            for thing, properties in self.facts.items()
+        ]
+        return int.from_bytes(hashlib.sha256("\n".join(sorted(lines)).encode()).digest()[:4])
+
+    @property
+    def facts(self) -> dict[str, dict[str, str]]:
+        """All that a read or write by a program depends on, in the words of a spec.
+
+        Properties by the names of signals, groups, members of these, cores and modules. Comments, places in files,
+        names that only people read, pins of the board and how a host polls are no part of them. A property that a thing
+        does not have is left out, so that a later word of the language changes no fingerprint of a spec without it.
+        """
+        modules = {number: module.called for number, module in enumerate(self.modules) if module.is_hardware}
+        widths = {"data bits": str(self.data_bits), "address bits": str(self.address_bits)}
+        facts = {WHOLE: {"name": self.name, **widths}}
+        for path, signal in self.signals.items():
+            place = self.stages[path].start if path in self.stages else 0
+            facts[path] = signal.facts(place, _called(modules, signal.module))
+        for group in self.groups:
+            if group.signals:
+                facts[f"group {group.name}"] = group.facts
+                facts.update({f"{path} in group {group.name}": {} for path in group.signals})
+        facts.update({part.path: part.core.facts for part in self.cores if part.core is not None})
+        open_ = _HANDLES if self.parameters else frozenset[str]()
+        for number, name in modules.items():
+            facts[name] = self.modules[number].facts(_called(modules, self.modules[number].parent), open_)
+        return facts
+
+
+def _called(modules: Mapping[int, str], number: int | None) -> str | None:
+    """Return the name of a module, None for one that only holds what stands in it."""
+    return None if number is None else modules.get(number)
 
 
 class SourceFile(msgspec.Struct, frozen=True):

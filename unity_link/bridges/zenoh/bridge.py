@@ -13,6 +13,7 @@ from unity_link.bridges.zenoh.own_link import OwnLink
 from unity_link.bridges.zenoh.samples import Samples
 from unity_link.bridges.zenoh.signals import ZenohSignals
 from unity_link.bridges.zenoh.streams import Streams
+from unity_link.data.describing import robot_behind
 from unity_link.errors import ConnectError, LinkLostError, first_error
 from unity_link.transport import DriverUrl, parse_url, prepare
 from unity_link.transport.zenoh_session import (
@@ -125,7 +126,7 @@ class ZenohBridge:
         link = OwnLink(shared, self._target)
         try:
             await _open(link, shared)
-            robot = self._robot_type(link)
+            robot = await robot_behind(link, self._robot_type)
             groups = sampled_groups(robot, self._poll_hz)
             self._samples = [Samples(session, prefix, sampled, self._every, self._report) for sampled in groups]
             self._signals = ZenohSignals(session, prefix, robot, shared, self._report)

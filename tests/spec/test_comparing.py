@@ -1,0 +1,38 @@
+"""The comparison of a program's spec with a board's: the same, compatible, or the differences in words."""
+
+import random
+from collections import Counter
+from pathlib import Path
+
+import pytest
+
+from support.changed_specs import BALANCER, COMPATIBLE, CORES, INCOMPATIBLE, ROVER, SCARA, WALKER, changed
+from unity_link.data.describing import MOST_DIFFERENCES
+from unity_link.spec import compile_file
+from unity_link.spec.comparing import compare
+
+INCOMPATIBLE_OF = {ROVER: 570, SCARA: 130, WALKER: 30, BALANCER: 40, CORES: 30}
+COMPATIBLE_OF = {ROVER: 150, SCARA: 20, WALKER: 10, BALANCER: 10, CORES: 10}
+
+
+@pytest.mark.parametrize("path", INCOMPATIBLE_OF, ids=lambda path: path.stem)
+def test_each_change_that_a_program_cannot_live_with_is_found_and_named(path: Path) -> None:
+    mine, chance, tried = compile_file(path).interface(), random.Random(path.name), Counter[str]()
+    for _ in range(INCOMPATIBLE_OF[path]):
+        name, change = changed(path, chance, INCOMPATIBLE)
+        tried[name] += 1
+        differences = compare(mine, change.interface)
+        named = [one for one in differences[:MOST_DIFFERENCES] if change.thing in one.partition(": ")[0]]
+        assert any(change.what in one for one in named), (name, change, differences)
+        assert change.interface.fingerprint != mine.fingerprint, (name, change)
+    assert len(tried) > len(INCOMPATIBLE) / 3, tried
+
+
+@pytest.mark.parametrize("path", COMPATIBLE_OF, ids=lambda path: path.stem)
+def test_each_change_that_a_program_can_live_with_is_none(path: Path) -> None:
+    mine, chance, tried = compile_file(path).interface(), random.Random(path.name), Counter[str]()
+    for _ in range(COMPATIBLE_OF[path]):
+        name, change = changed(path, chance, COMPATIBLE)
+        tried[name] += 1
+        assert compare(mine, change.interface) == (), (name, change.text)
+    assert len(tried) > len(COMPATIBLE) / 2, tried
