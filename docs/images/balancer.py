@@ -7,6 +7,7 @@ import runpy
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from docs.images.moving import style
 from unity_link.errors import UnityLinkError
 from unity_link.virtual.build import simulate
 from unity_link.virtual.modelled_time import ModelledTimeLoop
@@ -61,25 +62,12 @@ async def _watch() -> list[Look]:
     return looks
 
 
-def _keyframes(name: str, values: list[str]) -> str:
-    rows = [f"{100 * number / (len(values) - 1):.4g}%{{transform:{value}}}" for number, value in enumerate(values)]
-    return f"@keyframes {name}{{{''.join(rows)}}}"
-
-
-def _shown(name: str, begin: float, end: float) -> str:
-    """Return keyframes of what is there from one instant to another."""
-    first, last = (100 * instant / SECONDS for instant in (begin, end))
-    hidden = "" if begin == 0 else "0%{opacity:0}"
-    gone = "" if end >= SECONDS else f"{last:.4g}%{{opacity:0}}"
-    return f"@keyframes {name}{{{hidden}{first:.4g}%{{opacity:1}}{gone}}}"
-
-
 def _svg(looks: list[Look]) -> str:
     off = next(number for number, look in enumerate(looks) if number / RATE > 1 and not look.is_armed) / RATE
-    parts = {
-        "way": _keyframes("way", [f"translateX({SCALE * look.way:.1f}px)" for look in looks]),
-        "lean": _keyframes("lean", [f"rotate({math.degrees(look.lean):.1f}deg)" for look in looks]),
-        "turn": _keyframes("turn", [f"rotate({math.degrees(look.turn):.0f}deg)" for look in looks]),
+    moves = {
+        "way": [f"transform:translateX({SCALE * look.way:.1f}px)" for look in looks],
+        "lean": [f"transform:rotate({math.degrees(look.lean):.1f}deg)" for look in looks],
+        "turn": [f"transform:rotate({math.degrees(look.turn):.0f}deg)" for look in looks],
     }
     shown = {
         "runs": (0.0, PUSHED),
@@ -89,17 +77,6 @@ def _svg(looks: list[Look]) -> str:
         "off": (off, SECONDS),
         "enabled": (0.0, off),
     }
-    rules = [f".{name}{{animation:{name} {SECONDS:g}s linear infinite}}" for name in parts]
-    rules += [f".{name}{{animation:{name} {SECONDS:g}s step-end infinite}}" for name in shown]
-    frames = [*parts.values(), *(_shown(name, *span) for name, span in shown.items())]
-    style = "\n".join(
-        [
-            "text{font:15px sans-serif;fill:#57606a;text-anchor:middle}",
-            *rules,
-            *frames,
-            "@media (prefers-reduced-motion){*{animation:none!important}.push,.back,.pulled,.off{opacity:0}}",
-        ]
-    )
     captions = {
         "runs": "its program keeps it upright",
         "push": "a hand pushes it",
@@ -111,7 +88,7 @@ def _svg(looks: list[Look]) -> str:
     return f"""<svg viewBox="0 0 500 240" xmlns="http://www.w3.org/2000/svg">
 <title>A robot on two wheels, simulated: it stands, is pushed, and falls when its cable is pulled</title>
 <style>
-{style}
+{style(SECONDS, moves, shown, ".push,.back,.pulled,.off")}
 </style>
 <rect width="500" height="240" rx="8" fill="#f6f8fa"/>
 {texts}<path d="M20 206H480" stroke="#8c959f" stroke-width="2"/>

@@ -23,6 +23,7 @@ from rich.text import Text
 
 from docs.images import wiring
 from docs.images.balancer import draw_balancer
+from docs.images.gantry import draw_gantry
 from docs.images.live import draw_live
 from docs.walkthrough import follow
 
@@ -98,6 +99,7 @@ def rover(picture: Path) -> None:
 PICTURES: dict[str, Callable[[Path], None]] = {
     "demo.svg": demo,
     "balancer.svg": draw_balancer,
+    "gantry.svg": draw_gantry,
     "wiring-uart.svg": wiring.uart,
     "wiring-ft245.svg": wiring.ft245,
     "wiring-rs485.svg": wiring.rs485,

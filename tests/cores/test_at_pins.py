@@ -33,6 +33,7 @@ class Board(dict[str, int]):
         super().__init__(dict.fromkeys(pins, 0))
         self.to_come: list[tuple[int, str, int]] = []
         self.duties: dict[str, float | None] = {}
+        self.pulses = 0
 
     def has(self, name: str) -> bool:
         return name in self
@@ -42,6 +43,10 @@ class Board(dict[str, int]):
 
     def duty(self, name: str) -> float | None:
         return self.duties[name]
+
+    def steps(self, pulse: str, direction: str) -> int:
+        assert (pulse, direction) == ("step", "dir")
+        return self.pulses
 
     def pass_cycle(self, cycle: int) -> int:
         """Take the levels of a cycle; return how many pins have changed."""
@@ -188,11 +193,27 @@ def test_a_plant_reads_what_a_pwm_has_at_its_pins(mode: str, pulse: float, other
         robot.left.value = 3
 
 
+@pytest.mark.parametrize("reverse", [False, True])
+def test_a_plant_reads_the_steps_that_a_step_generator_has_sent(reverse: bool) -> None:
+    board = Board("step", "dir")
+    text = f"public robot() {{ x: STEPGEN(STEPS=40, REVERSE={str(reverse).lower()}) @(0x10); }}"
+    robot, _ = joined(compile_text(text).interface(), "x", board)
+    for pulses, position in ((0, 0.0), (100, 2.5), (-3, -0.075), ((1 << 23) + 1, (1 - (1 << 23)) / 40)):
+        board.pulses = -pulses if reverse else pulses
+        run_step(robot, 0)
+        assert robot.x.position == pytest.approx(position)
+    with pytest.raises(ArgumentError, match=r"x\.velocity is a register of a core, .* has position, or takes sim:"):
+        _ = robot.x.velocity
+
+
 def test_what_has_no_pin_and_what_pins_do_not_tell_is_refused() -> None:
     robot, _ = encoder("FILTER=1", Board("a"))
     for name in ("position", "velocity"):
         with pytest.raises(ArgumentError, match=f"wheel.{name} is a register of a core"):
             getattr(robot.wheel, name)
+    robot, _ = joined(compile_text("public robot() { x: STEPGEN() @(0x10); }").interface(), "x", Board("step"))
+    with pytest.raises(ArgumentError, match=r"x\.position is a register of a core"):
+        _ = robot.x.position
 
 
 def test_a_core_of_a_user_has_a_pin_side(tmp_path: Path) -> None:

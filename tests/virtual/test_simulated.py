@@ -7,6 +7,7 @@ import contextlib
 import logging
 import math
 import subprocess
+import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from unittest import mock
@@ -248,6 +249,21 @@ def test_time_that_nobody_can_make_up_for_is_left_out_and_told(caplog: pytest.Lo
     assert gateway.robot is not None
     assert gateway.robot.now == pytest.approx(10)
     assert "is slower than time: 3.59e+03 s were left out" in caplog.text
+
+
+class Slow(SimulatedRobot):
+    def step(self, dt: float) -> None:
+        time.sleep(3 * dt)
+
+
+@on_simulated_time
+async def test_on_modelled_time_no_robot_is_too_slow(caplog: pytest.LogCaptureFixture) -> None:
+    gateway = simulate(ROVER, Slow)
+    for now in (0.0, 0.2):
+        gateway.receive(b"R11\r", now)
+    assert gateway.robot is not None
+    assert gateway.robot.now == pytest.approx(0.2)
+    assert not caplog.text
 
 
 # Mistakes of a model

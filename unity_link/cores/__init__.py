@@ -110,6 +110,12 @@ class Pins(Protocol):
     def duty(self, pin: str) -> float | None:
         """Return in which part of the clock cycles since the last call a pin was 1; None where there were none."""
 
+    def steps(self, pulse: str, direction: str) -> int:
+        """Return the pulses of an output that began while another one was 0, less those that did while it was 1.
+
+        They are those since the reset, or since the first call for these pins.
+        """
+
     def show(self, name: str, value: Any) -> None:
         """Set the value of a signal, in its unit, that a plant reads."""
 
@@ -156,6 +162,12 @@ class Model(_Placement):
     def __init__(self, component: ComponentSpec, part: Any, around: Surroundings) -> None:
         super().__init__(component, part)
         self.around = around
+
+    def show(self, **values: Any) -> None:
+        """Set the values of signals, by their names. It costs little where a signal has that value."""
+        for name, value in values.items():
+            if getattr(self.part, name) != value:
+                setattr(self.part, name, value)
 
     @property
     def due(self) -> int | None:

@@ -178,7 +178,6 @@ class ScheduleModel(Model):
         self._slack = _NO_SLACK
         self._words = 0
         """Words of the good ones of these."""
-        self._shown: dict[str, int] = {}
         self._show()
 
     def reset(self) -> None:
@@ -276,16 +275,11 @@ class ScheduleModel(Model):
         return unread
 
     def _show(self) -> None:
-        values = {
-            "clock": self.around.now,
-            "fates": self._failed << 16 | self._finished,
-            "late": self._late % (1 << 32),
-            "refused": self._refused % (1 << 32),
-            "slack": self._slack,
-            "room": self._depth - self._unread(),
-        }
-        # To set a value takes longer than to see that it is there.
-        for name, value in values.items():
-            if self._shown.get(name) != value:
-                setattr(self.part, name, value)
-        self._shown = values
+        self.show(
+            clock=self.around.now,
+            fates=self._failed << 16 | self._finished,
+            late=self._late % (1 << 32),
+            refused=self._refused % (1 << 32),
+            slack=self._slack,
+            room=self._depth - self._unread(),
+        )

@@ -1,20 +1,23 @@
-"""A step generator: verbs that wait for a way, and its motion on `sim:`."""
+"""A step generator: verbs that wait for a way, its motion on `sim:`, and its steps at the pins of `rtl:`."""
 
 from __future__ import annotations
 
 import math
 from typing import TYPE_CHECKING, Any
 
-from unity_link.cores import Model, Verbs
+from unity_link.cores import AtPins, Model, Verbs
 from unity_link.cores.lease import LeaseRegisters
 from unity_link.errors import UnityLinkError
 from unity_link.link.synchronisation import gather, running
 
 if TYPE_CHECKING:
+    from unity_link.cores import Pins
     from unity_link.spec.model import ComponentSpec
 
 LOOK_AGAIN = 0.005
 """Seconds between two looks at an axis that is on its way."""
+_ROUND = 1 << 24
+"""Steps at which a position goes round."""
 _CLOSE = 1e-9
 """Part of a way, a speed or a step that is none."""
 
@@ -87,13 +90,16 @@ class StepgenModel(Model):
 
     def reset(self) -> None:
         """Stand at 0."""
-        part = self.part
-        part.position, part.velocity, part.in_position, part.holding = 0, 0, False, True
         self._motion = Motion()
         self._is_fresh = False
+        self._move(0)
 
     def step(self, dt: float) -> None:
         """Move for some time."""
+        if dt:
+            self._move(dt)
+
+    def _move(self, dt: float) -> None:
         part, motion = self.part, self._motion
         self._is_fresh = self._is_fresh and self.around.is_armed
         at_velocity = part.mode == "velocity"
@@ -104,15 +110,38 @@ class StepgenModel(Model):
             motion.go_to(part.position_cmd, limit, accel, dt)
         else:
             motion.go_at(min(max(part.velocity_cmd, -limit), limit) if obeys else 0.0, accel, dt)
-        part.position, part.velocity = motion.place, motion.speed
-        part.holding = not obeys
-        part.in_position = obeys and not at_velocity and motion.stands_at(part.position_cmd)
+        self.show(
+            position=motion.place,
+            velocity=motion.speed,
+            holding=not obeys,
+            in_position=obeys and not at_velocity and motion.stands_at(part.position_cmd),
+        )
 
     def written(self, name: str) -> None:
         """Take a command."""
         if name == "position_cmd":
             self._is_fresh = True
-        self.step(0)
+        self._move(0)
+
+
+class StepgenAtPins(AtPins):
+    """The position is that of the steps that have gone out at the pins, as a motor's driver counts them."""
+
+    shows = frozenset({"position"})
+
+    def __init__(self, component: ComponentSpec, part: Any, around: Pins) -> None:
+        super().__init__(component, part, around)
+        step = abs(next(signal for signal in component.signals if signal.name == "maxaccel").kind.scale)
+        self._step = -step if self.generics.get("reverse", False) else step
+        """One step with the direction 0, in the unit of the position."""
+        if not (around.has("step") and around.has("dir")):
+            self.shows = frozenset()
+
+    def step(self, dt: float) -> None:  # noqa: ARG002  (pulses say more)
+        """Count."""
+        if self.shows:
+            steps = self.around.steps("step", "dir")
+            self.around.show("position", self._step * ((steps + _ROUND // 2) % _ROUND - _ROUND // 2))
 
 
 class Motion:

@@ -32,6 +32,9 @@ class PinsOfCore(Protocol):
     def duty(self, name: str) -> float | None:
         """Return in which part of the clock cycles since the last call a pin was 1."""
 
+    def steps(self, pulse: str, direction: str) -> int:
+        """Return the pulses of an output, those down taken away."""
+
 
 class _Around:
     """The simulation around one model.
@@ -86,7 +89,7 @@ class _AroundPins(_Around):
 
     def __init__(self, models: CoreModels, path: str, pins: PinsOfCore) -> None:
         super().__init__(models, path)
-        self.has, self.drive, self.duty = pins.has, pins.drive, pins.duty
+        self.has, self.drive, self.duty, self.steps = pins.has, pins.drive, pins.duty, pins.steps
 
     def show(self, name: str, value: Any) -> None:
         """Set the value of a signal that a plant reads."""

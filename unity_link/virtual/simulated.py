@@ -16,6 +16,7 @@ Without a class the registers of the spec are memory. `registers` says what a bu
 
 from __future__ import annotations
 
+import asyncio
 import keyword
 import logging
 import math
@@ -375,10 +376,10 @@ class SimulatedRobot(Part):
         return type(self).step is not SimulatedRobot.step
 
     def _step_up_to(self, until: float, size: float, *, until_fired: bool) -> None:
-        wanted, first, started = math.floor(until / size + _SLACK), self._steps, time.perf_counter()
+        wanted, first, started = math.floor(until / size + _SLACK), self._steps, _clock()
         most = first + max(1, round(MOST_AT_ONCE / size))
         while self._steps < wanted and not (until_fired and self.fired):
-            taken = time.perf_counter() - started
+            taken = _clock() - started
             if self._steps >= most or (taken > LONGEST_TURN and taken > (self._steps - first) * size):
                 self._leave_out((wanted - self._steps) * size)
                 return
@@ -443,6 +444,14 @@ class SimulatedRobot(Part):
 
 
 _TAKEN = frozenset({*dir(SimulatedRobot), *SimulatedRobot.__annotations__, *Part.__annotations__})
+
+
+def _clock() -> float:
+    """Return seconds in which a robot may be slower than time: of the event loop, as modelled time waits for it."""
+    try:
+        return asyncio.get_running_loop().time()
+    except RuntimeError:
+        return time.perf_counter()
 
 
 def _free_name(name: str) -> str:

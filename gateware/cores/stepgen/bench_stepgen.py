@@ -116,8 +116,10 @@ class Axis:
     _was_down = False
 
     def needed(self, accel: int) -> int:
-        """Return the way of one more round at this speed, and of those in which it then slows down."""
-        rounds = self.speed // accel if accel else 0
+        """Return the way of one more round at this speed, and of those that slow it down; 0 without a limit."""
+        if not accel:
+            return 0
+        rounds = self.speed // accel
         return self.speed * (1 + rounds) - accel * rounds * (rounds + 1) // 2
 
     def pass_round(self, commands: Commands, *, follows: bool, changed: bool = False) -> None:
@@ -136,7 +138,8 @@ class Axis:
         unit = self._settings.rate_bits - 8
         accel, limit = commands.maxaccel, min(commands.maxvel, self._settings.fastest) << unit
         slower = max(0, self.speed - accel) if accel else 0
-        faster = self.speed + min(accel or limit, limit)
+        base = self.speed if accel else 0
+        faster = base + min(accel or limit, limit)
         self.arrived, stands = False, not self.speed
         if commands.mode:
             bound = most = min(abs(commands.velocity_cmd) << unit, limit)
@@ -149,9 +152,9 @@ class Axis:
             wrong = self.known and bound < 0
         if stands and follows and wrong:
             self.down = not self.down
-        if not follows or wrong or self.speed > most or not (self.known or commands.mode):
+        if not follows or wrong or base > most or not (self.known or commands.mode):
             self.speed = slower
-        elif bound <= faster and (stands or commands.mode):
+        elif bound <= faster and (stands or commands.mode or not accel):
             self.arrived = not bound and not commands.mode
             self.speed = bound
         elif bound > faster and faster <= limit:

@@ -3,7 +3,8 @@
 // What the motion of an axis promises, for any commands, which change in any round: no speed differs from the last one by
 // more than the acceleration, none is above the limit but one that slows down, and the direction changes at standstill
 // alone. An axis that can stop before its target, or stands, never passes it, and is told to be there exactly where it
-// stands there. One that follows nothing slows down, stands, and stays.
+// stands there. One that follows nothing slows down, stands, and stays. Where the acceleration has no limit, the speed is
+// in each round the limit, or all of the way that is left.
 //
 // A round has seven cycles, as in ul_stepgen. The last part is the invariant that makes the proof hold without a bound:
 // `needed` is the sum of the speeds from now on, if the axis slows down.
@@ -66,11 +67,12 @@ module ul_stepgen_ramp_properties #(
 	// The way to the target in the direction of the axis, and what it goes until it stands if it slows down.
 	wire signed [PLACE-1:0] ahead = down ? place - target : target - place;
 	wire signed [PLACE-1:0] next_ahead = down ? next_place - target : target - next_place;
-	wire signed [PLACE:0] stop = {1'b0, needed} - speed, next_stop = {1'b0, next_needed} - next_speed;
+	wire signed [PLACE:0] stop = is_sudden ? 0 : {1'b0, needed} - speed;
+	wire signed [PLACE:0] next_stop = is_sudden ? 0 : {1'b0, next_needed} - next_speed;
 	wire [SPEED-1:0] slower = is_sudden || accel > speed ? 0 : speed - accel;
 	wire [SPEED-1:0] most_wanted = is_position ? taken_limit : taken_wanted;
-	wire [SPEED:0] faster = speed + (is_sudden || accel > taken_limit ? taken_limit : accel);
-	wire [SPEED:0] most = is_sudden ? speed + taken_limit : speed + accel;
+	wire [SPEED:0] faster = is_sudden ? taken_limit : speed + (accel > taken_limit ? taken_limit : accel);
+	wire [SPEED:0] most = is_sudden ? taken_limit : speed + accel;
 
 	always @(posedge clk) if (begun && !clear && stage == 0) begin
 		assert (next_place == (down ? place - next_speed : place + next_speed));
@@ -85,7 +87,7 @@ module ul_stepgen_ramp_properties #(
 			assert (next_speed == slower && next_down == down);
 		if (follows && !is_position && down != is_down)
 			assert (next_speed == slower && next_down == (speed == 0 ? is_down : down));
-		if (follows && !is_position && down == is_down && speed <= most_wanted)
+		if (follows && !is_position && down == is_down && (is_sudden || speed <= most_wanted))
 			assert (next_speed == (faster < most_wanted ? faster : most_wanted));
 
 		// The target.
@@ -93,13 +95,16 @@ module ul_stepgen_ramp_properties #(
 			assert (next_ahead >= 0 && next_stop <= next_ahead);
 			assert (next_known && next_down == down);
 		end
+		if (follows && is_position && known && is_sudden && ahead >= 0)
+			assert (next_speed == (ahead < taken_limit ? ahead[SPEED-1:0] : taken_limit));
 		if (follows && is_position && !known)
 			assert (next_speed == slower);
 		if (follows && is_position && speed == 0 && ahead < 0)
 			assert (next_speed == 0 && next_down != down);
 		if (follows && is_position && speed == 0 && ahead > 0 && taken_limit != 0)
 			assert (next_speed != 0);
-		assert (arrived == (follows && is_position && speed == 0 && place == target && next_speed == 0));
+		assert (arrived == (follows && is_position && (speed == 0 || (known && is_sudden)) && place == target
+				    && next_speed == 0));
 
 		cover (arrived && target == 3);
 		cover (next_speed == 5 && down);
@@ -109,7 +114,7 @@ module ul_stepgen_ramp_properties #(
 	reg [PLACE+SPEED:0] sum;
 
 	always @* begin
-		sum = speed;
+		sum = last_sudden ? 0 : speed;
 		for (round = 1; round < 1 << SPEED; round = round + 1)
 			if (!last_sudden && round * last_accel < speed)
 				sum = sum + speed - round * last_accel;

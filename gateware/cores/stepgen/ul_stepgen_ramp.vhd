@@ -12,7 +12,8 @@
 --
 -- The last bit of a way is shorter than what one round of acceleration gives, and is gone in one round. An axis whose
 -- `needed` is not known, because it comes from a velocity or its acceleration was changed, stops first. One that stands
--- takes a round to turn.
+-- takes a round to turn. Where the acceleration has no limit, the speed of a round does not depend on that before it, and
+-- `needed` is 0.
 --
 -- Everything is a register, in every cycle: results follow from what is given, if that stays, six cycles later.
 
@@ -96,6 +97,7 @@ architecture rtl of ul_stepgen_ramp is
   signal ahead     : unsigned(way_bits - 1 downto 0);
   signal spare     : way_t;
   signal slower    : sum_t;
+  signal base      : speed_t;
   signal rise      : speed_t;
   signal faster    : sum_t;
   signal bound     : way_t;
@@ -128,7 +130,11 @@ begin
                down xor is_down;
   is_behind <= is_wrong or (is_position and not known);
 
-  to_bound <= follows and not is_behind and is_short and (stands or not is_position) and not is_over;
+  -- What a speed that is gained begins from.
+  base <= (others => '0') when is_sudden = '1' else
+          unsigned(speed);
+
+  to_bound <= follows and not is_behind and is_short and (stands or is_sudden or not is_position) and not is_over;
   gains    <= follows and not is_behind and not is_short and not too_fast and not is_over;
   keeps    <= follows and not is_behind and not is_over and is_position;
   ends     <= slower(sum_bits - 1) or is_sudden;
@@ -163,7 +169,7 @@ begin
           rise <= unsigned(limit);
         end if;
 
-        faster <= ('0' & unsigned(speed)) + rise;
+        faster <= ('0' & base) + rise;
         bound  <= spare;
         most   <= unsigned(limit);
         if is_position = '0' then
@@ -173,7 +179,7 @@ begin
 
         is_short <= to_std_logic(bound <= signed(resize(faster, way_bits)));
         too_fast <= to_std_logic(faster > unsigned(limit));
-        is_over  <= to_std_logic(unsigned(speed) > most);
+        is_over  <= to_std_logic(base > most);
 
         gained  <= to_bound or gains;
         kept    <= keeps;
@@ -216,7 +222,7 @@ begin
       else
         next_place  <= std_logic_vector(sum_of(unsigned(place), way, down));
         next_needed <= needed;
-        if is_still = '1' then
+        if is_still = '1' or is_sudden = '1' then
           next_needed <= (others => '0');
         elsif gained = '1' or kept = '0' then
           next_needed <= std_logic_vector(sum_of(unsigned(needed), change, not gained));

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import functools
-from ctypes import POINTER, c_double, c_int, c_size_t, c_uint8, c_uint32, c_uint64, c_void_p
+from ctypes import POINTER, c_double, c_int, c_int64, c_size_t, c_uint8, c_uint32, c_uint64, c_void_p
 
 from unity_link.errors import ConnectError
 from unity_link.virtual.rtl.compiling import compiled
@@ -65,6 +65,7 @@ _PROTOTYPES: dict[str, tuple[type | None, tuple[type, ...]]] = {
     "ul_set_at": (None, (c_void_p, c_uint64, c_size_t, POINTER(c_uint32))),
     "ul_count": (None, (c_void_p, c_size_t)),
     "ul_take_counts": (None, (c_void_p, c_size_t, POINTER(c_uint64), POINTER(c_uint64))),
+    "ul_steps": (c_int64, (c_void_p, c_size_t, c_size_t)),
     "ul_connect": (None, (c_void_p, c_size_t)),
     "ul_set_event": (None, (c_void_p, EventFunction, c_void_p)),
     "ul_watch": (c_int, (c_void_p, c_int, c_int)),

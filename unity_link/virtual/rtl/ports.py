@@ -85,6 +85,14 @@ class Port:
             Counts(now.high - then.high, now.edges - then.edges) for now, then in zip(self._own, before, strict=True)
         ]
 
+    def steps(self, direction: Port) -> int:
+        """Return the pulses of the lowest bit since the reset, or the first call: those up less those down.
+
+        Args:
+            direction: whose lowest bit is '1' at the beginning of one that goes down.
+        """
+        return int(self._library.ul_steps(self._handle, self.index, direction.index))
+
     def counts(self) -> list[Counts]:
         """Return the counts of each bit, the lowest first, since the first call."""
         if self._totals is None:

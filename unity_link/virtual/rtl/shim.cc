@@ -172,6 +172,25 @@ private:
 	std::vector<uint64_t> edges_;
 };
 
+// Steps of a motor's driver: pulses that began while the direction was '0', less those that did while it was '1'.
+class StepCounter {
+public:
+	StepCounter(const Port &pulse, const Port &direction) : pulse_(pulse), direction_(direction), was_(pulse.bit()) {}
+
+	void look() {
+		if (pulse_.bit() && !was_)
+			steps += direction_.bit() ? -1 : 1;
+		was_ = pulse_.bit();
+	}
+
+	int64_t steps = 0;
+
+private:
+	Port pulse_;
+	Port direction_;
+	bool was_;
+};
+
 constexpr uint64_t NEVER = std::numeric_limits<uint64_t>::max();
 
 // Signals over time in a file that waveform viewers open (VCD, IEEE 1364). Cycles in which nothing happens are left out.
@@ -393,6 +412,8 @@ public:
 		cycles = 0;
 		for (auto &counter : counters_)
 			counter.second = Counter(ports[counter.first], 0);
+		for (auto &counter : step_counters_)
+			counter.second = StepCounter(ports[counter.first.first], ports[counter.first.second]);
 		flushes = 0;
 		quiet_ = 0;
 		stalled = false;
@@ -509,6 +530,12 @@ public:
 	void count(size_t index) { counters_.emplace(index, Counter(ports[index], cycles)); }
 	void take_counts(size_t index, uint64_t *high, uint64_t *edges) { counters_.at(index).take(cycles, high, edges); }
 
+	// Steps since the reset, or the first call for these ports.
+	int64_t steps(size_t pulse, size_t direction) {
+		const auto key = std::make_pair(pulse, direction);
+		return step_counters_.emplace(key, StepCounter(ports[pulse], ports[direction])).first->second.steps;
+	}
+
 	// The external trigger of a group is '1' in so many cycles from the next one on.
 	void pulse(int group, uint64_t count) { pulses_[group] = cycles + count; }
 
@@ -610,6 +637,8 @@ private:
 				event(event_context, static_cast<int>(index));
 		for (auto &counter : counters_)
 			counter.second.look(cycles);
+		for (auto &counter : step_counters_)
+			counter.second.look();
 		// It rests after a timeout, or reads a long request that its FIFO holds.
 		const uint64_t held = get(top_.UL_HELD);
 		const bool busy = get(top_.UL_RESTS) || held != held_;
@@ -739,6 +768,7 @@ private:
 	std::vector<Master> masters_;
 	std::vector<std::pair<const cxxrtl::chunk_t *, const cxxrtl::chunk_t *>> watches_;
 	std::map<size_t, Counter> counters_;
+	std::map<std::pair<size_t, size_t>, StepCounter> step_counters_;
 	// Inputs to be set, by the cycle before which; and triggers that are '1', by the cycle in which they no longer are.
 	std::multimap<uint64_t, std::pair<size_t, std::vector<cxxrtl::chunk_t>>> later_;
 	std::map<int, uint64_t> pulses_;
@@ -844,6 +874,7 @@ void ul_count(Gateway *gateway, size_t port) { gateway->count(port); }
 void ul_take_counts(Gateway *gateway, size_t port, uint64_t *high, uint64_t *edges) {
 	gateway->take_counts(port, high, edges);
 }
+int64_t ul_steps(Gateway *gateway, size_t pulse, size_t direction) { return gateway->steps(pulse, direction); }
 void ul_connect(Gateway *gateway, size_t master) { gateway->connect(master); }
 
 // Events, and what makes them.

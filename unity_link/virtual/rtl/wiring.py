@@ -163,6 +163,13 @@ class PinLevels(MutableMapping[str, int]):
         # Behind a reset, cycles begin anew.
         return min((high - before[0]) / (cycles - before[1]), 1.0)
 
+    def steps(self, pulse: str, direction: str) -> int:
+        """Return the pulses of an output since the reset, or the first call, with another 0, less those with 1."""
+        outputs = [self._ports[name][1] for name in (pulse, direction)]
+        assert outputs[0] is not None
+        assert outputs[1] is not None
+        return outputs[0].steps(outputs[1])
+
     def __getitem__(self, name: str) -> int:
         """Return the level of a pin."""
         driven, level, enabled = self._ports[name]
