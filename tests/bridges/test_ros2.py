@@ -34,11 +34,12 @@ from support.bridge_programs import (
     wait_until,
 )
 from support.own_robots import OWN
-from unity_link import ArgumentError, blocking
+from unity_link import ArgumentError, blocking, load
 from unity_link.bridges.ros2 import BridgeSettings, Quality, read_settings
 from unity_link.bridges.ros2.domain import open_participant
 from unity_link.bridges.ros2.messages import DIAGNOSTICS, FLOAT_ARRAY, JOINT_STATE, STANDARD
 from unity_link.bridges.ros2.rows import joint_rows, number_rows
+from unity_link.data.blocking import put
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -48,6 +49,14 @@ if TYPE_CHECKING:
 PEER = str(Path(__file__).with_name("dds_peer.py"))
 SPEC = str(Path(__file__).parents[2] / "examples" / "scara.ul")
 GATEWAY = "sim:scara?base_frequency_millihertz=20000000"
+LEASED = """
+group state(RATE=10);
+public rover() {
+  GATEWAY(ADDRESS_BITS=12);
+  drive: LEASE(TIMEOUT=20) @(0xE0);
+  @speed = 0x10: signed READWRITE(SAFE(0, drive), PUBLISH(state));
+}
+"""
 ROS = get_typestore(Stores.ROS2_JAZZY)
 
 SCALES = [360 / 200_000, 360 / 200_000, 10 / 4000, 360 / 80_000]
@@ -231,6 +240,25 @@ def test_diagnostics_tell_of_the_link(tmp_path: Path) -> None:
     assert int(values["samples lost"]) >= 0
     assert int(values["samples published"]) >= 0
     assert float(values["round trip (ms)"]) > 0
+
+
+@pytest.mark.slow
+def test_diagnostics_tell_of_each_lease(tmp_path: Path) -> None:
+    spec = tmp_path / "rover.ul"
+    spec.write_text(LEASED)
+    domain = free_domain()
+    with bridge_on_shared("ros2", str(spec), f"sim:{spec}", tmp_path, "--domain", str(domain)) as (process, url):
+        wait_for(process, "at /rover")
+        (first, *_) = listen(domain, "rt/diagnostics", "diagnostic_msgs/msg/DiagnosticArray", 1)
+        with blocking.connect(url) as link, put(load(str(spec)), link).drive.armed():
+            (second, *_) = listen(domain, "rt/diagnostics", "diagnostic_msgs/msg/DiagnosticArray", 1)
+
+    def told(message: dict[str, Any]) -> tuple[int, str, str]:
+        (lease,) = (one for one in message["status"] if one["name"] == "unity_link_rover: lease drive")
+        return lease["level"], lease["message"], {one["key"]: one["value"] for one in lease["values"]}["e-stop"]
+
+    assert told(first) == (1, "disarmed: nobody has armed it since the reset", "closed")
+    assert told(second) == (0, "armed", "closed")
 
 
 def test_the_types_of_ros_2_have_its_hashes() -> None:

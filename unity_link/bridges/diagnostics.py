@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
+import asyncio
 from typing import TYPE_CHECKING, NamedTuple
 
+from unity_link.cores.lease import LeasedRobot, LeaseRegisters, leases_of
+from unity_link.errors import UnityLinkError
+
 if TYPE_CHECKING:
+    from unity_link.data import Robot
     from unity_link.link.link import Link
 
 TOPIC = "/diagnostics"
 EVERY = 1.0
 """Seconds, as ROS's own programs have it."""
-OK, WARN, ERROR = range(3)
+OK, WARN, ERROR, STALE = range(4)
+_OF_LEASES = {"disarmed": WARN, "armed": OK, "fault": ERROR}
+"""Levels by the state of a lease."""
 
 
 class Status(NamedTuple):
@@ -73,3 +80,51 @@ class Diagnostics:
         }
         told = [(key, str(value)) for key, value in values.items()]
         return Status(level, f"{self._name}: link", message, self._hardware, told)
+
+
+class LeaseDiagnostics:
+    """Tells how the leases of a robot are; each in a status of its own.
+
+    Args:
+        name: of the bridge.
+        robot: with the leases, if it has any.
+        hardware: names the gateway.
+    """
+
+    def __init__(self, name: str, robot: Robot, hardware: str) -> None:
+        paths = leases_of(robot) if isinstance(robot, LeasedRobot) else ()
+        self._leases = [LeaseRegisters(robot, path) for path in paths]
+        self._name = name
+        self._hardware = hardware
+
+    async def statuses(self, *, away: bool) -> list[Status]:
+        """Ask the gateway, and return how they are now; ``STALE`` where it does not answer, or is `away`."""
+        return await asyncio.gather(*(self._status(lease, away=away) for lease in self._leases))
+
+    async def _status(self, lease: LeaseRegisters, *, away: bool) -> Status:
+        level, message, values = STALE, "the gateway is away", dict[str, object]()
+        if not away:
+            try:
+                async with asyncio.timeout(EVERY):
+                    level, message, values = await self._told(lease)
+            except UnityLinkError as error:
+                message = str(error)
+            except TimeoutError:
+                message = f"no answer came within {EVERY:g} s"
+        told = [(key, str(value)) for key, value in values.items()]
+        return Status(level, f"{self._name}: lease {lease.name}", message, self._hardware, told)
+
+    async def _told(self, lease: LeaseRegisters) -> tuple[int, str, dict[str, object]]:
+        condition = await lease.condition()
+        values: dict[str, object] = {
+            "state": condition.state_name,
+            "reason": condition.reason,
+            "e-stop": "open" if condition.estop_open else "closed",
+            "leases begun": condition.arms,
+        }
+        message = condition.state_name
+        if not condition.armed:
+            fault = await lease.fault(condition)
+            message += f": {str(fault).partition(': ')[2]}"
+            values["time of the fault (s)"] = "" if fault.instant is None else f"{fault.instant:.6f}"
+        return _OF_LEASES.get(condition.state_name, ERROR), message, values

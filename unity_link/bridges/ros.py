@@ -8,7 +8,7 @@ import time
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
 from unity_link.bridges.commands import SignalCommands
-from unity_link.bridges.diagnostics import EVERY, Diagnostics
+from unity_link.bridges.diagnostics import EVERY, Diagnostics, LeaseDiagnostics
 from unity_link.bridges.gateway_time import GatewayTime
 from unity_link.bridges.log_once import Faults
 from unity_link.bridges.presence import Presence
@@ -81,6 +81,7 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
         self._time = GatewayTime(robot.link)
         name = f"unity_link{self._namespace.replace('/', '_') or '_' + robot.interface.name}"
         self._diagnostics = Diagnostics(name, robot.link, robot.link.name)
+        self._leases = LeaseDiagnostics(name, robot, robot.link.name)
         self._carrier = Carrier([published.group for published in self._groups], self._publish, report, buffer=BUFFER)
 
     @property
@@ -124,8 +125,8 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
         """Return messages of ``sensor_msgs/JointState``, of which the first has this number."""
 
     @abc.abstractmethod
-    def _tell(self, status: Status, at: float) -> None:
-        """Publish a ``diagnostic_msgs/DiagnosticArray`` of one status, with its instant in seconds since 1970."""
+    def _tell(self, statuses: list[Status], at: float) -> None:
+        """Publish a ``diagnostic_msgs/DiagnosticArray``, with its instant in seconds since 1970."""
 
     # Of both
 
@@ -141,8 +142,9 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
         loop, carrier = asyncio.get_running_loop(), self._carrier
         while True:
             away = presence.away_since is not None
-            status = self._diagnostics.status(self.published, self.lost, self.written, away=away)
-            await asyncio.shield(loop.run_in_executor(publishing, self._tell, status, time.time()))
+            statuses = [self._diagnostics.status(self.published, self.lost, self.written, away=away)]
+            statuses += await self._leases.statuses(away=away or not self._link.connected)
+            await asyncio.shield(loop.run_in_executor(publishing, self._tell, statuses, time.time()))
             for _ in range(LOOKS):
                 await asyncio.sleep(EVERY / LOOKS)
                 presence.look(loop.time(), carrier.received, carrier.rate_hz)

@@ -54,6 +54,7 @@ BUFFER = 16_384
 _REASONS = ("none_yet", "disarmed", "silence", "estop")
 _ENDED = {"disarmed": "was disarmed", "silence": "has run out", "estop": "was stopped by its e-stop"}
 _ARMED, _FAULT = 1, 2
+_STATES = ("disarmed", "armed", "fault")
 MOST_ARMS = 1 << 16
 """Leases after which their count begins again."""
 _OPEN = "write `async with` before this lease, and `with` where it is one of a blocking link"
@@ -83,6 +84,11 @@ class _Condition(NamedTuple):
     estop_open: bool
     arms: int
     """Leases that have begun since the reset, modulo 2 ** 16."""
+
+    @property
+    def state_name(self) -> str:
+        """The state in a word."""
+        return _STATES[self.state] if self.state < len(_STATES) else str(self.state)
 
 
 class LeaseRegisters(CoreRegisters):

@@ -6,6 +6,8 @@ from functools import cache
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from unity_link.bridges.diagnostics import Status
 
 _LINE = "=" * 80
@@ -47,13 +49,16 @@ def array_type() -> Any:
     return _types()["diagnostic_msgs/DiagnosticArray"]
 
 
-def message(status: Status, at: float) -> Any:
-    """Return a message of one status, at an instant in seconds since 1970."""
+def message(statuses: Sequence[Status], at: float) -> Any:
+    """Return a message, at an instant in seconds since 1970."""
     import genpy
 
     types = _types()
-    values = [types["diagnostic_msgs/KeyValue"](key=key, value=value) for key, value in status.values]
-    told = types["diagnostic_msgs/DiagnosticStatus"](**{**status._asdict(), "values": values})
-    array = array_type()(status=[told])
+    pair, status = types["diagnostic_msgs/KeyValue"], types["diagnostic_msgs/DiagnosticStatus"]
+    told = [
+        status(**{**one._asdict(), "values": [pair(key=key, value=value) for key, value in one.values]})
+        for one in statuses
+    ]
+    array = array_type()(status=told)
     array.header.stamp = genpy.Time.from_sec(at)
     return array

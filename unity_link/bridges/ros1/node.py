@@ -129,10 +129,10 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
     ) -> Rows:
         return joint_rows(names, instants, columns, first, self._frame_id)
 
-    def _tell(self, status: Status, at: float) -> None:
+    def _tell(self, statuses: list[Status], at: float) -> None:
         from unity_link.bridges.ros1.diagnostics import message
 
-        self._diagnostics_publisher.publish(message(status, at))
+        self._diagnostics_publisher.publish(message(statuses, at))
 
     def _joint_subscriber(self, topic: JointCommandTopic) -> Any:
         import rospy

@@ -25,7 +25,7 @@ from cyclonedds.idl.types import (
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
 
     from unity_link.bridges.diagnostics import Status
 
@@ -121,13 +121,15 @@ DIAGNOSTICS = _type(
 )
 
 
-def diagnostics(status: Status, at: float) -> bytes:
-    """Return a ``diagnostic_msgs/DiagnosticArray`` of one status, at an instant in seconds since 1970."""
+def diagnostics(statuses: Sequence[Status], at: float) -> bytes:
+    """Return a ``diagnostic_msgs/DiagnosticArray``, at an instant in seconds since 1970."""
     seconds, nanoseconds = divmod(round(at * 1e9), 1_000_000_000)
-    values = [_key_value(key=key, value=value) for key, value in status.values]
-    told = _status(**{**status._asdict(), "values": values})
+    told = [
+        _status(**{**one._asdict(), "values": [_key_value(key=key, value=value) for key, value in one.values]})
+        for one in statuses
+    ]
     header = _header(stamp=_time(sec=seconds, nanosec=nanoseconds), frame_id="")
-    return bytes(IdlStruct.serialize(DIAGNOSTICS.struct(header=header, status=[told])))
+    return bytes(IdlStruct.serialize(DIAGNOSTICS.struct(header=header, status=told)))
 
 
 JOINT_STATE = _type(

@@ -176,8 +176,8 @@ class Ros2Bridge(RosBridge["Ros2Outlet"]):
 
         return joint_rows(names, instants, columns, self._frame_id)
 
-    def _tell(self, status: Status, at: float) -> None:
+    def _tell(self, statuses: list[Status], at: float) -> None:
         from unity_link.bridges.ros2.messages import diagnostics
 
         if self._diagnostics_outlet.is_wanted:
-            self._diagnostics_outlet.send([diagnostics(status, at)])
+            self._diagnostics_outlet.send([diagnostics(statuses, at)])
