@@ -14,10 +14,12 @@ import pytest
 
 from generate.every_kind import WORD_BITS, bad_values, every_kind, good_values
 from generate.octave import Octave, doubles, words
-from generate.peers import simulate
+from generate.peers import serve, simulate
 from unity_link.generate import generate
 from unity_link.generate.matlab.names import FUNCTIONS, KEYWORDS, MEMBERS, identifiers
 from unity_link.spec import Access, KindName, compile_file, compile_text
+from unity_link.virtual.build import simulated
+from unity_link.virtual.simulated import SimulatedRobot
 
 if TYPE_CHECKING:
     from unity_link.spec import Signal, Value
@@ -374,3 +376,55 @@ warning('off', 'Octave:language-extension');
     told = [line for line in warnings.splitlines() if "language extension" in line]
     assert len(told) == 1, told
     assert told[0].endswith("extended.m")
+
+
+# Leases
+
+
+def test_a_lease_is_armed_kicked_and_disarmed_and_its_end_is_an_error(octave: Octave) -> None:
+    spec = compile_text("""
+    public leased() {
+      GATEWAY(ADDRESS_BITS=12);
+      arms[1]: part() @(0xC0);
+      drive: LEASE(TIMEOUT=20) @(0xE0);
+      @speed = 0x10: signed READWRITE(SAFE(0, drive));
+    }
+    part(): @(at) { lift: LEASE(TIMEOUT=0.2) @(at); }
+    """)
+    octave.generate(spec)
+    with serve(simulated(spec.interface(), SimulatedRobot)) as url:
+        shown = octave.run(f"""\
+robot = leased('{url}');
+attempt('not armed', @() robot.speed.set(5));
+lease = unity_link.Lease(robot.link, robot.drive);
+attempt('too early', @() lease.kick());
+attempt('no time', @() lease.arm(0));
+attempt('too long', @() lease.arm(100));
+lease.arm(15);
+lease.kick();
+robot.speed.set(5);
+show('moves', robot.speed.get());
+other = unity_link.Lease(robot.link, robot.drive);
+attempt('another', @() other.arm(15));
+other.disarm();
+show('stopped', robot.speed.get());
+attempt('over', @() lease.kick());
+other.arm(15);
+attempt('of another', @() lease.kick());
+other.kick();
+lift = unity_link.Lease(robot.link, robot.arms(1).lift);
+lift.arm(0.15);
+pause(1);
+attempt('silent', @() lift.kick());
+show('state', robot.arms(1).lift.state.name_of(robot.arms(1).lift.state.get()));
+""")
+    ended = "unity_link:busError drive.armed: it is not armed any more: what it guards is safe"
+    assert shown["not armed"].startswith("unity_link:busError ")
+    assert shown["too early"] == "unity_link:busError drive.armed: it was not armed by this program: call arm"
+    assert shown["no time"] == "unity_link:argumentError a lease lasts more than 0 s, and less than 3600"
+    assert shown["too long"].startswith("unity_link:busError drive.armed: it was not armed: its e-stop is open")
+    assert (shown["moves"], shown["stopped"]) == (doubles(5), doubles(0))
+    assert shown["another"] == "unity_link:busError drive.armed: it cannot be armed: another program has armed it"
+    assert (shown["over"], shown["of another"]) == (ended, ended)
+    assert shown["silent"] == ended.replace("drive", "arms(1).lift")
+    assert shown["state"] == "fault"

@@ -28,8 +28,8 @@ _FUNCTIONS = """
     exist false fieldnames fileparts find fix floor fullfile get inf int64 intmax iscell ischar isempty isfield isfloat
     islogical ismember isnumeric ispc isreal isscalar isstring isstruct logical mat2cell max mex mfilename min mislocked
     mkoctfile nan nargin not numel publish regexp rehash repmat reshape round set size sprintf str2double strcmp strfind
-    strjoin strtok strtrim struct struct2cell subsasgn substruct sum tic toc true typecast uint32 uint64 unique vertcat
-    zeros
+    strjoin strtok strtrim struct struct2cell subsasgn subsref substruct sum tic toc true typecast uint32 uint64 unique
+    vertcat zeros
 """
 KEYWORDS = frozenset(_KEYWORDS.split())
 """`iskeyword` of MATLAB and of Octave, the words that begin the blocks of a class, and `ans`, which expressions set."""
