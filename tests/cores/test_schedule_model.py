@@ -90,7 +90,7 @@ def behind_one_that_waits(count: int) -> list[Any]:
 @settings(max_examples=examples(100), deadline=None)
 @given(happened=events, now=st.sampled_from([1, 2**40 - 300, 2**63]))
 def test_it_is_as_the_model_of_the_bench_in_every_cycle(happened: list[Any], now: int) -> None:
-    around, part = Around(now), SimpleNamespace(entry=0)
+    around, part = Around(now), SimpleNamespace(**{signal.name: 0 for signal in COMPONENT.signals})
     quick, exact = ScheduleModel(COMPONENT, part, around), bench.Model()
     expected: list[tuple[int, dict[int, int]]] = []
     shadows: dict[int, int] = {}
