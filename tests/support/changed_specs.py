@@ -397,6 +397,7 @@ INCOMPATIBLE: dict[str, Changing] = {
     "no RESET": _without("RESET"),
     "no SAFE": _without("SAFE"),
     "no TIMED": _without("TIMED"),
+    "TIMED": _clause("TIMED", "TIMED", "plan", "other"),
     "no PUBLISH": _without("PUBLISH"),
     "no FIFO": _without("FIFO"),
     "SAFE": _clause("SAFE", "SAFE", "3", "1", "false", "HOLD", "off"),
@@ -419,6 +420,12 @@ INCOMPATIBLE: dict[str, Changing] = {
     "interface": _interface,
     "data bits": _gateway("DATA_BITS", 64),
 }
+
+OF_CORES = {
+    name: INCOMPATIBLE[name]
+    for name in ("core", "entity", "SAFE", "no SAFE", "TIMED", "no TIMED", "enumeration", "place")
+}
+"""Those that are of cores and of what guards and times their signals."""
 
 
 # What a program can live with
