@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from unity_link import Link
+    from unity_link.spec import Interface, Spec
     from unity_link.virtual.gateway import Gateway
 
 TEXT = """
@@ -35,6 +36,7 @@ public rover() {
 }
 """
 SPEC = compile_text(TEXT)
+INTERFACE = SPEC.interface()
 Rover = unity_link.load(SPEC)
 STRANGE = 0xDEAD
 DISARM = 0xF2
@@ -43,8 +45,8 @@ DISARM = 0xF2
 class Watched:
     """A rover, and the words that are written to it in the order of the bus."""
 
-    def __init__(self) -> None:
-        self.gateway = simulated(SPEC.interface())
+    def __init__(self, spec: Spec = SPEC) -> None:
+        self.gateway = simulated(spec.interface())
         self.written: list[tuple[int, int]] = []
         robot = self.gateway.robot
         write = robot.write
@@ -57,20 +59,22 @@ class Watched:
 
 
 @contextlib.asynccontextmanager
-async def shared(gateway: Any, folder: Path, count: int = 2) -> AsyncIterator[list[Any]]:
+async def shared(gateway: Any, folder: Path, count: int = 2, spec: Spec = SPEC) -> AsyncIterator[list[Any]]:
     """Serve a gateway, and connect to it by several links; give their rovers."""
     async with contextlib.AsyncExitStack() as stack:
         server = await stack.enter_async_context(serve(gateway, unix=folder / "gateway"))
         links = [await stack.enter_async_context(unity_link.connect(server.urls[0])) for _ in range(count)]
-        yield [Rover(link) for link in links]
+        yield [unity_link.load(spec)(link) for link in links]
 
 
 @pytest.mark.asyncio
 async def test_words_of_another_program_never_come_between_those_of_a_kick_or_an_arm(tmp_path: Path) -> None:
-    watched = Watched()
+    # One that carries no description: the server knows of no lease.
+    spec = compile_text(TEXT.replace("  @lamp", "  @last = 0xFFF: READ();\n  @lamp"))
+    watched = Watched(spec)
     # Both always have something that waits, so that turns end anywhere.
     line = SlowLine(watched.gateway, bytes_per_second=100_000)
-    async with shared(line, tmp_path) as (program, stranger):
+    async with shared(line, tmp_path, spec=spec) as (program, stranger):
         registers = [program.drive.arm.signal.addresses, program.drive.kick.signal.addresses]
 
         async def disturb() -> None:
@@ -100,13 +104,15 @@ async def test_words_of_another_program_never_come_between_those_of_a_kick_or_an
     assert strange > 100
 
 
-# Whose lease it is, where the server has the spec
+# Whose lease it is, where the server has the spec, or the gateway carries it
 
 
 @contextlib.asynccontextmanager
-async def leased(gateway: Gateway | None = None) -> AsyncIterator[tuple[SharedLink, Any]]:
+async def leased(
+    gateway: Gateway | None = None, interface: Interface | None = INTERFACE
+) -> AsyncIterator[tuple[SharedLink, Any]]:
     """Share a rover by its spec; give the shared link, and a way to more rovers, each of a client of its own."""
-    shared = SharedLink(gateway or simulated(SPEC.interface()), lambda _: None, SPEC.interface())
+    shared = SharedLink(gateway or simulated(INTERFACE), lambda _: None, interface)
     shared.open_when_there()
     await until(lambda: not shared.away)
     async with contextlib.AsyncExitStack() as stack:
@@ -125,9 +131,10 @@ def vanish(robot: Any) -> None:
     client._transport.abort()
 
 
+@pytest.mark.parametrize("interface", [INTERFACE, None], ids=["given", "carried by the gateway"])
 @on_simulated_time
-async def test_only_the_client_that_has_armed_moves_what_its_lease_guards() -> None:
-    async with leased() as (_, another):
+async def test_only_the_client_that_has_armed_moves_what_its_lease_guards(interface: Interface | None) -> None:
+    async with leased(interface=interface) as (_, another):
         owner, other = await another(), await another()
         async with owner.armed() as lease:
             says = "write of speed at 0x010: the bus refused the access: another program has armed drive, and it alone"
@@ -182,6 +189,19 @@ async def test_no_way_to_write_gets_past_another_clients_lease(write: Callable[[
             with pytest.raises(BusError, match="the bus refused the access"):
                 await fenced(link, write(link))
             assert [written for written in watched.written if written[0] != 0x20] == []
+
+
+@on_simulated_time
+async def test_a_description_that_cannot_be_read_is_told_and_the_gateway_served_without() -> None:
+    told: list[str] = []
+    gateway: Any = simulated(SPEC.interface())
+    gateway.robot._registers._description = [1] * 32
+    shared = SharedLink(gateway, told.append)
+    shared.open_when_there()
+    await until(lambda: not shared.away)
+    assert shared.leases is None
+    assert [text for text in told if "leases are not those of clients, since" in text]
+    await shared.finish()
 
 
 @on_simulated_time

@@ -83,7 +83,7 @@ def serve(  # noqa: PLR0913  (its options)
         typer.Option(
             metavar="SPEC",
             help="The spec of the gateway, such as robot.ul: with it a lease is that of one client, and ends with it. "
-            "Default: the one of which the URL has the gateway made, as in sim:robot.ul.",
+            "Default: the one that the gateway carries, or of which the URL has it made, as in sim:robot.ul.",
             rich_help_panel=_LEASES,
         ),
     ] = None,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, TypeVar, overload
+from typing import TYPE_CHECKING, Protocol, TypeVar, overload
 
 from unity_link.data.loading import load
 from unity_link.data.robot import Robot, check_link
@@ -12,20 +12,33 @@ from unity_link.protocol.description import PAGE_WORDS, description_of, length_o
 from unity_link.spec.comparing import compare, source_name
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
     from pathlib import Path
 
     from unity_link.data.loading import LoadedRobot
     from unity_link.link.link import Link
+    from unity_link.protocol.configuration import GatewayInfo
     from unity_link.spec.model import Interface, Spec
 
 ATTEMPTS = 5
 """Readings of a description: another program that reads it at the same time turns its pages, too."""
-
-
 MOST_DIFFERENCES = 5
 """Differences that an error says."""
-
 R = TypeVar("R", bound=Robot)
+
+
+class Readable(Protocol):
+    """A link, as far as reading a description needs it."""
+
+    @property
+    def gateway(self) -> GatewayInfo:
+        """Description of the gateway."""
+
+    async def post(self, address: int, value: int, /) -> None:
+        """Write a word."""
+
+    async def read_block(self, address: int, count: int, /) -> Iterable[int]:
+        """Read consecutive words."""
 
 
 @overload
@@ -89,7 +102,7 @@ def _refusal(differences: tuple[str, ...], name: str) -> str:
     )
 
 
-async def read_spec(link: Link) -> Spec:
+async def read_spec(link: Readable) -> Spec:
     """Return the spec that a gateway was built from, with one interface: from the description that it carries.
 
     Raises:
@@ -115,14 +128,14 @@ async def read_spec(link: Link) -> Spec:
     raise UnsupportedError(f"the gateway's description cannot be read: {damage}")
 
 
-async def _words(link: Link) -> list[int]:
+async def _words(link: Readable) -> list[int]:
     words = await _page(link, 0)
     for number in range(1, pages_of(length_of(words, link.gateway.data_bits), link.gateway.data_bits)):
         words += await _page(link, number)
     return words
 
 
-async def _page(link: Link, number: int) -> list[int]:
+async def _page(link: Readable, number: int) -> list[int]:
     """Return the words of a page.
 
     Raises:

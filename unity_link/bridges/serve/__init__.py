@@ -94,8 +94,9 @@ async def serve(
         tcp: a TCP port; 0 for any free one.
         host: the address that the TCP port is opened at: this machine alone unless it is said.
         token: what clients on TCP must know, as in ``tcp://host:port?token=TOKEN``.
-        interface: the map of the gateway, as `Spec.interface` gives it. With it each lease is that of the client that
-            has armed it: other clients cannot move what it guards, and it is disarmed when that client has gone.
+        interface: the map of the gateway, as `Spec.interface` gives it; None for the one that the gateway carries. With
+            either each lease is that of the client that has armed it: other clients cannot move what it guards, and it
+            is disarmed when that client has gone.
         report: is told in a sentence when the gateway comes and goes.
 
     Raises:

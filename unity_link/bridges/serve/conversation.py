@@ -58,7 +58,6 @@ class Conversation:
         self._codec = codec
         self._takes_turns = Feature.HALF_DUPLEX in shared.gateway.features
         """True if the gateway's medium lets only one side send at a time."""
-        self._leases = shared.leases
         self._session = GatewaySession(codec)
         self._sequence = self._session.sequence
         self._prepare_short_way(codec)
@@ -133,7 +132,8 @@ class Conversation:
         elif command == "I":
             self._send_immediate(request, plain=plain)
         else:
-            if self._leases is not None and self._concerns_lease(self._leases, request, plain=plain):
+            leases = self._shared.leases
+            if leases is not None and self._concerns_lease(leases, request, plain=plain):
                 return
             codec = self._codec
             count = values[1] if command in ("RM", "RQ") else 1
@@ -236,8 +236,9 @@ class Conversation:
         width = size - head - self._crc_digits - 1
         fields = matching_rows(codec, command, expected, data[start : start + count * size], width)
         good = _IS_HEX[fields].all(axis=1)
-        if letter == b"w" and self._leases is not None:
-            closed, digits = self._leases.closed_to(self._client, codec), codec.info.address_digits
+        leases = self._shared.leases
+        if letter == b"w" and leases is not None:
+            closed, digits = leases.closed_to(self._client, codec), codec.info.address_digits
             good = good & np.array([row.tobytes() not in closed for row in fields[:, :digits]])
         count = len(fields) if good.all() else int(good.argmin())
         if not count:
@@ -273,10 +274,11 @@ class Conversation:
         fields = body[after:]
         if fields.translate(None, _HEX):
             return False
+        leases = self._shared.leases
         if (
-            self._leases is not None
+            leases is not None
             and command != "R"
-            and fields[: self._codec.info.address_digits] in self._leases.closed_to(self._client, self._codec)
+            and fields[: self._codec.info.address_digits] in leases.closed_to(self._client, self._codec)
         ):
             return False
         sequence.advance()

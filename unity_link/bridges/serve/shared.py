@@ -17,6 +17,7 @@ from unity_link.bridges.serve.groups import Slots
 from unity_link.bridges.serve.leases import Leases
 from unity_link.bridges.serve.requests import Relayed, RowsAnswered
 from unity_link.bridges.serve.turns import Turns
+from unity_link.data.describing import read_spec
 from unity_link.data.robot import check_gateway
 from unity_link.errors import ArgumentError, ConnectError, LinkLostError, UnityLinkError, UnsupportedError, reason_of
 from unity_link.link.connection import Connection, Reconnect
@@ -65,7 +66,7 @@ class SharedLink(Connection):
     Args:
         target: the URL of a gateway, or one of this process.
         report: is told in a sentence when the gateway comes and goes.
-        interface: the map of the gateway, where it is known.
+        interface: the map of the gateway; None for the one that it carries, if it carries any.
     """
 
     def __init__(
@@ -79,8 +80,9 @@ class SharedLink(Connection):
         """True if requests are refused because the gateway has been away too long."""
         self.turns = Turns(self._flow.submit)
         self.slots: Slots
-        self.leases = (Leases(interface, self) or None) if interface is not None else None
+        self.leases = self._leases_of(interface)
         """Leases of the gateway; None where its map is not known, or has none."""
+        self._has_map = interface is not None
         self.clients: set[Sharer] = set()
         self.strangers: dict[asyncio.Transport, None] = {}
         """Connections that have not been let in yet, the oldest first."""
@@ -124,6 +126,32 @@ class SharedLink(Connection):
         self.settle_mode()
 
     # Leases
+
+    def _leases_of(self, interface: Interface | None) -> Leases | None:
+        return (Leases(interface, self) or None) if interface is not None else None
+
+    async def _read_leases(self) -> None:
+        """Read the map that the gateway carries, where none was given; another gateway never comes behind it.
+
+        Raises:
+            LinkLostError: where the session has ended meanwhile.
+        """
+        if not self._has_map and Feature.DESCRIPTION in self.gateway.features:
+            try:
+                self.leases = self._leases_of((await read_spec(self)).interface())
+            except LinkLostError:
+                raise
+            except UnityLinkError as error:
+                self._report(f"its leases are not those of clients, since {reason_of(error)}")
+        self._has_map = True
+
+    async def post(self, address: int, value: int) -> None:
+        """Write a word of the gateway, as `write_at` does."""
+        await self.write_at(address, value)
+
+    async def read_block(self, address: int, count: int) -> list[int]:
+        """Read words of the gateway one by one; nobody else has it meanwhile."""
+        return await asyncio.gather(*(self.word_at(address + index) for index in range(count)))
 
     async def word_at(self, address: int) -> int:
         """Read a word of the gateway; ends with an error where the session does."""
@@ -273,6 +301,7 @@ class SharedLink(Connection):
         Clients come, leave and ask meanwhile. What they ask for waits, so that it is executed behind all this.
         """
         self._mode = _ADAPTIVE
+        await self._read_leases()
         for address in self.leases.take_owed() if self.leases is not None else ():
             await self._ask("W", self._flow.codec.fields("W", address, 1))
         self.settle_mode()
