@@ -3,39 +3,24 @@
 from __future__ import annotations
 
 import asyncio
-import importlib.util
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import pytest
 
 import unity_link
+from support.by_path import imported
 from support.simulated_time import on_simulated_time
 from unity_link.virtual.build import simulate
 
-if TYPE_CHECKING:
-    from types import ModuleType
-
 FOLDER = Path(__file__).parents[2] / "examples" / "balancer"
-
-
-def imported(name: str) -> ModuleType:
-    """Return a module of the example."""
-    spec = importlib.util.spec_from_file_location(f"balancer_{name}", FOLDER / f"{name}.py")
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
 ON = pytest.mark.parametrize("rtl", [False, pytest.param(True, marks=pytest.mark.rtl)], ids=["sim", "rtl"])
 
 
 @ON
 @on_simulated_time
 async def test_it_stands_and_goes_back_to_its_place(rtl: bool) -> None:
-    program, plant = imported("balance"), imported("plant")
+    program, plant = imported(FOLDER / "balance.py"), imported(FOLDER / "plant.py")
     gateway = simulate(FOLDER / "balancer.ul", plant.Balancer, rtl=rtl)
     running = asyncio.ensure_future(program.balance(gateway))
     robot: Any = gateway.robot
@@ -61,7 +46,7 @@ async def test_it_stands_and_goes_back_to_its_place(rtl: bool) -> None:
 @ON
 @on_simulated_time
 async def test_its_motors_are_off_when_its_loop_stands_still(rtl: bool) -> None:
-    program, plant = imported("balance"), imported("plant")
+    program, plant = imported(FOLDER / "balance.py"), imported(FOLDER / "plant.py")
     gateway = simulate(FOLDER / "balancer.ul", plant.Balancer, rtl=rtl)
     robot: Any = gateway.robot
     async with unity_link.connect(gateway) as link:

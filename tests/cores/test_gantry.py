@@ -3,33 +3,18 @@
 from __future__ import annotations
 
 import asyncio
-import importlib.util
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import pytest
 
 import unity_link
+from support.by_path import imported
 from support.simulated_time import on_simulated_time
 from unity_link.virtual.build import simulate
 
-if TYPE_CHECKING:
-    from types import ModuleType
-
 FOLDER = Path(__file__).parents[2] / "examples" / "gantry"
-
-
-def imported(name: str) -> ModuleType:
-    """Return a module of the example."""
-    spec = importlib.util.spec_from_file_location(f"gantry_{name}", FOLDER / f"{name}.py")
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
 ON = pytest.mark.parametrize("rtl", [False, pytest.param(True, marks=pytest.mark.rtl)], ids=["sim", "rtl"])
 
 
@@ -56,7 +41,7 @@ def rests_of(positions: np.ndarray[Any, Any]) -> list[np.ndarray[Any, Any]]:
 async def test_each_place_of_its_path_has_its_cycle_and_an_e_stop_in_the_second_flower_ends_its_program(
     rtl: bool, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    program, plant = imported("gantry"), imported("plant")
+    program, plant = imported(FOLDER / "gantry.py"), imported(FOLDER / "plant.py")
     gateway = simulate(FOLDER / "gantry.ul", plant.Gantry, rtl=rtl)
     robot: Any = gateway.robot
     running = asyncio.ensure_future(program.draw(gateway))
@@ -96,7 +81,7 @@ async def test_each_place_of_its_path_has_its_cycle_and_an_e_stop_in_the_second_
 @ON
 @on_simulated_time
 async def test_a_motor_that_is_asked_for_too_much_loses_steps(rtl: bool) -> None:
-    program, plant = imported("gantry"), imported("plant")
+    program, plant = imported(FOLDER / "gantry.py"), imported(FOLDER / "plant.py")
     gateway = simulate(FOLDER / "gantry.ul", plant.Gantry, rtl=rtl)
     robot: Any = gateway.robot
     async with unity_link.connect(gateway) as link:

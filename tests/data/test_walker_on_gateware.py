@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import importlib.util
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import pytest
 
+from support.by_path import imported
 from support.simulated_time import run_simulated
 
 if TYPE_CHECKING:
@@ -21,11 +21,7 @@ CLOSE = 0.05
 
 @pytest.fixture
 def example(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
-    spec = importlib.util.spec_from_file_location("walker_example", PATH)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
+    module = imported(PATH)
     monkeypatch.setattr(module, "STEPS", 1)
     return module
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib.util
 import json
 from pathlib import Path
 from typing import Any
@@ -11,6 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from support.by_path import imported
 from support.searching import examples
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.messages import ErrorCode
@@ -96,11 +96,7 @@ def test_bytes_may_arrive_in_pieces_of_any_size(path: Path, sizes: list[int]) ->
 
 
 def test_the_files_are_what_the_generator_writes() -> None:
-    spec = importlib.util.spec_from_file_location("generate_vectors", FOLDER / "generate.py")
-    assert spec is not None
-    assert spec.loader is not None
-    generator = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(generator)
+    generator = imported(FOLDER / "generate.py")
     assert sorted(generator.CONFIGURATIONS) == [path.stem for path in FILES]
     for path in FILES:
         assert generator.generate(path.stem) == path.read_text(), path.name
