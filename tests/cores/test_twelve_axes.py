@@ -135,7 +135,7 @@ def see_turns(gateway: Any, instants: list[int]) -> None:
     """See outputs change in their cycles, and motors at the first begin of a period behind theirs, two cycles later."""
     bare: Any = gateway._gateway
     ports = [gateway.ports[f"axes_{index}_motor_dir"] for index in AXES]
-    before, turns, shown = [0] * len(AXES), [], {}
+    before, turns, shown = [0] * len(AXES), [], dict[int, int]()
     while bare.cycles < instants[-1] + 2 * PERIOD:
         bare.run(1)
         shown.setdefault(gateway.ports["outputs"].value, bare.cycles)
