@@ -32,12 +32,13 @@ async def draw(url: str) -> None:
         homes: dict[Any, Any] = {robot.x: robot.x_home, robot.y: robot.y_home, robot.z: robot.z_home}
         async with robot.drive.armed(timeout=0.8) as lease:
             for axis in homes:
-                await axis.velocity_cmd.set(-10)
-                await axis.mode.set("velocity")
+                await axis.velocity_cmd.post(-10)
+                await axis.mode.post("velocity")
             async for sample in lease.each(robot.groups["state"]):
                 for axis in [axis for axis in homes if axis not in zeros and sample[homes[axis].level]]:
                     zeros[axis] = sample[axis.position]
-                    await axis.move_to(zeros[axis])
+                    await axis.position_cmd.post(zeros[axis])
+                    await axis.mode.post("position")
                 if len(zeros) == len(homes):
                     break
             for axis, places in zip(homes, path, strict=True):
