@@ -22,7 +22,9 @@ INPUTS, OUTPUTS = 0x8040_2011, 0x80_1003
 PERIOD = 16
 """Cycles of a period of the PWM, at the least clock."""
 
-ON = pytest.mark.parametrize("rtl", [False], ids=["sim"])
+ON = pytest.mark.parametrize(
+    "rtl", [False, pytest.param(True, marks=[pytest.mark.rtl, pytest.mark.campaign])], ids=["sim", "rtl"]
+)
 Robot = unity_link.load(SPEC)
 
 
@@ -75,12 +77,14 @@ async def run(robot: Any) -> None:
 @on_simulated_time
 async def test_each_of_twelve_axes_and_64_pins_does_what_its_registers_say(rtl: bool) -> None:
     gateway = simulate(SPEC, Machine, rtl=rtl)
-    machine = gateway.robot
+    machine: Any = gateway.robot
     async with unity_link.connect(gateway) as link:
         robot: Any = Robot(link)
         steps = [gateway.ports[f"axes_{index}_slide_step"] for index in AXES] if rtl else []
         for port in steps:
             port.take_counts()
+        if rtl:
+            gateway.ports["inputs"].drive(INPUTS)
         await asyncio.sleep(0.01)
         async with robot.drive.armed(timeout=0.09) as lease:
             await run(robot)
@@ -95,10 +99,12 @@ async def test_each_of_twelve_axes_and_64_pins_does_what_its_registers_say(rtl: 
                 assert await axis.slide.in_position.get()
                 assert await axis.slide.position.get() == pytest.approx(place(index))
             await lease.kick()
-            levels = [await pin.level.get() for pin in robot.pins]
-            assert levels == [index in HIGH or (index in DRIVEN and index % 4 == 0) for index in PINS]
-            assert [await pin.edges.get() for pin in robot.pins] == levels
-            assert (await robot.inputs.get(), machine.outputs) == (INPUTS, OUTPUTS)
+            levels = [index in HIGH or (index in DRIVEN and index % 4 == 0) for index in PINS]
+            assert [machine.pins[index].level for index in PINS] == levels
+            for index in PINS[1::2]:
+                assert await robot.pins[index].level.get() == await robot.pins[index].edges.get() == levels[index]
+            shown = gateway.ports["outputs"].value if rtl else machine.outputs
+            assert (await robot.inputs.get(), shown) == (INPUTS, OUTPUTS)
         if rtl:
             assert [port.take_counts()[0].edges for port in steps] == [10 * abs(index - 3) for index in AXES]
 
@@ -176,7 +182,7 @@ async def test_a_fault_of_the_lease_makes_everything_safe(rtl: bool) -> None:
             off = [port for name, port in gateway.ports.items() if name.endswith(("_enable", "_pwm", "_pin_oe"))]
             assert [port.value for port in off] == [0] * (1 + 12 + 8)
         await asyncio.sleep(0.1)
-        assert machine.outputs == 0
+        assert (gateway.ports["outputs"].value if rtl else machine.outputs) == 0
         assert [axis.motor.value for axis in machine.axes] == [0] * 12
         assert [await axis.motor.value.get() for axis in robot.axes] == [0] * 12
         assert [await axis.slide.velocity.get() for axis in robot.axes] == [0] * 12
