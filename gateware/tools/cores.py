@@ -8,6 +8,7 @@ That file says how the core is proved, and what it may take of an FPGA; all othe
     defines = ["COUNTER"]               of the preprocessor of the properties; they tell proofs apart
     cover_steps = 20                    within which every `cover` is reached from reset
     induction_steps = 2
+    bits = true                         z3 is faster so where there is much arithmetic
     faults."the filter is open" = ["signal", "1'b1"]
                                         with which the proof must fail: a signal of the converted Verilog, as a regular
                                         expression, and what drives it instead
@@ -40,6 +41,7 @@ class Proof(msgspec.Struct, forbid_unknown_fields=True):
     defines: tuple[str, ...] = ()
     cover_steps: int = 20
     induction_steps: int = 2
+    bits: bool = False
     faults: dict[str, tuple[str, str]] = {}
 
 

