@@ -310,7 +310,9 @@ class SimulatedRobot(Part):
 
     def write(self, offset: int, value: int, now: float) -> None:
         """Write the word at an address."""
-        self.pass_time(now)
+        # The words of a block come at one instant. What the first ones reach is told of them at once.
+        if now != self._last or self._began is None or self.refusal:
+            self.pass_time(now)
         for cell in self._registers.write(offset, value):
             self.cores.written(cell.signal.path)
             self.tell_written(cell)
