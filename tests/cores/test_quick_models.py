@@ -6,11 +6,16 @@ import asyncio
 from typing import Any
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 import unity_link
 from support.simulated_time import on_simulated_time
+from unity_link.cores.batches import batch_of
+from unity_link.cores.lease import TIME_BITS
 from unity_link.spec import compile_text
 from unity_link.virtual.build import simulated
+from unity_link.virtual.bus import AccessError
 from unity_link.virtual.simulated import SimulatedRobot
 
 SPEC = compile_text("""
@@ -93,3 +98,60 @@ async def test_a_pin_is_driven_while_its_lease_is_armed() -> None:
             assert await robot.lamp.level.get() is True
         assert await robot.lamp.level.get() is False
         assert await robot.lamp.edges.get() == 2
+
+
+GUARDED = compile_text("""
+public robot() {
+  GATEWAY(ADDRESS_BITS=12);
+  drive: LEASE() @(0xE0);
+  plan: SCHEDULE(DEPTH=64) @(0x100);
+  axis: STEPGEN(LEASE=drive, SCHEDULE=plan) @(0x20);
+  lamp: GPIO(LEASE=drive) @(0x50);
+  @free = 0x60: unsigned 64 READWRITE(TIMED(plan));
+}
+""").interface()
+STEPS = st.one_of(
+    st.tuples(st.sampled_from(["drive.arm", "drive.kick"]), st.integers(0, 60)),
+    st.tuples(st.just("plan.entry"), st.integers(0, 120)),
+    st.tuples(st.sampled_from(["drive.disarm", "plan.cancel", "lamp.drive", "lamp.output"]), st.integers(0, 1)),
+    st.tuples(st.sampled_from(["axis.position_cmd", "axis.mode", "axis.maxvel", "free"]), st.integers(0, 2)),
+)
+
+
+class Unmoved(SimulatedRobot):
+    """Does nothing, in steps of 20 cycles."""
+
+    def step(self, dt: float) -> None:
+        pass
+
+
+@given(st.lists(st.tuples(st.integers(0, 30), st.lists(STEPS, max_size=4)), max_size=30))
+def test_words_of_one_instant_do_what_they_do_where_time_is_looked_at_between_them(
+    story: list[tuple[int, list[tuple[str, int]]]],
+) -> None:
+    def tell(*, looks: bool) -> list[Any]:
+        robot = simulated(GUARDED, Unmoved).robot
+        now, told = 1000, list[Any]()
+        for passed, steps in story:
+            now += passed
+            instant = (now + 0.5) / HZ
+            for path, value in steps:
+                signal, number = GUARDED.signals[path], value
+                if path in {"drive.arm", "drive.kick"}:
+                    number = 1 << TIME_BITS | now + value
+                words = (
+                    batch_of(now + value, {0: value})
+                    if path == "plan.entry"
+                    else [number >> 32 * part & 0xFFFFFFFF for part in range(signal.words)]
+                )
+                for index, word in enumerate(words):
+                    try:
+                        robot.write(signal.address + (path != "plan.entry") * index, word, instant)
+                    except AccessError as error:
+                        told.append((now, path, error.code))
+                    if looks:
+                        robot.pass_time(instant)
+        robot.pass_time((now + 0.5) / HZ)
+        return [*told, {path: cell.raw for path, cell in robot.cells.items()}]
+
+    assert tell(looks=False) == tell(looks=True)
