@@ -227,6 +227,7 @@ class Plant(SimulatedRobot):
         self.angle = 0.0
         self.volts: list[float] = []
         self.armed_for = self.lit_for = 0
+        self.seen: list[tuple[str, Any]] = []
 
     def step(self, dt: float) -> None:
         """Turn."""
@@ -235,6 +236,12 @@ class Plant(SimulatedRobot):
         self.wheel.position = self.angle
         self.armed_for += self.drive.armed
         self.lit_for += self.line.level
+        self.button = self.lamp
+
+    def written(self, path: str, value: Any) -> None:
+        """Keep what programs write to signals at pins."""
+        if path in {"lamp", "free"}:
+            self.seen.append((path, value))
 
 
 @pytest.mark.parametrize("rtl", [False, pytest.param(True, marks=pytest.mark.rtl)])
@@ -250,6 +257,13 @@ async def test_a_plant_is_the_same_on_the_quick_models_and_at_the_pins(rtl: bool
         async with robot.drive.armed(timeout=0.05) as lease:
             await robot.line.output.set(True)
             await robot.line.drive.set(True)
+            assert (plant.lamp, plant.free, await robot.button.get()) == (False, 3, False)
+            await robot.lamp.set(True)
+            await robot.free.set(9)
+            await asyncio.sleep(0.01)
+            await lease.kick()
+            assert (plant.lamp, plant.free, await robot.button.get()) == (True, 9, True)
+            assert plant.seen == [("lamp", True), ("free", 9)]
             for volts in (6, -12, 0.03):
                 await robot.left.value.set(volts)
                 for _ in range(8):
@@ -260,12 +274,13 @@ async def test_a_plant_is_the_same_on_the_quick_models_and_at_the_pins(rtl: bool
                 if abs(volts) > 1:
                     assert await robot.wheel.velocity.get() == pytest.approx(2 * volts, rel=0.05)
                 assert await robot.wheel.position.get() == pytest.approx(plant.angle, abs=0.08)
-            assert plant.armed_for == pytest.approx(240, abs=4)
-            assert plant.lit_for == pytest.approx(240, abs=4)
+            assert plant.armed_for == pytest.approx(250, abs=5)
+            assert plant.lit_for == pytest.approx(250, abs=5)
             await robot.left.value.set(6)
             await asyncio.sleep(0.2)
         # The writes went on and the kicks did not.
         assert (plant.left.value, plant.drive.armed, plant.line.level) == (0, False, False)
+        assert (plant.lamp, plant.free) == (False, 9)
         assert await robot.wheel.errors.get() == 0
         assert await robot.wheel.position.get() == pytest.approx(plant.angle, abs=0.01)
 

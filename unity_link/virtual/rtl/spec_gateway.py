@@ -121,7 +121,8 @@ class SpecGateway(RtlGateway):
         robot.is_wired = True
         robot.cores.take_clock(self.info.clock_hz, self.ticks_at)
         robot.wire_pins(self._pins())
-        self._wiring = RobotPorts(self, robot, ports_of(self._interface), offered)
+        at_pins = {pin.path: pin.name for pin in self._bank.wiring.pins if pin.path in self._interface.signals}
+        self._wiring = RobotPorts(self, robot, ports_of(self._interface), at_pins, offered)
         self._robot = robot
         # Before anything at addresses of its own.
         super().attach_elsewhere(robot)
@@ -156,6 +157,8 @@ class SpecGateway(RtlGateway):
 
     def _step_robot(self, until: float) -> None:
         assert self._robot is not None
+        assert self._wiring is not None
+        self._wiring.tell_of_pins()
         # Its failure is in the log, and registers stay as they are.
         with contextlib.suppress(AccessError):
             self._robot.pass_time(until, until_fired=True)

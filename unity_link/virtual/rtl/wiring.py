@@ -1,8 +1,9 @@
 """The signals of a simulated robot, joined with the ports of the compiled register bank.
 
 A signal that hardware gives drives its port when the model sets it. One that a program writes takes the bits of its
-port when that is written, and `written` of the model is called in the clock cycle in which the new value stands there.
-FIFO ports are queues that offer and take a word at the edges at which the gateware does.
+port when that is written, and `written` of the model is called in the clock cycle in which the new value stands there;
+where it stands at pins, it is called in the model's step behind a change. FIFO ports are queues that offer and take a
+word at the edges at which the gateware does.
 """
 
 from __future__ import annotations
@@ -77,6 +78,21 @@ class Got:
         """
         if fault is not None:
             raise _impossible(cell, fault)
+
+
+class GotAtPins(Got):
+    """A signal that a program writes, and that stands at pins.
+
+    Args:
+        port: those pins.
+    """
+
+    def __init__(self, port: Port) -> None:
+        self._port = port
+
+    def look(self, cell: Cell) -> None:
+        """Take the levels of the pins."""
+        cell.take(self._port.value)
 
 
 class OfCore:
@@ -218,6 +234,7 @@ class RobotPorts:
         gateway: that has the ports.
         robot: whose signals these are.
         ports: names of the ports of each signal, by its path, and what they are of it (`Pins`).
+        at_pins: names of the ports of signals that stand at pins, by their paths.
         offered: paths of the FIFO ports that a group publishes as soon as they have a word.
 
     Raises:
@@ -225,12 +242,18 @@ class RobotPorts:
     """
 
     def __init__(
-        self, gateway: RtlGateway, robot: SimulatedRobot, ports: Mapping[str, Mapping[str, str]], offered: set[str]
+        self,
+        gateway: RtlGateway,
+        robot: SimulatedRobot,
+        ports: Mapping[str, Mapping[str, str]],
+        at_pins: Mapping[str, str],
+        offered: set[str],
     ) -> None:
         self._gateway, self._robot = gateway, robot
         self._told: set[type[BaseException]] = set()
         self._queues: list[Queue] = []
         self._got: list[tuple[Cell, Port]] = []
+        self._at_pins: list[tuple[Cell, Port]] = []
         for path, names in ports.items():
             cell = robot.cells[path]
             pins = {pin: gateway.ports[name] for pin, name in names.items()}
@@ -243,6 +266,8 @@ class RobotPorts:
             else:
                 cell.wire = Given(pins["given"])
                 cell.wire.drive(cell, cell.raw)
+        for path, name in at_pins.items():
+            self._join_pins(robot.cells[path], gateway.ports[name])
         for part in robot.interface.cores:
             for signal in part.signals:
                 robot.cells[signal.path].wire = OfCore(robot.cores.at_pins.get(part.path))
@@ -251,6 +276,21 @@ class RobotPorts:
         """Take what stands at the ports, as behind a reset, which pulses none of them."""
         for cell, port in self._got:
             cell.take(port.value)
+
+    def tell_of_pins(self) -> None:
+        """Pass what programs have written to signals at pins on to the model."""
+        for cell, port in self._at_pins:
+            if cell.raw != port.value:
+                cell.take(port.value)
+                self._tell(cell)
+
+    def _join_pins(self, cell: Cell, port: Port) -> None:
+        if cell.signal.access.writes:
+            cell.wire = GotAtPins(port)
+            self._at_pins.append((cell, port))
+        else:
+            cell.wire = Given(port)
+            cell.wire.drive(cell, cell.raw)
 
     def _join_got(self, cell: Cell, got: Port, written: Port) -> None:
         cell.wire = Got()
