@@ -17,7 +17,8 @@ That file says how the core is proved, and what it may take of an FPGA; all othe
     generics = { axes = 6 }
     ecp5 = { logic = 900, memory = 0, fmax_mhz = 100 }
                                         the most that it may take, and the least speed, on a device of
-                                        `gateware/tools/synth.py`; a device that is not named is not tried
+                                        `gateware/tools/synth.py`; a device that is not named is not tried;
+                                        `seed = 2` is one of the placer, where the router does not end with 1
 """
 
 from __future__ import annotations
@@ -51,6 +52,8 @@ class Limits(msgspec.Struct, forbid_unknown_fields=True):
     logic: int
     memory: int
     fmax_mhz: int
+    seed: int = 1
+    """Of the placer."""
 
 
 class Size(msgspec.Struct, forbid_unknown_fields=True):

@@ -21,8 +21,6 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-import msgspec
-
 from gateware.tools import placed
 from gateware.tools.cores import cores
 from gateware.tools.placed import Crossing, Pin, Placed
@@ -37,7 +35,6 @@ from unity_link.spec import compile_file
 RESULTS = GATEWARE / "RESULTS.md"
 BUDGET = GATEWARE / "budget.toml"
 _BOARDS = GATEWARE / "boards"
-_SEED = "1"
 # Nothing is undriven or driven twice, no logic runs in a circle, and nothing is kept but in registers.
 _CHECKS = "hierarchy -check -top {top}; proc; check -assert; select -assert-none t:$dlatch t:$adlatch t:$dlatchsr"
 # What few designs use, by top: the pins of the bus that is not chosen, of which a package has not enough for both, and
@@ -146,6 +143,8 @@ class Configuration:
     """VHDL files beside those of the gateware and its boards."""
     is_core: bool = False
     """True if it is placed in a shell (`gateware.tools.shell`) that is not counted."""
+    seeds: dict[str, int] = dataclasses.field(default_factory=dict)
+    """Seeds of the placer by devices, where it is not 1: with one in many the router does not end."""
 
 
 _MINIMAL: dict[str, object] = {
@@ -209,7 +208,13 @@ CONFIGURATIONS = {
     "ul_fifo_sync": Configuration("ul_fifo_sync", {"depth": 256}),
     "ul_fifo_async": Configuration("ul_fifo_async", {"depth": 256}),
     **{
-        name: Configuration(core.entity, dict(size.generics), devices=tuple(size.limits), is_core=True)
+        name: Configuration(
+            core.entity,
+            dict(size.generics),
+            devices=tuple(size.limits),
+            is_core=True,
+            seeds={device: limits.seed for device, limits in size.limits.items()},
+        )
         for core in cores()
         for name, size in core.sizes.items()
     },
@@ -224,7 +229,7 @@ def budget() -> dict[str, dict[str, dict[str, float]]]:
     for core in cores():
         for name, size in core.sizes.items():
             for device, most in size.limits.items():
-                limits[device][name] = msgspec.structs.asdict(most)
+                limits[device][name] = {figure: getattr(most, figure) for figure in ("logic", "memory", "fmax_mhz")}
     return limits
 
 
@@ -281,7 +286,7 @@ def place(name: str, configuration: Configuration, device_name: str) -> Result:
     options = [
         *(option.format(package=configuration.package or device.package) for option in device.options),
         "--seed",
-        _SEED,
+        str(configuration.seeds.get(device_name, 1)),
         "--freq",
         str(device.target_mhz),
         "--timing-allow-fail",
@@ -390,7 +395,7 @@ def table(results: dict[tuple[str, str], Result], given: dict[str, Any]) -> str:
     """Return the text of RESULTS.md."""
     parts = [
         "# What the gateware costs\n",
-        "Written by `make synth` (GHDL, Yosys, nextpnr; one seed). The configurations are those of",
+        "Written by `make synth` (GHDL, Yosys, nextpnr; one seed each). The configurations are those of",
         "`gateware/tools/synth.py`, the limits in brackets those of `gateware/budget.toml` and of each core's",
         "`core.toml`. Fmax is that of the core's clock. `minimal_short` is `minimal` with IDs of two digits and a CRC",
         "of 8 bits: the difference is what the wider default costs. A core is placed in a shell of registers that is",
