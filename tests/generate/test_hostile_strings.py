@@ -144,8 +144,8 @@ def made(
     path.write_text(spec_text(doc, text), encoding="utf-8")
     options = package if target in {"ros1", "ros2"} else {}
     spec = compile_file(path)
-    # The numbers of which it consists are those of its strings.
-    vars(spec.interface())["description"] = b"the same of each"
+    # The numbers of which they consist are those of its strings.
+    vars(spec.interface()).update(description=b"the same of each", fingerprint=0x12345678)
     return {file.name: file for file in generate(target, spec, **options)}
 
 

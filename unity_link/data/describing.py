@@ -27,7 +27,7 @@ MOST_DIFFERENCES = 5
 R = TypeVar("R", bound=Robot)
 
 
-class Readable(Protocol):
+class DescribedBus(Protocol):
     """A link, as far as reading a description needs it."""
 
     @property
@@ -102,7 +102,7 @@ def _refusal(differences: tuple[str, ...], name: str) -> str:
     )
 
 
-async def read_spec(link: Readable) -> Spec:
+async def read_spec(link: DescribedBus) -> Spec:
     """Return the spec that a gateway was built from, with one interface: from the description that it carries.
 
     Raises:
@@ -128,14 +128,14 @@ async def read_spec(link: Readable) -> Spec:
     raise UnsupportedError(f"the gateway's description cannot be read: {damage}")
 
 
-async def _words(link: Readable) -> list[int]:
+async def _words(link: DescribedBus) -> list[int]:
     words = await _page(link, 0)
     for number in range(1, pages_of(length_of(words, link.gateway.data_bits), link.gateway.data_bits)):
         words += await _page(link, number)
     return words
 
 
-async def _page(link: Readable, number: int) -> list[int]:
+async def _page(link: DescribedBus, number: int) -> list[int]:
     """Return the words of a page.
 
     Raises:

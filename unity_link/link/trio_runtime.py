@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any, Self
 
 import anyio
 import anyio.lowlevel
-import trio
 from anyio.from_thread import BlockingPortal
 
 from unity_link.link.loop_thread import Relay, run_in_loop
@@ -81,6 +80,9 @@ class Structured:
 
     def __init__(self) -> None:
         self.time = anyio.current_time
+        # Only a program that runs under trio has it for sure.
+        import trio
+
         # Another clock than the system's models time.
         is_real = type(trio.lowlevel.current_clock()).__name__ == "SystemClock"
         self.steady = unadjusted_time if is_real else anyio.current_time
