@@ -185,11 +185,8 @@ class Memory(Module):
 class Fifo(Module):
     """A queue behind one address: FIFO in a spec.
 
-    | offset | read | write |
-    |---|---|---|
-    | 0 | takes the oldest word | appends a word |
-
-    An empty or a full queue is the gateware's business: a bus error, which is raised here, or a wait state.
+    A read of its only address takes the oldest word, a write appends one. An empty or a full queue is the gateware's
+    business: a bus error, which is raised here, or a wait state.
     """
 
     SIZE = 1
