@@ -53,7 +53,7 @@ class Limits(msgspec.Struct, forbid_unknown_fields=True):
     memory: int
     fmax_mhz: int
     seed: int = 1
-    """Of the placer."""
+    """Seed of the placer."""
 
 
 class Size(msgspec.Struct, forbid_unknown_fields=True):

@@ -260,6 +260,8 @@ async def test_a_plant_is_the_same_on_the_quick_models_and_at_the_pins(rtl: bool
             assert (plant.lamp, plant.free, await robot.button.get()) == (False, 3, False)
             await robot.lamp.set(True)
             await robot.free.set(9)
+            # A look from outside takes nothing from `written`.
+            assert {plant.lamp, plant.free} <= {False, True, 3, 9}
             await asyncio.sleep(0.01)
             await lease.kick()
             assert (plant.lamp, plant.free, await robot.button.get()) == (True, 9, True)

@@ -63,7 +63,7 @@ def place(index: int) -> float:
 
 
 async def run(robot: Any) -> None:
-    """Give each motor a voltage and each slide a place, and drive the pins."""
+    """Set the voltage of each motor and the target of each slide, and drive the pins."""
     for index, axis in enumerate(robot.axes):
         await axis.motor.value.set(volts(index))
         await axis.slide.position_cmd.set(place(index))

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from unity_link.data.robot import Robot
+    from unity_link.spec import Spec
 
 SPECS = (ROVER, BALANCER, WALKER)
 SPEC = """public robot() {
@@ -105,9 +106,9 @@ def test_each_spec_that_has_all_alike_is_taken_and_written(number: int, tmp_path
 
 
 @on_simulated_time
-async def open_robot(url: str, spec: object) -> Robot:
+async def open_robot(url: str, spec: str | Path | Spec | type[Robot]) -> Robot:
     async with unity_link.connect(url) as link:
-        return await unity_link.robot(link, spec)  # type: ignore[call-overload, no-any-return]
+        return await unity_link.robot(link, spec)
 
 
 def test_the_error_names_file_signal_and_property_with_both_values_of_at_most_five(tmp_path: Path) -> None:

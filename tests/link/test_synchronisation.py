@@ -94,7 +94,7 @@ def test_an_event_is_waited_for_by_all(way: Callable[..., int]) -> None:
     assert way(program, 3) & 1
 
 
-# The clock that nobody adjusts
+# The unadjusted clock
 
 
 async def _steady() -> float:

@@ -132,7 +132,7 @@ def _argument(arguments: list[Argument], name: str) -> Argument | None:
 
 
 def _put(arguments: list[Argument], name: str, value: str) -> bool:
-    """Give an argument another value; return whether it is another."""
+    """Set the value of an argument; return True if that changes it."""
     given, new = _argument(arguments, name), _expression(value)
     if given is None:
         arguments.append(Argument(Word(name), new))

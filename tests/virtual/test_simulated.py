@@ -253,6 +253,7 @@ def test_time_that_nobody_can_make_up_for_is_left_out_and_told(caplog: pytest.Lo
 
 class Slow(SimulatedRobot):
     def step(self, dt: float) -> None:
+        # The processor is busy for longer than the step models.
         time.sleep(3 * dt)
 
 

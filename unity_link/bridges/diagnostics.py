@@ -117,14 +117,14 @@ class LeaseDiagnostics:
     async def _told(self, lease: LeaseRegisters) -> tuple[int, str, dict[str, object]]:
         condition = await lease.condition()
         values: dict[str, object] = {
-            "state": condition.state_name,
+            "state": condition.state,
             "reason": condition.reason,
             "e-stop": "open" if condition.estop_open else "closed",
             "leases begun": condition.arms,
         }
-        message = condition.state_name
+        message = condition.state
         if not condition.armed:
             fault = await lease.fault(condition)
             message += f": {str(fault).partition(': ')[2]}"
             values["time of the fault (s)"] = "" if fault.instant is None else f"{fault.instant:.6f}"
-        return _OF_LEASES.get(condition.state_name, ERROR), message, values
+        return _OF_LEASES.get(condition.state, ERROR), message, values

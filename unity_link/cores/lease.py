@@ -28,6 +28,7 @@ from unity_link.errors import (
 from unity_link.link.asked import Asked
 from unity_link.link.synchronisation import gather, running
 from unity_link.protocol.numbers import real_number
+from unity_link.spec.kinds import name_of
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Sequence
@@ -51,10 +52,7 @@ MOST_KICKS = 16
 """Kicks that are under way; the next one waits for the first of them."""
 BUFFER = 16_384
 """Samples that wait for the body of a loop, as in `unity_link.Link.subscribe`."""
-_REASONS = ("none_yet", "disarmed", "silence", "estop")
 _ENDED = {"disarmed": "was disarmed", "silence": "has run out", "estop": "was stopped by its e-stop"}
-_ARMED, _FAULT = 1, 2
-_STATES = ("disarmed", "armed", "fault")
 MOST_ARMS = 1 << 16
 """Leases after which their count begins again."""
 _OPEN = "write `async with` before this lease, and `with` where it is one of a blocking link"
@@ -79,16 +77,11 @@ class _Condition(NamedTuple):
     """State of a lease, as its registers tell it."""
 
     armed: bool
-    state: int
+    state: str
     reason: str
     estop_open: bool
     arms: int
     """Leases that have begun since the reset, modulo 2 ** 16."""
-
-    @property
-    def state_name(self) -> str:
-        """The state in a word."""
-        return _STATES[self.state] if self.state < len(_STATES) else str(self.state)
 
 
 class LeaseRegisters(CoreRegisters):
@@ -113,14 +106,9 @@ class LeaseRegisters(CoreRegisters):
     def condition_of(self, words: Sequence[int]) -> _Condition:
         """Return what the words of the state say."""
         state_word, arms_word = words
-        armed, state, reason, estop_open = (int(signal.decode(state_word)) for signal in self._fields)
-        return _Condition(
-            bool(armed),
-            state,
-            _REASONS[reason] if reason < len(_REASONS) else str(reason),
-            estop_open == 1,
-            int(self._arms.decode(arms_word)),
-        )
+        armed, state, reason, estop_open = (signal.decode(state_word) for signal in self._fields)
+        arms = int(self._arms.decode(arms_word))
+        return _Condition(bool(armed), name_of(state), name_of(reason), bool(estop_open), arms)
 
     async def condition(self) -> _Condition:
         """Read the state, in one transaction of the bus."""
@@ -128,7 +116,7 @@ class LeaseRegisters(CoreRegisters):
 
     async def fault(self, condition: _Condition) -> NotArmedError:
         """Return the error for a lease that is not armed."""
-        if condition.state != _FAULT:
+        if condition.state != "fault":
             how = "nobody has armed it since the reset" if condition.reason == "none_yet" else "it was disarmed"
             return NotArmedError(f"{self.name} is not armed: {how}", condition.reason)
         instant = await self.fault_time.get() / self.link.gateway.clock_hz
@@ -506,7 +494,8 @@ class LeaseModel(Model):
 
     def reset(self) -> None:
         """Disarm, as if nobody had armed it."""
-        self.part.armed, self.part.state, self.part.reason, self.part.fault_time = False, 0, 0, 0
+        self.part.armed, self.part.state, self.part.reason = False, "disarmed", "none_yet"
+        self.part.fault_time = 0
         self.part.arms = 0
         self.part.enable = 0
         self.around.make_safe()
@@ -530,7 +519,7 @@ class LeaseModel(Model):
         elif name == "kick":
             self._take(part.kick, is_arm=False)
         elif name == "disarm" and part.armed:
-            part.armed, part.state, part.reason, part.enable = False, 0, _REASONS.index("disarmed"), 0
+            part.armed, part.state, part.reason, part.enable = False, "disarmed", "disarmed", 0
             self.around.make_safe()
         elif name == "estop":
             part.estop_open = not part.estop
@@ -548,7 +537,7 @@ class LeaseModel(Model):
         if not may or part.estop_open or not 3 <= ahead <= self._most or (part.armed and now + ahead <= self._end):
             return
         part.arms = (part.arms + (not part.armed)) % MOST_ARMS
-        part.armed, part.state, part.enable = True, _ARMED, 1
+        part.armed, part.state, part.enable = True, "armed", 1
         self._token, self._end = token, now + ahead
 
     @property
@@ -558,7 +547,7 @@ class LeaseModel(Model):
 
     def _fall(self, reason: str, instant: int) -> None:
         part = self.part
-        part.armed, part.state, part.reason, part.enable = False, _FAULT, _REASONS.index(reason), 0
+        part.armed, part.state, part.reason, part.enable = False, "fault", reason, 0
         part.fault_time = instant
         self.around.make_safe()
 

@@ -96,7 +96,7 @@ class Runtime(Protocol):
         """Return the time in seconds, from any origin."""
 
     def steady(self) -> float:
-        """Return the time in seconds of a clock that nobody adjusts, `unadjusted_time` but in models of time."""
+        """Return the time in seconds of an unadjusted clock: `unadjusted_time`, in models of time the modelled one."""
 
     def create_future(self) -> Waiter:
         """Return what a coroutine can await."""

@@ -139,6 +139,11 @@ def _named(names: type[NamedNumber], number: int) -> int:
     return names(number) if number in names.__members__.values() else number
 
 
+def name_of(value: Value) -> str:
+    """Return the name of a number of an enumeration; any other value as a text."""
+    return str(getattr(value, "name", value))
+
+
 def number_named(names: type[enum.IntEnum], name: str) -> int:
     """Return the number of a name of an enumeration.
 

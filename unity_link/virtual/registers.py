@@ -191,8 +191,7 @@ class Cell:
         assert self.signal.safe is not None
         self._gathered = [0] * self.signal.words
         if self.signal.safe.bits is not None:
-            self.raw = self.signal.safe.bits
-            self.value = self.signal.kind.decode(self.raw)
+            self.take(self.signal.safe.bits)
 
     def _raw_with(self, part: int, word: int) -> int:
         words = [*self._gathered[:part], word]

@@ -121,8 +121,7 @@ class SpecGateway(RtlGateway):
         robot.is_wired = True
         robot.cores.take_clock(self.info.clock_hz, self.ticks_at)
         robot.wire_pins(self._pins())
-        at_pins = {pin.path: pin.name for pin in self._bank.wiring.pins if pin.path in self._interface.signals}
-        self._wiring = RobotPorts(self, robot, ports_of(self._interface), at_pins, offered)
+        self._wiring = RobotPorts(self, robot, ports_of(self._interface), offered)
         self._robot = robot
         # Before anything at addresses of its own.
         super().attach_elsewhere(robot)

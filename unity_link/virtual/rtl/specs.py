@@ -29,6 +29,7 @@ from unity_link.generate.vhdl.bank import Bank
 from unity_link.generate.vhdl.folder import read_vhdl
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.crc import USUAL_POLYNOMIALS
+from unity_link.spec.model import Way
 from unity_link.spec.rates import base_millihertz
 from unity_link.virtual.generics import FEATURES, generics_of, info_of
 from unity_link.virtual.rtl.compiling import cache_folder, compiler, running
@@ -138,10 +139,17 @@ def _design_of(interface: Interface, generics: Mapping[str, int]) -> Design:
 
 
 def ports_of(interface: Interface) -> dict[str, dict[str, str]]:
-    """Return names of the ports of each signal in the design of an interface, by its path and their `Pins`."""
+    """Return names of the ports of each signal in the design of an interface, by its path and their `Pins`.
+
+    Those of a register at pins are the pins; none says that it was written.
+    """
     found: dict[str, dict[str, str]] = {}
-    for port in flat_ports(Bank(interface), [*FIFO, triggers(0)]):
+    bank = Bank(interface)
+    for port in flat_ports(bank, [*FIFO, triggers(0)]):
         found.setdefault(port.path, {})[port.pin] = port.name
+    for pin in bank.wiring.pins:
+        if pin.path in interface.signals:
+            found[pin.path] = {"given" if pin.way is Way.IN else "got": pin.name}
     return found
 
 

@@ -80,21 +80,6 @@ class Got:
             raise _impossible(cell, fault)
 
 
-class GotAtPins(Got):
-    """A signal that a program writes, and that stands at pins.
-
-    Args:
-        port: those pins.
-    """
-
-    def __init__(self, port: Port) -> None:
-        self._port = port
-
-    def look(self, cell: Cell) -> None:
-        """Take the levels of the pins."""
-        cell.take(self._port.value)
-
-
 class OfCore:
     """A signal of a core, which the compiled gateware has: a model meets it at its pins.
 
@@ -234,7 +219,6 @@ class RobotPorts:
         gateway: that has the ports.
         robot: whose signals these are.
         ports: names of the ports of each signal, by its path, and what they are of it (`Pins`).
-        at_pins: names of the ports of signals that stand at pins, by their paths.
         offered: paths of the FIFO ports that a group publishes as soon as they have a word.
 
     Raises:
@@ -242,18 +226,14 @@ class RobotPorts:
     """
 
     def __init__(
-        self,
-        gateway: RtlGateway,
-        robot: SimulatedRobot,
-        ports: Mapping[str, Mapping[str, str]],
-        at_pins: Mapping[str, str],
-        offered: set[str],
+        self, gateway: RtlGateway, robot: SimulatedRobot, ports: Mapping[str, Mapping[str, str]], offered: set[str]
     ) -> None:
         self._gateway, self._robot = gateway, robot
         self._told: set[type[BaseException]] = set()
         self._queues: list[Queue] = []
         self._got: list[tuple[Cell, Port]] = []
         self._at_pins: list[tuple[Cell, Port]] = []
+        """Those of which no port says that they were written."""
         for path, names in ports.items():
             cell = robot.cells[path]
             pins = {pin: gateway.ports[name] for pin, name in names.items()}
@@ -262,12 +242,10 @@ class RobotPorts:
                 if path in offered:
                     self._queues.append(cell.queue)
             elif "got" in pins:
-                self._join_got(cell, pins["got"], pins["written"])
+                self._join_got(cell, pins["got"], pins.get("written"))
             else:
                 cell.wire = Given(pins["given"])
                 cell.wire.drive(cell, cell.raw)
-        for path, name in at_pins.items():
-            self._join_pins(robot.cells[path], gateway.ports[name])
         for part in robot.interface.cores:
             for signal in part.signals:
                 robot.cells[signal.path].wire = OfCore(robot.cores.at_pins.get(part.path))
@@ -284,19 +262,14 @@ class RobotPorts:
                 cell.take(port.value)
                 self._tell(cell)
 
-    def _join_pins(self, cell: Cell, port: Port) -> None:
-        if cell.signal.access.writes:
-            cell.wire = GotAtPins(port)
-            self._at_pins.append((cell, port))
-        else:
-            cell.wire = Given(port)
-            cell.wire.drive(cell, cell.raw)
-
-    def _join_got(self, cell: Cell, got: Port, written: Port) -> None:
+    def _join_got(self, cell: Cell, got: Port, written: Port | None) -> None:
         cell.wire = Got()
         if cell.raw != cell.signal.reset:
             cell.wire.drive(cell, cell.raw)
         self._got.append((cell, got))
+        if written is None:
+            self._at_pins.append((cell, got))
+            return
 
         def take() -> None:
             cell.take(got.value)
