@@ -143,6 +143,13 @@ def test_another_address_wants_tcp_and_a_token(place: list[str]) -> None:
     assert ("--token-file" if place else "--tcp") in result.stderr
 
 
+@pytest.mark.parametrize("url", ["sim:", "sim:examples/rover.ul"])
+def test_an_interface_wants_a_spec(url: str) -> None:
+    result = run("serve", url, "--tcp", "0", "--interface", "other")
+    assert result.returncode == 2
+    assert "--interface goes with --spec alone" in result.stderr
+
+
 @pytest.mark.parametrize(
     ("content", "words"),
     [(None, "no token can be read"), ("", "is empty"), ("two words", "without blanks"), ("\x00", "printable")],

@@ -113,10 +113,10 @@ def serve(  # noqa: PLR0913  (its options)
 
 def _map_of(url: str, spec: Path | None, interface: str | None) -> Interface | None:
     """Return the map of the gateway, None where nothing says it."""
+    if spec is None and interface is not None:
+        raise ArgumentError("--interface goes with --spec alone")
     named = spec or spec_in(url)
     if named is None:
-        if interface is not None:
-            raise ArgumentError("--interface goes with --spec alone")
         return None
     from unity_link.transport import parse_url
 
