@@ -95,6 +95,17 @@ def test_every_worked_example_of_the_protocol_holds(example: Example) -> None:
     play()
 
 
+def damage_apart(answer: bytes) -> tuple[list[bytes], int]:
+    """Return the answers to requests in their order, and the number of damaged frames that were told of.
+
+    A frame that is no request has no place among the requests: it is told of when it is seen, which may be before or
+    after the gateway has refused a posted write.
+    """
+    frames = answer.splitlines(keepends=True)
+    requests = [frame for frame in frames if not frame.startswith(b"X")]
+    return requests, len(frames) - len(requests)
+
+
 CODEC = Codec(GatewayInfo())
 OPERATIONS = st.tuples(
     st.sampled_from(["R", "W", "WS", "H", "K", "reset"]),
@@ -160,4 +171,6 @@ def test_a_client_that_is_heard_in_turns_is_answered_as_one_that_is_heard_at_onc
         at_once = run_simulated(hold_conversation(begun))
     with patch.object(connection, "COST_HERE", cost):
         in_turns = run_simulated(hold_conversation(begun))
-    assert in_turns == at_once
+    (heard_in_turns, written_in_turns), (heard_at_once, written_at_once) = in_turns, at_once
+    assert list(map(damage_apart, heard_in_turns)) == list(map(damage_apart, heard_at_once))
+    assert written_in_turns == written_at_once

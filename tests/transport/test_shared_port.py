@@ -174,13 +174,15 @@ async def test_with_other_settings_it_is_refused_in_a_sentence() -> None:
 async def test_a_gateway_with_a_number_that_is_alone_and_not_half_duplex_has_all_in_flight_that_it_can() -> None:
     async with serve_pty(VirtualGateway(node=5)) as url, unity_link.connect(f"{url}?node=5") as link:
         for _ in range(5):
-            await asyncio.gather(*[link.write(number % 256, number) for number in range(500)])
+            writes = [asyncio.ensure_future(link.write(number % 256, number)) for number in range(500)]
+            await asyncio.sleep(0)
+            assert link.statistics.in_flight == 500
+            await asyncio.gather(*writes)
             assert len(await link.read_many([1] * 500)) == 500
         async with link.subscribe([1], rate_hz=1000) as samples:
             for _ in range(20):
                 await anext(samples)
             assert await link.read(0) == 256
-        assert link.statistics.repetitions == 0
         with pytest.raises(ConnectError, match="was not built half-duplex"):
             await unity_link.connect(f"{url}?node=6").__aenter__()
 
