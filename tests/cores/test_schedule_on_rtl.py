@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import random
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -12,6 +14,9 @@ import unity_link
 from support.simulated_time import on_simulated_time
 from unity_link import LateError, NotArmedError
 from unity_link.virtual.build import simulate
+from unity_link.virtual.ft232h.bus import LoopClock, VirtualBus, VirtualFt232h
+from unity_link.virtual.ft232h.pyusb_backend import installed
+from unity_link.virtual.ft232h.rtl_board import RtlBoard
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -26,6 +31,7 @@ public robot() {{
   joints[{JOINTS}]: joint(drive, plan) @(0x10 + i);
   @lamp = 0x40: unsigned 8 READWRITE(PIN="led", TIMED(plan));
   @wide = 0x50: signed 40 READWRITE(TIMED(plan));
+  @other = 0x60: unsigned 32 READWRITE();
 }}
 joint(LEASE, SCHEDULE): @(at) {{
   @pos = at: signed 32 READWRITE(SCALE=0.001, SAFE(0, LEASE), TIMED(SCHEDULE));
@@ -36,10 +42,10 @@ joint(LEASE, SCHEDULE): @(at) {{
 class Robot:
     """The compiled robot, and its ports in each cycle."""
 
-    def __init__(self, path: Path) -> None:
+    def __init__(self, path: Path, clock_hz: int = 500_000) -> None:
         spec = path / "robot.ul"
         spec.write_text(SPEC)
-        self.gateway = simulate(spec, rtl=True, clock_hz=500_000)
+        self.gateway = simulate(spec, rtl=True, clock_hz=clock_hz)
         self.spec = unity_link.load(spec)
         self.bare: Any = self.gateway._gateway
 
@@ -109,9 +115,14 @@ async def test_what_waits_when_the_lease_ends_does_not_act(robot: Robot) -> None
 
 
 @pytest.mark.rtl
+@pytest.mark.parametrize(
+    "rows", [500, *(pytest.param(rows, marks=pytest.mark.campaign) for rows in (60_000, 3_600_000))]
+)
 @on_simulated_time
-async def test_eighteen_joints_at_a_kilohertz_from_a_program_that_sleeps_are_never_late(robot: Robot) -> None:
-    chance, rows = random.Random(2), 500
+async def test_eighteen_joints_at_a_kilohertz_from_a_program_that_sleeps_are_never_late(
+    robot: Robot, rows: int
+) -> None:
+    chance, next_sleep = random.Random(2), 0
     async with unity_link.connect(robot.gateway) as link:
         machine: Any = robot.spec(link)
         ports = [robot.ports[f"joints_{index}_pos_written"] for index in range(JOINTS)]
@@ -121,9 +132,101 @@ async def test_eighteen_joints_at_a_kilohertz_from_a_program_that_sleeps_are_nev
             for row in range(rows):
                 await line.set({joint.pos: (row + index) / 1000 for index, joint in enumerate(machine.joints)})
                 line.delay(0.001)
-                if chance.random() < 0.03:
+                if row >= next_sleep:
                     await asyncio.sleep(chance.uniform(0, 0.05))
+                    # The queue holds 97 rows: it lasts for one sleep, not for three in a row.
+                    next_sleep = row + chance.randint(100, 200)
             assert await line.flush() == rows
             assert [port.take_counts()[0].high for port in ports] == [rows] * JOINTS
-            assert [await joint.pos.get() for joint in machine.joints[::5]] == [0.499, 0.504, 0.509, 0.514]
+            assert [await joint.pos.get() for joint in machine.joints[::5]] == [
+                pytest.approx((rows - 1 + index) / 1000) for index in (0, 5, 10, 15)
+            ]
         assert (await machine.plan.late.get(), await machine.plan.refused.get()) == (0, 0)
+
+
+class Joints:
+    """Joints of a compiled robot, and where they are in each cycle in which they are written."""
+
+    def __init__(self, robot: Robot) -> None:
+        self.seen: list[tuple[int, tuple[int, ...]]] = []
+        self._cycles = robot.bare
+        self._places = [robot.ports[f"joints_{index}_pos"] for index in range(JOINTS)]
+        self._written = [robot.ports[f"joints_{index}_pos_written"] for index in range(JOINTS)]
+        self.pulses()
+        robot.bare.watch(self._note, self._written[0])
+
+    def _note(self) -> None:
+        self.seen.append((self._cycles.cycles, tuple(place.value for place in self._places)))
+
+    def pulses(self) -> list[int]:
+        """Return the number of cycles in which each joint was written, since the last call."""
+        return [port.take_counts()[0].high for port in self._written]
+
+
+async def ask_on(link: unity_link.Link, machine: Any) -> None:
+    """Keep the bus busy."""
+    while True:
+        await asyncio.gather(link.read_block(0x10, JOINTS), machine.other.post(1), machine.other.get())
+
+
+async def feed(machine: Any, rows: int, seconds: float, chance: random.Random) -> tuple[dict[int, int], int]:
+    """Write rows of all joints some 20 ms before their instants from a program that sleeps, now and then too long.
+
+    Returns:
+        the number of each row by its instant, and how often the program was told that it was late.
+    """
+    asked: dict[int, int] = {}
+    times_late = number = 0
+    clock = await machine.plan.clock()
+    while number < rows:
+        with contextlib.suppress(LateError):
+            times_late += 1
+            async with machine.drive.armed() as lease, machine.plan.timeline(lead=0.02, lease=lease) as line:
+                while number < rows:
+                    number += 1
+                    asked[line.instant.ticks] = number
+                    await line.set({joint.pos: (number + index) / 1000 for index, joint in enumerate(machine.joints)})
+                    line.delay(seconds * chance.choice([1, 1, 1, 2]))
+                    ahead = (line.instant.ticks - clock.now().ticks) / clock.clock_hz
+                    await asyncio.sleep(max(0, ahead - 0.02))
+                    if chance.random() < 0.01:
+                        await asyncio.sleep(chance.choice([0.003, 0.01, 0.03]))
+                await line.flush()
+            times_late -= 1
+    return asked, times_late
+
+
+@pytest.mark.rtl
+@pytest.mark.parametrize(
+    ("bytes_per_second", "clock_hz", "writes_per_second", "rows"),
+    [
+        (250_000, 500_000, 15_000, 500),
+        pytest.param(1_000_000, 2_000_000, 50_000, 1_000_000 // JOINTS, marks=pytest.mark.campaign),
+        # As a line of 3 Mbaud.
+        pytest.param(300_000, 500_000, 9_000, 100_000 // JOINTS, marks=pytest.mark.campaign),
+    ],
+)
+@on_simulated_time
+async def test_each_write_acts_in_its_cycle_or_is_counted_late_while_the_bus_is_busy(
+    bytes_per_second: float, clock_hz: int, writes_per_second: float, rows: int, tmp_path: Path
+) -> None:
+    robot = Robot(tmp_path, clock_hz)
+    device = VirtualFt232h(RtlBoard(robot.bare, bytes_per_second), clock=LoopClock())
+    with installed(VirtualBus(device)):
+        async with unity_link.connect("ftdi-async://ftdi:232h/1", timeout=60) as link:
+            machine: Any = robot.spec(link)
+            joints = Joints(robot)
+            busy = asyncio.ensure_future(ask_on(link, machine))
+            asked, times_late = await feed(machine, rows, JOINTS / writes_per_second, random.Random(rows))
+            busy.cancel()
+            await asyncio.wait([busy])
+            late, refused = await machine.plan.late.get(), await machine.plan.refused.get()
+    seen = joints.seen
+    assert joints.pulses() == [len(seen)] * JOINTS
+    assert seen == [(cycle, tuple(range(asked[cycle], asked[cycle] + JOINTS))) for cycle, _ in seen]
+    assert all(before < after for (before, _), (after, _) in pairwise(seen))
+    assert len(seen) > 0.7 * rows
+    assert times_late > 0
+    assert late > 0
+    # The row that finds that its timeline has ended may not have been sent.
+    assert 0 <= len(asked) - len(seen) - late - refused <= times_late
