@@ -257,8 +257,10 @@ def test_a_link_that_is_forgotten_is_closed_and_frees_its_port(tmp_path: Path) -
         "with blocking.connect('sim:') as link, link.subscribe(0x10) as samples:\n    say()\n    next(samples)",
         "link = blocking.connect('sim:')\nsamples = link.subscribe(0x10)\nsamples.__enter__()\nsay()\nnext(samples)",
         # The first call imports numpy, and the interpreter loses a Ctrl-C in some instants of an import.
-        "with blocking.connect(SlowLine(VirtualGateway(), 5000)) as link:\n    link.read_queue(0, 1)\n    say()\n"
-        "    link.read_queue(0, 5000)",
+        (
+            "with blocking.connect(SlowLine(VirtualGateway(), 5000)) as link:\n"
+            "    link.read_queue(0, 1)\n    say()\n    link.read_queue(0, 5000)"
+        ),
     ],
     ids=["in a block", "without one", "in a call"],
 )

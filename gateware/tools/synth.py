@@ -28,6 +28,7 @@ from gateware.tools.shell import SHELL, shelled
 from unity_link.gateware.cache import GATEWARE, cache_folder, hash_of, kept
 from unity_link.gateware.convert import ConversionError, to_verilog
 from unity_link.gateware.ghdl import ToolMissingError
+from unity_link.gateware.yowasp import place as place_and_route
 from unity_link.gateware.yowasp import run, version
 from unity_link.generate import generate, write
 from unity_link.spec import compile_file
@@ -349,10 +350,10 @@ def _place(top: str, device: Device, verilog: str, pins: list[Path], options: li
             options = [*options, device.constraints, pin.name]
         shown = device.shown and bool(pins)
         _map(top, device, verilog, work, on_pins=bool(pins))
-        arguments = ["--quiet", "--json", "out.json", "--report", "report.json", *options]
+        arguments = ["--json", "out.json", "--report", "report.json", *options]
         if shown:
             arguments += ["--detailed-timing-report", "--write", "placed.json"]
-        run(work, device.nextpnr, *arguments, explained=_EXPLAINED)
+        place_and_route(work, device.nextpnr, *arguments, explained=_EXPLAINED)
         report: dict[str, Any] = json.loads((work / "report.json").read_text())
         report |= {"pins": {}, "crossings": {}}
         if shown:

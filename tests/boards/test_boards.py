@@ -25,6 +25,7 @@ from unity_link.boards.pins import generated_ports
 from unity_link.boards.projects import VENDORS, make_project
 from unity_link.errors import ArgumentError, UnsupportedError
 from unity_link.files import digest_of
+from unity_link.gateware import yowasp
 from unity_link.gateware.cache import ToolMissingError
 from unity_link.gateware.convert import ConversionError
 from unity_link.gateware.own_vhdl import Converted, Own, OwnFile, Port
@@ -401,6 +402,7 @@ def tools(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> pytest.MonkeyPatch
     """Install stand-ins for all tools; each may be replaced."""
     (tmp_path / "lamp.v").write_text("")
     monkeypatch.setattr(building, "run", stand_in())
+    monkeypatch.setattr(building, "place", stand_in())
     monkeypatch.setattr(building, "script", lambda tool: tool)
     monkeypatch.setattr(building, "version", lambda tool: "1")
     monkeypatch.setattr(building, "to_verilog", lambda *_: tmp_path / "lamp.v")
@@ -449,8 +451,91 @@ def test_a_top_that_does_not_wait_for_its_pll_is_told(tools: pytest.MonkeyPatch,
 
 @pytest.mark.parametrize("failing", ["yosys", "nextpnr", "icepack"])
 def test_a_tool_that_fails_leaves_nothing(failing: str, tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    tools.setattr(building, "run", stand_in(failing=failing))
+    for name in ("run", "place"):
+        tools.setattr(building, name, stand_in(failing=failing))
     with pytest.raises((BuildError, ConversionError), match="it failed"):
+        build(LAMP, "mine", HX8K, tmp_path / "out")
+    assert not (tmp_path / "out").exists()
+
+
+# A router that comes to no end
+
+ROUTER = """\
+#!{python}
+import itertools, json, sys, time
+seed = int(sys.argv[sys.argv.index("--seed") + 1])
+row = "Info: {{:10}} |     1987         12 | 1000     0 |{{:10}}|       8.70      18.37|"
+print("Info: Routing 5874 arcs.")
+for turn in itertools.count(1):
+    left = {left}
+    other = f"Info:     iter={{turn}} wires=8032 overused={{left}} overuse=1 archfail=NA"
+    print(row.format(turn * 1000, left) if seed % 2 else other, flush=True)
+    if left == 0:
+        break
+cells = {{"ICESTORM_LC": {{"used": 15, "available": 7680}}}}
+open("report.json", "w").write(json.dumps({{"utilization": cells, "fmax": {{"clk": {{"achieved": 80.0}}}}}}))
+"""
+"""A nextpnr of which `left` is what remains in each row of its table: router1's with odd seeds, router2's with even."""
+
+
+@pytest.fixture
+def real_place(tools: pytest.MonkeyPatch, tmp_path: Path) -> Callable[[str], None]:
+    """Return what makes a command on the path of the text given, which `build` then calls as nextpnr."""
+    folder = tmp_path / "path"
+    folder.mkdir()
+    tools.setenv("PATH", f"{folder}:{os.environ['PATH']}")
+    tools.setattr("sysconfig.get_path", lambda *_: str(folder))
+    tools.setattr(building, "place", yowasp.place)
+
+    def install(text: str) -> None:
+        path = folder / FAMILIES[HX8K.family].nextpnr
+        path.write_text(text)
+        path.chmod(0o755)
+
+    return install
+
+
+def test_a_router_that_comes_to_no_end_is_stopped_and_the_next_seed_is_taken(
+    real_place: Callable[[str], None], tmp_path: Path
+) -> None:
+    real_place(ROUTER.format(python=sys.executable, left="5 + turn % 2 if seed < 3 else max(0, 3 - turn)"))
+    said: list[str] = []
+    built = build(LAMP, "mine", HX8K, tmp_path / "out", note=said.append)
+    assert said == [f"the router came to no end with seed {seed} of 5, and was stopped" for seed in (1, 2)]
+    assert "1, seed 3\n" in built.report.read_text()
+
+
+def test_a_router_that_comes_to_no_end_with_any_seed_leaves_nothing(
+    real_place: Callable[[str], None], tmp_path: Path
+) -> None:
+    real_place(ROUTER.format(python=sys.executable, left=5))
+    said: list[str] = []
+    with pytest.raises(
+        BuildError, match=r"^lamp cannot be routed on mine: the router came to no end with any of the seeds 1 to 5; "
+    ):
+        build(LAMP, "mine", HX8K, tmp_path / "out", note=said.append)
+    assert len(said) == 5
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("router", [1, 2])
+def test_a_router_that_comes_on_slowly_is_left_alone(
+    router: int, real_place: Callable[[str], None], tools: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    tools.setattr(building, "_SEEDS", [router])
+    # Just often enough it has one less.
+    real_place(ROUTER.format(python=sys.executable, left=f"4 - turn // {yowasp._ROWS[router]}"))
+    built = build(LAMP, "mine", HX8K, tmp_path / "out", note=pytest.fail)
+    assert f"1, seed {router}\n" in built.report.read_text()
+
+
+def test_a_nextpnr_that_says_nothing_is_stopped(
+    real_place: Callable[[str], None], tools: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    tools.setattr(yowasp, "_SILENT_S", 0.1)
+    tools.setattr(yowasp, "_LOOK_S", 0.01)
+    real_place("#!/bin/sh\nexec sleep 3600\n")
+    with pytest.raises(BuildError, match="cannot be routed on mine"):
         build(LAMP, "mine", HX8K, tmp_path / "out")
     assert not (tmp_path / "out").exists()
 
@@ -467,14 +552,14 @@ def test_a_component_without_an_entity_is_named(tools: pytest.MonkeyPatch, tmp_p
 
 
 def test_a_design_that_misses_its_clock_leaves_nothing(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    tools.setattr(building, "run", stand_in(mhz=11.9))
+    tools.setattr(building, "place", stand_in(mhz=11.9))
     with pytest.raises(BuildError, match=r"^lamp is too slow on mine: clk reaches 11\.9 MHz of 12\.0$"):
         build(LAMP, "mine", HX8K, tmp_path / "out")
     assert not (tmp_path / "out").exists()
 
 
 def test_an_ft245_that_misses_the_chips_clock_leaves_nothing(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    tools.setattr(building, "run", stand_in(clocks={"$glbnet$core_clk": 80.0, "$glbnet$design.ft_clkout": 59.0}))
+    tools.setattr(building, "place", stand_in(clocks={"$glbnet$core_clk": 80.0, "$glbnet$design.ft_clkout": 59.0}))
     with pytest.raises(BuildError, match=r"^lamp is too slow on x: ft_clkout reaches 59\.0 MHz of 60\.0$"):
         build(LAMP, "x", load_board("ulx3s_ft245_sync")[1], tmp_path / "out")
     assert not (tmp_path / "out").exists()
@@ -531,7 +616,7 @@ def test_every_board_leaves_a_bitstream_and_a_report_that_names_what_it_is_made_
     name: str, tools: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     _, board = load_board(name)
-    tools.setattr(building, "run", stand_in(clocks=dict.fromkeys(board.clocks, 80.0)))
+    tools.setattr(building, "place", stand_in(clocks=dict.fromkeys(board.clocks, 80.0)))
     built = build(LAMP, name, board, tmp_path / "out")
     assert built.bitstream.name == f"lamp_{name}.{FAMILIES[board.family].suffix}"
     report = built.report.read_text()

@@ -21,7 +21,7 @@ from unity_link.gateware.convert import to_verilog
 from unity_link.gateware.ghdl import converting_ghdl
 from unity_link.gateware.limits import check_generics
 from unity_link.gateware.own_vhdl import check_entities, convert_own
-from unity_link.gateware.yowasp import RefusedError, run, script, version
+from unity_link.gateware.yowasp import EndlessError, RefusedError, place, run, script, version
 from unity_link.generate import Templates, vhdl, write
 from unity_link.generate.vhdl.bank import Bank
 from unity_link.generate.vhdl.names import identifier
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from unity_link.gateware.own_vhdl import Own, Port
     from unity_link.spec import Interface, Spec
 
-_SEED = "1"
+_SEEDS = range(1, 6)
 _TOP = "unity_link_board"
 _USED = re.compile(r"^Info:\s+(\w+):\s+(\d+)\s*/\s*(\d+)", re.MULTILINE)
 _UNBOUND = re.compile(r"Module `\\(\S+)' referenced in module `\\(\S+)' in cell")
@@ -82,6 +82,7 @@ class _Placed(NamedTuple):
     """Number used and number available, for each kind of cell."""
     clocks: dict[str, tuple[float, float]]
     """Frequency reached and frequency needed, in MHz, for each clock."""
+    seed: int
 
 
 def build(
@@ -105,7 +106,7 @@ def build(
         interface: which public interface, where there are several.
         own: a user's VHDL: entities behind components, or with a top, one in the place of the generated whole design.
         overwrite: whether files that this package did not make may go.
-        note: gets a line for each warning about the user's files.
+        note: gets a line for each warning about the user's files, and for a seed with which the router came to no end.
 
     Raises:
         ArgumentError: where the board's clock cannot be made, or is too slow for the groups; or a port of the user's
@@ -134,7 +135,7 @@ def build(
             design = design_of(spec, chosen, board_name, board, work, own)
             for remark in design.remarks:
                 note(remark)
-            made = _make(spec, chosen, board_name, board, work, design, own)
+            made = _make(spec, chosen, board_name, board, work, design, own, note)
             for path, data in zip(built, made, strict=True):
                 with writing.open(path) as file:
                     file.write(data)
@@ -144,13 +145,20 @@ def build(
 
 
 def _make(
-    spec: Spec, interface: Interface, board_name: str, board: Board, work: Path, design: Design, own: Own | None
+    spec: Spec,
+    interface: Interface,
+    board_name: str,
+    board: Board,
+    work: Path,
+    design: Design,
+    own: Own | None,
+    note: Callable[[str], None],
 ) -> tuple[bytes, bytes]:
     """Return the bitstream and the report."""
     family = FAMILIES[board.family]
     synthesise(design, board, work)
     (work / "pins").write_text(family.pin_file(board, design.pins))
-    placed = _place(interface.name, board_name, board, work, design)
+    placed = _place(interface.name, board_name, board, work, design, note)
     run(work, family.packer, *family.pack(board), explained=_ANY)
     bitstream = (work / "bitstream").read_bytes()
     return bitstream, report_text(spec, interface, board, placed, bitstream, design, own).encode()
@@ -247,20 +255,28 @@ def design_of(
     return Design(converted.module, converted.verilog, converted.ports, pins, remarks)
 
 
-def _place(name: str, board_name: str, board: Board, work: Path, design: Design) -> _Placed:
-    """Place and route.
+def _place(
+    name: str, board_name: str, board: Board, work: Path, design: Design, note: Callable[[str], None]
+) -> _Placed:
+    """Place and route, with the first seed with which the router comes to an end.
 
     Raises:
         BuildError: where it does not fit, or not in time, or a site is none.
         ConversionError: where nextpnr refuses the design for another reason.
     """
-    family = FAMILIES[board.family]
-    needed = board.core_hz / _MHZ
-    options = ("--json", "mapped.json", "--report", "report.json", "--seed", _SEED, "--freq", f"{needed:g}")
-    try:
-        run(work, family.nextpnr, *options, "--timing-allow-fail", *family.place(board), explained=_ANY)
-    except RefusedError as error:
-        raise BuildError(refusal(error, name, board_name, board, design.pins)) from error
+    for seed in _SEEDS:
+        try:
+            _place_with(seed, board, work)
+            break
+        except EndlessError:
+            note(f"the router came to no end with seed {seed} of {_SEEDS[-1]}, and was stopped")
+        except RefusedError as error:
+            raise BuildError(refusal(error, name, board_name, board, design.pins)) from error
+    else:
+        raise BuildError(
+            f"{name} cannot be routed on {board_name}: the router came to no end with any of the seeds 1 to "
+            f"{_SEEDS[-1]}; take fewer signals and cores, or a larger FPGA"
+        )
     report: dict[str, Any] = json.loads((work / "report.json").read_text())
     clocks: dict[str, tuple[float, float]] = {}
     for net, figures in report["fmax"].items():
@@ -269,13 +285,20 @@ def _place(name: str, board_name: str, board: Board, work: Path, design: Design)
         # A user's design may have further clocks, made of the board's: the slowest counts.
         clocks[clock] = min(clocks.get(clock, (reached, needed_of)), (reached, needed_of))
     used = {kind: (int(count["used"]), int(count["available"])) for kind, count in report["utilization"].items()}
-    placed = _Placed(used, clocks)
+    placed = _Placed(used, clocks, seed)
     slow = [
         f"{clock} reaches {mhz:.1f} MHz of {least:.1f}" for clock, (mhz, least) in placed.clocks.items() if mhz < least
     ]
     if slow:
         raise BuildError(f"{name} is too slow on {board_name}: {', '.join(slow)}")
     return placed
+
+
+def _place_with(seed: int, board: Board, work: Path) -> None:
+    family = FAMILIES[board.family]
+    options = ("--json", "mapped.json", "--report", "report.json", "--seed", str(seed))
+    speed = ("--freq", f"{board.core_hz / _MHZ:g}", "--timing-allow-fail")
+    place(work, family.nextpnr, *options, *speed, *family.place(board), explained=_ANY)
 
 
 def refusal(error: RefusedError, name: str, board_name: str, board: Board, pins: Mapping[str, Pin]) -> str:
@@ -335,7 +358,7 @@ def report_text(
 - description: {_description(interface)}
 - FPGA: {board.device}, {board.package}
 - link: {_link(board)}
-- made by Unity-Link {unity_link.__version__}, {converting_ghdl().version()}, {versions}
+- made by Unity-Link {unity_link.__version__}, {converting_ghdl().version()}, {versions}, seed {placed.seed}
 
 | size | used | of |
 |---|---|---|

@@ -9,11 +9,25 @@ import re
 import shutil
 import subprocess
 import sysconfig
+import time
 from importlib import metadata
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from unity_link.gateware.cache import ToolMissingError
 from unity_link.gateware.convert import ConversionError
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from typing import TextIO
+
+# A row of a router of nextpnr: router1 has one for 1,000 attempts, with the connections that remain; router2 one for
+# each turn, with the wires that have too many.
+_ROW = re.compile(r"Info:\s+(?:\d+ \|[^|]*\|[^|]*\|\s*(\d+)\||iter=\d+ .*\boverused=(\d+) )")
+_ROWS = {1: 50, 2: 1000}
+"""Rows without a lower number after which a router does not end any more, by router."""
+_SILENT_S = 3600.0
+_LOOK_S = 0.2
 
 
 class RefusedError(ConversionError):
@@ -22,6 +36,10 @@ class RefusedError(ConversionError):
     def __init__(self, sentence: str, output: str) -> None:
         super().__init__(sentence)
         self.output = output
+
+
+class EndlessError(ConversionError):
+    """A tool came to no end, and was stopped."""
 
 
 def script(tool: str) -> str:
@@ -57,12 +75,73 @@ def run(work: Path, tool: str, *arguments: str, explained: str = "(?!)") -> str:
         ToolMissingError: if it is not installed.
     """
     done = subprocess.run([script(tool), *arguments], cwd=work, check=False, capture_output=True, text=True)
-    lines = (done.stdout + done.stderr).splitlines()
+    last_words = done.stderr.strip().splitlines()[-1:]
+    _judge(tool, done.returncode, (done.stdout + done.stderr).splitlines(), last_words, explained)
+    return done.stdout
+
+
+def place(work: Path, tool: str, *arguments: str, explained: str = "(?!)") -> None:
+    """Run nextpnr as `run` does, but stop it where its router does not come to an end.
+
+    With some seeds it rips up the same connections for ever. It is stopped when 50 rows of the table of router1, or
+    1,000 of router2, have no fewer left than one before, which is the same on each machine; or when it prints nothing
+    for an hour.
+
+    Raises:
+        EndlessError: if it was stopped.
+        RefusedError: if it fails.
+        ConversionError: if it warns of something that is not explained.
+        ToolMissingError: if it is not installed.
+    """
+    path = work / "printed"
+    with (
+        path.open("w") as out,
+        path.open(errors="replace") as printed,
+        subprocess.Popen([script(tool), *arguments], cwd=work, stdout=out, stderr=subprocess.STDOUT) as process,
+    ):
+        try:
+            _watch(tool, process, printed)
+        except BaseException:
+            process.kill()
+            raise
+    lines = path.read_text(errors="replace").splitlines()
+    _judge(tool, process.returncode, lines, lines[-1:], explained)
+
+
+def _watch(tool: str, process: subprocess.Popen[bytes], printed: TextIO) -> None:
+    """Wait until nextpnr ends.
+
+    Raises:
+        EndlessError: if its router does not come to an end, or it is silent.
+    """
+    least, rows, rest = dict.fromkeys(_ROWS, float("inf")), dict.fromkeys(_ROWS, 0), ""
+    heard = time.monotonic()
+    while process.poll() is None:
+        *lines, rest = (rest + printed.read()).split("\n")
+        for row in filter(None, map(_ROW.match, lines)):
+            router = row.lastindex or 1
+            left = int(row[router])
+            rows[router] = 0 if left < least[router] else rows[router] + 1
+            least[router] = min(least[router], left)
+            if rows[router] == _ROWS[router]:
+                raise EndlessError(f"{tool} was stopped: its router comes to no end, with {left} wires left")
+        if lines:
+            heard = time.monotonic()
+        elif time.monotonic() - heard > _SILENT_S:
+            raise EndlessError(f"{tool} was stopped: it has said nothing for {_SILENT_S:g} s")
+        time.sleep(_LOOK_S)
+
+
+def _judge(tool: str, status: int, lines: Sequence[str], last_words: Sequence[str], explained: str) -> None:
+    """Look whether a tool has done what it should.
+
+    Raises:
+        RefusedError: if it has failed.
+        ConversionError: if it warns of something that is not explained.
+    """
     faults = [line for line in lines if "ERROR" in line]
-    if done.returncode:
-        last_words = done.stderr.strip().splitlines()[-1:] or ["no reason given"]
-        raise RefusedError(f"{tool}: {(faults or last_words)[0]}", "\n".join(lines))
+    if status:
+        raise RefusedError(f"{tool}: {(faults or [*last_words, 'no reason given'])[0]}", "\n".join(lines))
     faults = [line for line in lines if re.search(r"[Ww]arning:", line) and not re.search(explained, line)]
     if faults:
         raise ConversionError(f"{tool} warns: {faults[0]}")
-    return done.stdout
