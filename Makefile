@@ -47,7 +47,7 @@ coverage: $(ALL) ## the test suite, and which lines it does not run
 	@$(PYTEST) --cov --cov-report=term $(PYTEST_ARGS)
 
 # Its tests are few and long: none waits for another in one process while the other has nothing to do.
-campaign: $(ALL) ## the searches at length, which `make test` leaves out
+campaign: $(ALL) ## the searches at length, and further configurations, devices and proofs, which `make test` leaves out
 	@$(PYTEST) --dist worksteal --timeout 0 -m campaign $(PYTEST_ARGS)
 
 # Seconds for each target.

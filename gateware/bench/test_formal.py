@@ -1,4 +1,8 @@
-"""The proofs of `gateware/formal` and of the cores, and that they can fail: each finds a fault that is put in."""
+"""The proofs of `gateware/formal` and of the cores, and that they can fail: each finds a fault that is put in.
+
+`make test` proves what takes z3 seconds, and puts one fault before each proof. The longest proofs and all other faults
+are for the campaign; `make formal` has every proof, too.
+"""
 
 from __future__ import annotations
 
@@ -14,6 +18,7 @@ from gateware.tools.formal import PROOFS, Proof, prove
 from unity_link.gateware.convert import ConversionError
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
     from pathlib import Path
 
 pytestmark = [pytest.mark.slow]
@@ -124,12 +129,30 @@ def _prove(proof: Proof, fault: tuple[str, str] | None = None) -> str | None:
     return prove(proof, change)
 
 
-@pytest.mark.parametrize("proof", PROOFS, ids=lambda proof: proof.name)
+LONG = {"leased_registers", "ul_schedule followed", "ul_schedule reads", "ul_schedule ends"}
+"""Proofs that take minutes of a processor where nothing is kept of them."""
+
+
+def faults() -> Iterator[object]:
+    """Yield each fault; all but the first of a proof are for the campaign."""
+    seen: set[str] = set()
+    for name, fault in FAULTS.items():
+        yield pytest.param(fault, id=name, marks=[pytest.mark.campaign] if fault[0] in seen else [])
+        seen.add(fault[0])
+
+
+@pytest.mark.parametrize(
+    "proof",
+    [
+        pytest.param(proof, id=proof.name, marks=[pytest.mark.campaign] if proof.name in LONG else [])
+        for proof in PROOFS
+    ],
+)
 def test_the_properties_are_proved(proof: Proof) -> None:
     assert _prove(proof) is None
 
 
-@pytest.mark.parametrize("fault", FAULTS.values(), ids=FAULTS)
+@pytest.mark.parametrize("fault", [*faults()])
 def test_a_proof_fails_where(fault: tuple[str, str, str]) -> None:
     entity, *replaced = fault
     # That the covers are reached without it is another test.

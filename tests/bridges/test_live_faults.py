@@ -101,8 +101,8 @@ def test_many_pages_that_come_and_go_however_leave_nothing_behind() -> None:
     with live("sim:scara", SPEC) as running, looking(running) as stays:
         about = hear(stays, "about")
         connections, memory = connections_of(running.process.pid), 0
-        for number in range(400):
-            if number == 100:
+        for number in range(200):
+            if number == 80:
                 memory = memory_of(running.process.pid)
             page = Sleeper(running)
             if number % 4 == 0:

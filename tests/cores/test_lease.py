@@ -8,6 +8,7 @@ import pickle
 import re
 import subprocess
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -30,8 +31,6 @@ from unity_link.virtual.line import SlowLine
 from unity_link.virtual.simulated import SimulatedRobot
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from unity_link.spec import Spec
 
 TEXT = """
@@ -720,7 +719,8 @@ async def main(link: Link) -> None:
     was_armed: bool = await robot.drive.stop()
     print(was_armed, await robot.drive.armed_.get())
 """)
-    command = [sys.executable, "-m", "mypy", "--strict", "--cache-dir", str(tmp_path / "cache"), "main.py"]
+    options = ["--strict", "--config-file=", f"--cache-dir={Path(__file__).parents[2] / '.mypy_cache'}"]
+    command = [sys.executable, "-m", "mypy", *options, "main.py"]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout
 

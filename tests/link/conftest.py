@@ -38,6 +38,17 @@ if TYPE_CHECKING:
 
 MAKERS: dict[str, Maker] = {"sim": simulated, "rtl": compiled}
 SCHEMES = ("ftdi", "ftdi-async")
+ON_SELDOM = {
+    "test_a_gateway_without_the_feature_is_told_by_name",
+    "test_a_long_block_is_split_at_the_gateways_limit",
+    "test_every_request_works_at_every_width[rtl-9-13-2]",
+    "test_every_request_works_at_every_width[rtl-64-32-3]",
+    "test_so_it_is_where_the_receive_fifo_is_small_and_nothing_stops_the_host",
+    "test_the_link_knows_its_gateway",
+    "test_timestamps_are_used_where_the_gateway_can",
+    "test_what_a_gateway_was_built_without_is_named_and_not_sent",
+}
+"""Tests whose compiled gateware is a build of `SELDOM`: on it they are for the campaign."""
 WAY = "unity_link.virtual.gateway.Gateway.open"
 """Connection between a link and a gateway of this process."""
 
@@ -45,8 +56,11 @@ WAY = "unity_link.virtual.gateway.Gateway.open"
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Take the tests of a link's life from `serve`: that of the server's link is another one than its clients'.
 
-    And from a face what that does not promise.
+    And from a face what that does not promise. Tests on builds that are seldom needed are for the campaign.
     """
+    for item in items:
+        if "rtl" in _kinds(item) and {item.name, item.name.partition("[")[0]} & ON_SELDOM:
+            item.add_marker("campaign")
     items[:] = [
         item
         for item in items

@@ -252,7 +252,7 @@ def assert_has_room_where_there_is_some(window: Window[Any]) -> None:
 
 
 @pytest.mark.parametrize("node", [None, 5], ids=["own medium", "shared medium"])
-@settings(max_examples=examples(300))
+@settings(max_examples=examples(120))
 @given(turns=turns, before=st.sampled_from([[], LOSS]), credit=st.sampled_from([None, None, 20, 100, 500]))
 def test_answers_side_by_side_are_what_they_are_line_by_line(
     node: int | None, turns: list[Turn], before: list[Turn], credit: int | None

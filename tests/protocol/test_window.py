@@ -1049,4 +1049,4 @@ class LossyLine(RuleBasedStateMachine):
 
 
 TestLossyLine = LossyLine.TestCase
-TestLossyLine.settings = settings(max_examples=examples(150), stateful_step_count=60)
+TestLossyLine.settings = settings(max_examples=examples(60), stateful_step_count=60)

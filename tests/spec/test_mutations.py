@@ -66,18 +66,19 @@ def mutated(text: str, chance: random.Random) -> str:
     return text
 
 
-@settings(max_examples=examples(400))
+@settings(max_examples=examples(120))
 @given(st.sampled_from([FULL, FIGURE_1]), st.randoms(use_true_random=False))
 def test_a_mutated_spec_compiles_or_is_refused(text: str, chance: random.Random) -> None:
     survives(mutated(text, chance))
 
 
+@settings(max_examples=examples(40))
 @given(specs(), st.randoms(use_true_random=False))
 def test_a_mutated_generated_spec_compiles_or_is_refused(file: File, chance: random.Random) -> None:
     survives(mutated(print_file(file), chance))
 
 
-@settings(max_examples=examples(300))
+@settings(max_examples=examples(100))
 @given(st.lists(st.sampled_from(SNIPPETS), max_size=40))
 def test_any_order_of_tokens_compiles_or_is_refused(tokens: list[str]) -> None:
     survives(" ".join(tokens))

@@ -83,7 +83,7 @@ def test_no_comment_is_lost() -> None:
     assert format_text(formatted) == formatted
 
 
-@settings(max_examples=examples(300))
+@settings(max_examples=examples(100))
 @given(st.data())
 def test_comments_anywhere_survive_and_formatting_twice_changes_nothing(data: st.DataObject) -> None:
     pieces = COMMENTED.replace("{", " { ").replace(";", " ; ").replace(",", " , ").split(" ")

@@ -17,7 +17,7 @@ from unity_link.virtual.faults import Failing
 from unity_link.virtual.rtl import RtlGateway, choose
 
 if TYPE_CHECKING:
-    from collections.abc import Collection, Sequence
+    from collections.abc import Collection, Iterable, Sequence
 
     from unity_link.virtual import BareGateway
 
@@ -30,6 +30,13 @@ SLOW = {"base_frequency_millihertz": 1_000_000}
 """Samples at 1 kHz at most: what tests on simulated time run with."""
 KINDS = ("sim", "rtl", "ftdi", "ftdi-async")
 RTL = pytest.param("rtl", marks=pytest.mark.rtl)
+SELDOM = {"bare_groups", "minimal", "odd", "uart", "wide"}
+"""Builds that `make test` does not run: each takes half a minute to compile, and few tests need it."""
+
+
+def build_params(names: Iterable[str]) -> list[object]:
+    """Return the names of builds, for a parametrised test; on those of `SELDOM` it is for the campaign."""
+    return [pytest.param(name, marks=[pytest.mark.campaign] if name in SELDOM else []) for name in names]
 
 
 class Maker(Protocol):

@@ -33,7 +33,7 @@ LAST_UNHEARD = 2 * TIMEOUT + 1
 ACK, ERR, RTY = 0, 1, 3
 NOTHING = ACK, -1
 """In place of an answer and its word."""
-PATTERNS = {"default": 0, "wide": 0x8041_0C12_0F00_1124}
+PATTERNS = {"default": 0, "walker": 0x8041_0C12_0F00_1124}
 """Cycles in which the slave of each configuration stalls; only the second one is pipelined."""
 MOST_STALLS = 4
 REQUESTS_AT_ONCE = 16
@@ -367,6 +367,6 @@ def test_no_answer_is_taken_for_another_access_in_half_a_million(configuration: 
     assert next(_faults(configuration, 500_000, LAST_UNHEARD), None) is None
 
 
-@pytest.mark.parametrize(("configuration", "beyond"), [("default", 1), ("wide", 20)])
+@pytest.mark.parametrize(("configuration", "beyond"), [("default", 1), ("walker", 20)])
 def test_an_answer_beyond_the_bound_is_seen_to_be_taken_for_another_access(configuration: str, beyond: int) -> None:
     assert next(_faults(configuration, 10_000, LAST_UNHEARD + beyond), None) is not None

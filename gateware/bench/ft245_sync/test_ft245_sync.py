@@ -1,4 +1,4 @@
-"""The synchronous FT245 layer with a core that is faster, slower and much slower than CLKOUT."""
+"""The synchronous FT245 layer with a core of about CLKOUT; faster and much slower ones are for the campaign."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ pytestmark = pytest.mark.slow
 @pytest.mark.parametrize(
     ("clk_ns", "chip"),
     [
-        (10.0, "ft232h"),
+        pytest.param(10.0, "ft232h", marks=pytest.mark.campaign),
         (16.0, "ft2232h"),
         pytest.param(20.0, "ft232h", marks=pytest.mark.campaign),
-        (40.7, "ft232h"),
+        pytest.param(40.7, "ft232h", marks=pytest.mark.campaign),
     ],
 )
 def test_ft245_sync(clk_ns: float, chip: str) -> None:

@@ -14,6 +14,7 @@ import pytest
 
 from gateware.bench.runner import run_bench
 from gateware.tools.model import CONFIGURATIONS, is_current
+from support.makers import build_params
 from unity_link.protocol.crc import Crc
 from unity_link.virtual.rtl import RtlGateway
 
@@ -81,7 +82,7 @@ def _frames(gateway: RtlGateway) -> list[bytes]:
 
 
 # GHDL 2 can't be given a vector as a generic, which "wide" needs for its polynomial.
-@pytest.mark.parametrize("configuration", ["default", "minimal"])
+@pytest.mark.parametrize("configuration", build_params(["default", "minimal"]))
 def test_compiled_gateware_and_vhdl_send_the_same_bytes_in_the_same_cycles(configuration: str, tmp_path: Path) -> None:
     assert is_current(configuration), "the VHDL has changed since the C++ was made: make rtl"
     gateway = RtlGateway(configuration)
