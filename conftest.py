@@ -69,10 +69,20 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 class _Scheduler(LoadScopeScheduling):  # type: ignore[misc]  # pytest-xdist has no types
     """Gives each test to the process that is free.
 
-    One process has the blocks of a document, which share names, and tests of a file that share much work.
+    One process has the blocks of a document, which share names, and tests of a file that share much work: the first of
+    them compiles a gateware, which others beside it would compile as well.
     """
 
-    _TOGETHER = (".md", "test_experiment.py")
+    _TOGETHER = (
+        ".md",
+        "test_balancer.py",
+        "test_cores_on_rtl.py",
+        "test_experiment.py",
+        "test_gantry.py",
+        "test_own_robot.py",
+        "test_rtl_of_spec.py",
+        "test_schedule_on_rtl.py",
+    )
 
     def _split_scope(self, nodeid: str) -> str:
         file, _, _ = nodeid.partition("::")

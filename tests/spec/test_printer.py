@@ -20,6 +20,7 @@ def parsed(text: str) -> File:
     return file
 
 
+@settings(max_examples=examples(40))
 @given(specs())
 def test_a_valid_spec_prints_and_parses_to_itself(file: File) -> None:
     text = print_file(file)
@@ -27,6 +28,7 @@ def test_a_valid_spec_prints_and_parses_to_itself(file: File) -> None:
     assert print_file(parsed(text)) == text
 
 
+@settings(max_examples=examples(40))
 @given(specs())
 def test_a_valid_spec_compiles(file: File) -> None:
     compile_text(print_file(file))
