@@ -303,7 +303,7 @@ async def test_requests_without_a_pause_do_not_run_the_clock_away(rover: Rover) 
 
 
 WAYS = ("dies", "stands still", "goes on writing", "kicks late", "is disarmed", "loses the e-stop", "resets")
-KILLS = 70
+KILLS = 200
 
 
 async def live_and_end(rover: Rover, way: str, chance: random.Random) -> tuple[int, int]:
