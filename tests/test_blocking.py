@@ -190,6 +190,29 @@ def test_the_end_of_the_block_raises_the_errors_of_posted_writes() -> None:
         link.read(0)
 
 
+def test_each_thread_hears_of_its_own_posted_writes_at_its_own_fence() -> None:
+    posted, heard = threading.Event(), threading.Event()
+
+    def post_and_stay(link: blocking.BlockingLink) -> None:
+        link.post(5, 1)
+        posted.set()
+        heard.wait()
+        with pytest.raises(unity_link.BusError, match="0x05"):
+            link.fence()
+        link.post(5, 1)
+
+    with blocking.connect(refusing(5)) as link, ThreadPoolExecutor() as pool:
+        other = pool.submit(post_and_stay, link)
+        posted.wait()
+        link.fence()
+        heard.set()
+        other.result()
+        link.fence()
+        pool.shutdown()
+        with pytest.raises(unity_link.BusError, match="0x05"):
+            link.fence()
+
+
 def test_an_error_in_the_block_is_not_hidden_by_those_of_posted_writes() -> None:
     link = blocking.connect(refusing(5))
     link.post(5, 1)

@@ -15,8 +15,10 @@ from anyio.from_thread import start_blocking_portal
 import unity_link
 from unity_link import UnsupportedError
 from unity_link.data import Group
+from unity_link.protocol.messages import ErrorCode
 from unity_link.spec import compile_text
 from unity_link.virtual import VirtualGateway
+from unity_link.virtual.faults import Failing
 from unity_link.virtual.line import SlowLine
 from unity_link.virtual.serving import serve_pty, serve_tcp, serve_udp, serve_unix
 
@@ -200,5 +202,31 @@ def test_a_gateway_that_goes_away_is_a_lost_link(tmp_path: Path) -> None:
                 await trio.to_thread.run_sync(serving.__exit__, None, None, None)
                 with pytest.raises(unity_link.LinkLostError):
                     await link.read(0)
+
+    run(program)
+
+
+def test_each_task_hears_of_its_own_posted_writes_and_any_of_those_of_tasks_that_are_over() -> None:
+    async def post_and_stay(link: unity_link.Link, posted: trio.Event, heard: trio.Event) -> None:
+        await link.post(5, 1)
+        posted.set()
+        await heard.wait()
+        with pytest.raises(unity_link.BusError, match="0x05"):
+            await link.fence()
+        await link.post(5, 1)
+
+    async def program() -> None:
+        gateway = VirtualGateway()
+        gateway.attach(Failing(ErrorCode.BUS_ERROR), [5])
+        posted, heard = trio.Event(), trio.Event()
+        async with unity_link.connect(gateway) as link:
+            async with trio.open_nursery() as nursery:
+                nursery.start_soon(post_and_stay, link, posted, heard)
+                await posted.wait()
+                await link.fence()
+                heard.set()
+            with pytest.raises(unity_link.BusError, match="0x05"):
+                await link.fence()
+            await link.fence()
 
     run(program)

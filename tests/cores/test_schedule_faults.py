@@ -115,6 +115,32 @@ async def test_the_errors_of_many_late_writes_are_one() -> None:
 
 
 @on_simulated_time
+async def test_each_task_hears_of_its_own_late_writes_and_any_of_those_of_tasks_that_are_over() -> None:
+    written, heard = asyncio.Event(), asyncio.Event()
+
+    async def write_and_stay(robot: Any) -> None:
+        clock = await robot.free.clock()
+        for number in range(2):
+            await robot.lamp.set(30, at=clock.now().after(0.001 * number - 0.002))
+            written.set()
+            await heard.wait()
+            if not number:
+                with pytest.raises(LateError):
+                    await robot.link.fence()
+                await asyncio.sleep(1)
+
+    async with unity_link.connect(gateway_of()) as link:
+        task = asyncio.ensure_future(write_and_stay(Robot(link)))
+        await written.wait()
+        await link.fence()
+        heard.set()
+        await task
+        with pytest.raises(LateError):
+            await link.fence()
+        await link.fence()
+
+
+@on_simulated_time
 async def test_a_fence_leaves_to_a_task_what_it_awaits_and_to_a_timeline_what_it_writes() -> None:
     async with unity_link.connect(gateway_of()) as link:
         robot = Robot(link)

@@ -16,7 +16,7 @@ from support.recorded_bus import RecordedBus
 from support.scripted import Scripted
 from support.simulated_time import on_simulated_time
 from support.valve import Valve, cut
-from unity_link import ArgumentError, BusError, BusTimeoutError, LinkLostError, UnsupportedError
+from unity_link import ArgumentError, BusError, BusTimeoutError, LinkLostError, UnityLinkError, UnsupportedError
 from unity_link.link.connection import Reconnect
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.messages import Codec
@@ -114,6 +114,58 @@ async def test_a_fence_that_was_cancelled_leaves_the_errors_of_posted_writes_to_
 
     with pytest.raises(BusError):
         await post_and_cancel()
+
+
+@on_simulated_time
+async def test_each_task_hears_of_its_own_posted_writes_at_its_own_fence(make_bare: Maker) -> None:
+    both_posted = asyncio.Barrier(2)
+
+    async def run(link: Link, address: int, error: type[UnityLinkError]) -> None:
+        for _ in range(2):
+            await link.post(address, 1)
+        await both_posted.wait()
+        with pytest.raises(error, match=f"posted write at {address:#X}".replace("0X", "0x")) as caught:
+            await link.fence()
+        assert caught.value.__notes__ == ["1 more posted writes failed as well"]
+        await link.fence()
+
+    async with unity_link.connect(with_failing(make_bare(**SLOW))) as link:
+        await asyncio.gather(run(link, BUS_ERROR, BusError), run(link, BUS_TIMEOUT, BusTimeoutError))
+        await link.fence()
+
+
+@on_simulated_time
+async def test_the_end_of_the_block_raises_what_a_task_that_never_fences_has_lost(make_bare: Maker) -> None:
+    posted = asyncio.Event()
+
+    async def post_and_stay(link: Link) -> None:
+        await link.post_many([BUS_ERROR] * 3, [1] * 3)
+        posted.set()
+        await asyncio.sleep(3600)
+
+    async def run() -> None:
+        async with unity_link.connect(with_failing(make_bare(**SLOW))) as link:
+            tasks.append(asyncio.ensure_future(post_and_stay(link)))
+            await posted.wait()
+            await link.fence()
+
+    tasks: list[asyncio.Future[None]] = []
+    with pytest.raises(BusError) as caught:
+        await run()
+    assert caught.value.__notes__ == ["2 more posted writes failed as well"]
+    tasks[0].cancel()
+
+
+@on_simulated_time
+async def test_the_losses_of_many_tasks_that_are_over_are_one_error_of_the_next_fence(make_bare: Maker) -> None:
+    async with unity_link.connect(with_failing(make_bare(**SLOW))) as link:
+        await asyncio.gather(*(link.post(BUS_ERROR, value) for value in range(100)))
+        await asyncio.sleep(1)
+        await asyncio.gather(*(link.post(BUS_TIMEOUT, value) for value in range(100)))
+        with pytest.raises(BusError, match="0xE0") as caught:
+            await link.fence()
+        assert caught.value.__notes__ == ["199 more posted writes failed as well"]
+        await link.fence()
 
 
 # Batches

@@ -7,6 +7,7 @@ that was executed twice or not at all, and a sample of another group are all to 
 
 from __future__ import annotations
 
+import asyncio
 from collections import defaultdict
 from typing import TYPE_CHECKING, Any
 
@@ -264,7 +265,20 @@ class Tap:
 class Ask:
     """One call of a program, from its beginning to its end."""
 
-    __slots__ = ("after", "answer", "asked", "cancelled", "ended", "error", "kind", "link", "number", "told", "words")
+    __slots__ = (
+        "after",
+        "answer",
+        "asked",
+        "cancelled",
+        "ended",
+        "error",
+        "kind",
+        "link",
+        "number",
+        "task",
+        "told",
+        "words",
+    )
 
     def __init__(self, link: LinkLog, number: int, kind: str, words: Sequence[tuple[int, int]], asked: float) -> None:
         self.link = link
@@ -273,6 +287,7 @@ class Ask:
         self.words = words
         """Address and word of each write, address and count of what is read."""
         self.asked = asked
+        self.task = asyncio.current_task()
         self.told: float | None = None
         """Instant at which it ended; None while it has not."""
         self.error: BaseException | None = None
@@ -304,8 +319,8 @@ class LinkLog:
         """True if the program has closed the link while its tasks ran."""
         self.asks: list[Ask] = []
         self.listenings: list[Listening] = []
-        self.post_failures: list[tuple[float, int]] = []
-        """Instant of each report of errors of posted writes, and their number."""
+        self.post_failures: list[tuple[float, int, asyncio.Task[Any] | None]] = []
+        """Instant of each report of errors of posted writes, their number, and the task that was told."""
 
     def ended(self, link: Link) -> bool:
         """Return whether there will be no session any more."""
@@ -477,7 +492,7 @@ class Oracle:
                 last, before = executed[-1], ask
 
     def _judge_posted(self, log: LinkLog) -> None:
-        """Check that a fence tells of each posted write before it that was not executed."""
+        """Check that a fence tells of each write that its task has posted, and the exit of all, if not executed."""
         posted = [ask for ask in log.asks if ask.kind in _POSTED and ask.error is None and ask.told is not None]
         recorder = log.recorder
         for fence in log.asks:
@@ -490,9 +505,15 @@ class Oracle:
             for ask in posted:
                 if ask.number > fence.number:
                     break
+                if fence.kind == "fence" and ask.task is not fence.task:
+                    continue
                 when = [recorder.places.get(word) for _, word in ask.words]
                 missing += not all(places and recorder.writes[places[0]][0] <= fence.told + _SLACK for places in when)
-            reported = sum(count for when, count in log.post_failures if when <= fence.told)
+            reported = sum(
+                count
+                for when, count, task in log.post_failures
+                if when <= fence.told and (fence.kind == "exit" or task is fence.task)
+            )
             if missing > reported:
                 raise WorldError(
                     "a posted write lost",

@@ -208,7 +208,7 @@ class Program:
         if ask.kind in ("fence", "exit"):
             notes = "".join(getattr(error, "__notes__", ()))
             more = _MORE.search(notes)
-            log.post_failures.append((ask.told, 1 + (int(more[1]) if more else 0)))
+            log.post_failures.append((ask.told, 1 + (int(more[1]) if more else 0), ask.task))
 
     def _remember(self, ask: Ask) -> None:
         """Note what this program wrote last, for its later reads."""

@@ -146,10 +146,17 @@ def face(name: str, folder: Path) -> Iterator[Callable[..., Any]]:
             return target
         return await stack.enter_async_context(serve_unix(target, folder / f"gateway{next(numbers)}"))
 
-    with ThreadPoolExecutor(64) as threads, start_blocking_portal("trio") as portal:
+    with start_blocking_portal("trio") as portal:
 
         async def call_blocking(function: Callable[..., Any], *arguments: Any, **options: Any) -> Any:
-            return await asyncio.wrap_future(threads.submit(function, *arguments, **options))
+            # A thread that is over when the call is, as a task of trio: so a fence is told of the posts of other calls.
+            thread = ThreadPoolExecutor(1)
+            answer = thread.submit(function, *arguments, **options)
+            try:
+                return await asyncio.wrap_future(answer)
+            finally:
+                # One that was cancelled goes on by itself.
+                thread.shutdown(wait=answer.done())
 
         async def call_trio(function: Callable[..., Any], *arguments: Any) -> Any:
             return await asyncio.wrap_future(portal.start_task_soon(function, *arguments))

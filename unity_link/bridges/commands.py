@@ -87,7 +87,8 @@ class SignalCommands:
             await self._woken.wait()
             self._woken.clear()
             commands, self._taken = self._taken, []
-            await self._write(commands)
+            # A task of its own, so that the fence of `_look` is told of its errors: it is over then.
+            await asyncio.create_task(self._write(commands))
             self._inbox.release()
 
     async def _write(self, commands: list[Sequence[Command]]) -> None:

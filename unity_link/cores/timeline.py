@@ -28,6 +28,7 @@ from unity_link.errors import (
     refusing,
 )
 from unity_link.link.asked import Asked
+from unity_link.link.runtime import told_now
 from unity_link.link.synchronisation import Lock, running
 from unity_link.protocol.numbers import real_number
 from unity_link.spec.model import STAGE_BITS
@@ -134,6 +135,8 @@ class Done(OfLink):
         """Error that says why it has not, where the gateway does not."""
         self.is_awaited = False
         """True if its error is raised there."""
+        self.poster = running().caller()
+        """Task or thread that has written it."""
         self._feed = feed
 
     def __repr__(self) -> str:
@@ -299,7 +302,7 @@ class ScheduleFeed:
             GatewayResetError: where the gateway was reset since the last write, and its clock with it.
         """
         was_reset = await self._see_session()
-        await self.raise_failures()
+        await self.raise_failures(told_now(running()))
         if was_reset:
             reason = f"the gateway was reset, and its clock with it: {instant} is an instant of before"
             raise GatewayResetError(reason, Outcome.NOT_EXECUTED)
@@ -347,7 +350,7 @@ class ScheduleFeed:
             if self._room < size:
                 await self._pause(max(size - self._room, self.registers.depth // PARTS), lease)
         if not self.has_begun:
-            await self.raise_failures()
+            await self.raise_failures(told_now(running()))
             raise LateError(f"{self.registers.name} was cancelled before the write at {instant}", instant.ticks)
 
     def _is_passed(self, place: int) -> bool:
@@ -404,13 +407,14 @@ class ScheduleFeed:
             if self._pending:
                 await self._pause(self.registers.depth, lease)
 
-    async def see(self, *, is_connected: bool) -> None:
+    async def see(self, is_told: Callable[[Any], bool], *, is_connected: bool) -> None:
         """Raise the error of what is known not to have acted, and is not awaited, as a fence does.
 
         What has passed is waited for, and what is to act later is not. A timeline tells in its own block of what it
         writes.
 
         Args:
+            is_told: returns whether a task or thread is told now of what it has written.
             is_connected: False where the gateway cannot be asked.
 
         Raises:
@@ -429,18 +433,22 @@ class ScheduleFeed:
                 await running().sleep(SHORTEST_PAUSE)
         else:
             self._void(LinkLostError, "the connection was lost", self._bounds.most(running().steady()))
-        await self.raise_failures()
+        await self.raise_failures(is_told)
 
-    async def raise_failures(self) -> None:
+    async def raise_failures(self, is_told: Callable[[Any], bool] | None = None) -> None:
         """Raise the error of the batches that are known not to have acted, and are not awaited.
+
+        Args:
+            is_told: returns whether a task or thread is told now of what it has written; None: all are.
 
         Raises:
             LateError: for what came too late.
             NotArmedError: for what was refused since its lease is not armed.
             LinkLostError: for what was forgotten.
         """
-        failed = [done for done in self._failed if not done.is_awaited]
-        self._failed.clear()
+        unseen = [done for done in self._failed if not done.is_awaited]
+        failed = [done for done in unseen if is_told is None or is_told(done.poster)]
+        self._failed = [done for done in unseen if done not in failed]
         if failed:
             raise await self.failure(failed)
 

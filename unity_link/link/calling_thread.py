@@ -125,6 +125,7 @@ class CallingThread:
         self.steady = unadjusted_time
         self.create_future = self.create_lone_future = CallWaiter
         self.ended = ()
+        self.caller = threading.current_thread
         self._lock = threading.RLock()
         self.is_running_here: Callable[[], bool] = self._lock._is_owned  # type: ignore[attr-defined]  # noqa: SLF001
         """True if this thread runs something of the link now."""
@@ -159,6 +160,10 @@ class CallingThread:
         """Refuse all calls: what polls, and who holds the lock, is in the process from which this one was forked."""
         self.is_disowned = True
         self.is_running_here = _refuse
+
+    def is_over(self, caller: threading.Thread, /) -> bool:
+        """Return whether a thread has ended."""
+        return not caller.is_alive()
 
     # Calls
 

@@ -27,6 +27,7 @@ from unity_link.errors import (
 )
 from unity_link.link.connection import Connection, Reconnect
 from unity_link.link.flow import settle
+from unity_link.link.runtime import told_now
 from unity_link.link.subscription import (
     LARGEST_DIVISOR,
     Overflow,
@@ -120,8 +121,10 @@ class Link(OfLink, Connection):
         super().__init__(target, reconnect, resumes=resumes, runtime=runtime)
         self._publishing = Publishing(self._flow, self._runtime)
         self._posted = False
-        self._posted_error: UnityLinkError | None = None
-        self._posted_failures = 0
+        self._caller = self._runtime.caller
+        self._posted_failures: dict[Any, PostedFailure] = {}
+        """Failed posts that nobody was told of, the oldest first: of each task, and under None of those that are over.
+        """
         self.told_by_fence: dict[int, Any] = {}
         """Writers in the gateway's own time, each with a `see`, by their addresses: a fence raises their errors."""
         self._flow.handlers |= {PostedFailure: self._note_posted, **self._publishing.handlers}
@@ -162,13 +165,13 @@ class Link(OfLink, Connection):
         A gateway that is away is not waited for: what is not known of posted writes is then one of their errors.
         """
         try:
-            if error is None and (self._posted or self.told_by_fence):
+            if error is None and (self._posted or self._posted_failures or self.told_by_fence):
                 if self.connected:
                     with contextlib.suppress(LinkLostError):
                         await self._fence(leaving=True)
                 # A program that closes its link in the block knows that it gives up what is under way.
                 if not self._closed_by_program:
-                    await self._raise_errors()
+                    await self._raise_errors(lambda poster: True)  # noqa: ARG005
         finally:
             await self.aclose()
 
@@ -263,8 +266,9 @@ class Link(OfLink, Connection):
     async def post(self, address: int, value: int) -> None:
         """Send a write without waiting for its execution; waits only while too many requests are under way.
 
-        It is executed exactly once and in order all the same. Its errors are raised by the next `fence`, or where the
-        ``async with`` block of the link ends. On a half-duplex medium each write is answered, and this returns then.
+        It is executed exactly once and in order all the same. Its errors are raised by the next `fence` of this task,
+        or where the ``async with`` block of the link ends. On a half-duplex medium each write is answered, and this
+        returns then.
         """
         flow = self._flow
         codec = flow.codec
@@ -278,6 +282,7 @@ class Link(OfLink, Connection):
             await self._post_answered(Request(codec, "W", fields, 0))
             return
         request = Request(codec, "WS", fields, None)
+        request.poster = self._caller()
         flow.submit(request)
         if not request.sent:
             await self._sent(request)
@@ -285,21 +290,26 @@ class Link(OfLink, Connection):
     async def fence(self) -> None:
         """Wait until everything that was asked for before has been executed.
 
+        It tells its own task (on blocking links: its own thread) of the writes that this has posted, and of those of
+        tasks that are over. What other tasks have posted is left to their fences, and to the end of the block.
+
         Raises:
-            UnityLinkError: the first error of the writes posted since the last fence; or, of writes at instants that
-                are not awaited, the one of the first that is known not to have acted. Those to come are not waited for.
+            UnityLinkError: the first error of these writes that nobody was told of; or, of their writes at instants
+                that are not awaited, the one of the first that is known not to have acted. Those to come are not waited
+                for.
         """
         self._posted = False
+        is_told = told_now(self._runtime)
         try:
             await self._fence(leaving=False)
         except LinkLostError:
             # What is known of the posted writes says more than what is known of the fence.
-            self._raise_posted()
+            self._raise_posted(is_told)
             raise
         except BaseException:
             self._posted = True
             raise
-        await self._raise_errors()
+        await self._raise_errors(is_told)
 
     async def _fence(self, *, leaving: bool) -> None:
         await self._flow.answer(Fence(self._flow.codec, of_session=leaving))
@@ -312,23 +322,34 @@ class Link(OfLink, Connection):
         """
         await self._flow.answer(Request(self._flow.codec, "H", b"", 0, of_session=True))
 
-    async def _raise_errors(self) -> None:
-        self._raise_posted()
+    async def _raise_errors(self, is_told: Callable[[Any], bool]) -> None:
+        self._raise_posted(is_told)
         for writer in tuple(self.told_by_fence.values()):
-            await writer.see(is_connected=self.connected)
+            await writer.see(is_told, is_connected=self.connected)
 
-    def _raise_posted(self) -> None:
-        first, count = self._posted_error, self._posted_failures
-        self._posted_error, self._posted_failures = None, 0
-        if first is not None:
+    def _raise_posted(self, is_told: Callable[[Any], bool]) -> None:
+        """Raise the first error of the posted writes of those who are told now, and forget it."""
+        failures = self._posted_failures
+        told = [failures.pop(poster) for poster in tuple(failures) if is_told(poster)]
+        if told:
+            first, count = told[0].error, sum(failure.writes for failure in told)
             if count > 1:
                 first.add_note(f"{count - 1} more posted writes failed as well")
             raise first
 
     def _note_posted(self, failure: PostedFailure) -> None:
-        """Keep the first error of the writes posted since the last fence, and count how many have failed."""
-        self._posted_error = self._posted_error or failure.error
-        self._posted_failures += failure.writes
+        """Keep the first error of the writes that a task has posted since it was told, and count how many failed."""
+        if failure.poster not in self._posted_failures:
+            # Tasks come and go: all that are over count as one.
+            before, self._posted_failures = self._posted_failures, {}
+            for poster, other in before.items():
+                self._add_failure(None if poster is None or self._runtime.is_over(poster) else poster, other)
+        self._add_failure(failure.poster, failure)
+
+    def _add_failure(self, poster: Any, failure: PostedFailure) -> None:
+        first = self._posted_failures.get(poster)
+        added = failure if first is None else first._replace(writes=first.writes + failure.writes)
+        self._posted_failures[poster] = added
 
     # Blocks
 
@@ -405,6 +426,7 @@ class Link(OfLink, Connection):
             await self._post_answered(WordBatch(self._flow.codec, "W", fields))
         else:
             batch = WordBatch(self._flow.codec, "WS", fields)
+            batch.poster = self._caller()
             self._flow.submit(batch)
             if batch.sent != batch.count:
                 await self._sent(batch)
@@ -527,7 +549,7 @@ class Link(OfLink, Connection):
         try:
             await self._flow.answer(posted)
         except UnityLinkError as error:
-            self._note_posted(PostedFailure(error, 1))
+            self._note_posted(PostedFailure(error, 1, self._caller()))
 
     async def _read_words(self, command: str, address: int, count: int, step: int) -> Words:
         # Imported here, not in the callback that takes the answer.

@@ -6,6 +6,7 @@ waited for by anyio; another one is opened in the thread of an event loop (`loop
 
 from __future__ import annotations
 
+import inspect
 import math
 from collections import deque
 from contextlib import AsyncExitStack, asynccontextmanager, suppress
@@ -27,6 +28,8 @@ from unity_link.transport.polling import READABLE, WRITABLE
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Awaitable, Callable, Coroutine, Generator
+
+    import trio
 
     from unity_link.link.runtime import Job
     from unity_link.transport import Medium
@@ -86,6 +89,7 @@ class Structured:
         # Another clock than the system's models time.
         is_real = type(trio.lowlevel.current_clock()).__name__ == "SystemClock"
         self.steady = unadjusted_time if is_real else anyio.current_time
+        self.caller = trio.lowlevel.current_task
         self.create_future = self.create_lone_future = TaskWaiter
         self.ended = ()
         self.sleep = anyio.sleep
@@ -134,6 +138,10 @@ class Structured:
         self._stirred.set()
 
     # What coroutines of the link need
+
+    def is_over(self, caller: trio.lowlevel.Task, /) -> bool:
+        """Return whether a task has ended."""
+        return inspect.getcoroutinestate(caller.coro) == inspect.CORO_CLOSED
 
     def call_soon(self, function: Callable[[], object], /) -> None:
         """Call a function when what runs now waits."""

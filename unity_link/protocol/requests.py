@@ -87,6 +87,8 @@ class PostedFailure(NamedTuple):
     error: UnityLinkError
     writes: int
     """Number of writes."""
+    poster: Any
+    """Task or thread that has posted them."""
 
 
 Events = list[Any]
@@ -208,7 +210,9 @@ class Request(Message):
         of_session: whether it has a meaning in the session alone in which it was made.
     """
 
-    __slots__ = ("answer", "done", "error", "fields", "of_session", "opening", "owner", "sent")
+    __slots__ = ("answer", "done", "error", "fields", "of_session", "opening", "owner", "poster", "sent")
+    poster: Any
+    """Task or thread that has posted it; of posted writes alone, which reads need not pay for."""
     least = 1
 
     def __init__(
@@ -286,7 +290,7 @@ class Request(Message):
     def fail(self, error: UnityLinkError, events: Events) -> None:
         """End it with an error; that of a posted write which was sent is told by a `PostedFailure`."""
         if self.posted and self.sent:
-            events.append(PostedFailure(error, 1))
+            events.append(PostedFailure(error, 1, self.poster))
         elif not self.done:
             self.done = True
             self.error = error
@@ -443,6 +447,8 @@ class WordBatch:
         self.answer: Words = protocol.arrays.zeros(0 if self.posted else self.count, codec.info.data_digits)
         self.error: UnityLinkError | None = None
         self.owner: Any = None
+        self.poster: Any = None
+        """Task or thread that has posted it."""
         self.given_up = False
         """True if no call waits for it any more."""
         self._fields = protocol.arrays.hex_columns(columns)
@@ -575,7 +581,7 @@ class BatchRun(Message):
     def fail_part(self, offset: int, count: int, error: UnityLinkError, events: Events) -> None:
         """Keep the refusal of a message until the others are done; whatever else it is, it ends the batch."""
         if self.posted:
-            events.append(PostedFailure(error, count))
+            events.append(PostedFailure(error, count, self._batch.poster))
         elif isinstance(error, GatewayError):
             self._batch.take_refusal(self._start + offset, error, events)
         else:
