@@ -1,7 +1,7 @@
 """Synthesis of each top and each board, which is all that a CI has the time for: `make synth-quick`.
 
 GHDL converts each; Yosys looks for faults in it and maps it to the cells of its FPGA. Nothing is placed, which is for
-`make synth` and `make campaign`.
+`make synth` and `make campaign`; so are the larger sizes of a core.
 
     python -m gateware.tools.synth_quick          all
     python -m gateware.tools.synth_quick ulx3s    only those whose name holds "ulx3s"
@@ -53,7 +53,14 @@ def designs() -> dict[str, Callable[[], None]]:
                 name
             ] = board
     boards = {", ".join(names): _board(*next(iter(names.items()))) for names in alike.values()}
-    return {name: _top(configuration) for name, configuration in CONFIGURATIONS.items()} | boards
+    tops: dict[str, Callable[[], None]] = {}
+    smallest: set[str] = set()
+    for name, configuration in CONFIGURATIONS.items():
+        kind = name.rpartition("_")[0] if configuration.is_core else name
+        if kind not in smallest:
+            tops[name] = _top(configuration)
+        smallest.add(kind)
+    return tops | boards
 
 
 def _top(configuration: Configuration) -> Callable[[], None]:
