@@ -117,6 +117,45 @@ def test_an_answer_that_nothing_waits_for_is_counted_once() -> None:
     assert session.counters.stray == 3
 
 
+@pytest.mark.parametrize("body", [b"r%03X00000099", b"x%03X04", b"x%03X0A", b"n%03X", b"h%03X"])
+def test_a_plain_frame_is_no_answer_to_a_checked_request(body: bytes) -> None:
+    session, gateway = opened(resumes=False)
+    gateway.memory[0x10] = 42
+    read = Request(session.codec, "R", session.codec.fields("R", 0x10), session.codec.data_digits)
+    session.submit(read, 0.0)
+    frame = session.codec.framing.plain_reply(body % read.first if b"%" in body else body)
+    assert not session.receive(frame, 0.0)
+    assert session.is_open
+    assert not session.output[1:]
+    session.receive(gateway.receive(session.take_output(), 0.0), 0.0)
+    assert (read.answer, read.error) == (42, None)
+    assert session.counters.stray == 1
+
+
+def test_a_plain_sample_is_none_of_a_group_whose_samples_are_checked() -> None:
+    session, _ = opened(resumes=False)
+    held = session.hold(GroupFlag(0), 1, [0x10], 12, None)
+    session.start(held, 0.0)
+    sample = b"P" + held.text + b"0000000012"
+    assert not session.receive(session.codec.framing.plain_reply(sample), 0.0)
+    assert session.counters.stray == 1
+
+
+def test_each_session_of_a_host_begins_with_another_id_than_the_last() -> None:
+    seeds = [0x74FF, 0x4FF, 0x4FF]
+    sent: list[bytes] = []
+    session = Session(None, seeds.pop)
+    for number in range(3):
+        gateway = VirtualGateway()
+        session.connect(float(number), 0.003)
+        while not session.is_open:
+            out = session.take_output()
+            sent += [line[:4] for line in out.splitlines() if line.startswith(b"K")]
+            session.receive(gateway.receive(out, float(number)), float(number))
+        session.disconnect("the line was lost")
+    assert sent == [b"K4FF", b"K500", b"K4FF"]
+
+
 def test_of_an_unknown_line_it_is_said_that_an_answer_may_take_part_of_a_second() -> None:
     session = Session(0, lambda: 0)
     session.connect(0.0, 0.003)

@@ -424,12 +424,19 @@ class Exchange:
         except FrameError:
             return self._cut(line, self._size_of(line), now)
         else:
-            if line[-1] == _CR:
-                # Without a check, its length is what tells a plain frame from damaged ones.
-                size = self._size_of(line)
-                if size is not None and len(line) >= size:
-                    return self._cut(line, size, now)
-            self._receive_body(body, now, events)
+            if line[-1] != _CR:
+                self._receive_body(body, now, events)
+                return len(line) + 1
+            # All that is asked here is checked, and so are its answers: this one is another's, or damaged.
+            size = self._size_of(line)
+            if size is not None and len(line) >= size:
+                return self._cut(line, size, now)
+            if body[:1] == b"X":
+                # Perhaps about a request in which damage has made a CR.
+                self._receive_error(body, now, events)
+            else:
+                self._counters.stray += 1
+                self._counters.unasked += 1
         return len(line) + 1
 
     def _cut(self, line: bytes, size: int | None, now: float) -> int:

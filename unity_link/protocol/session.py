@@ -51,6 +51,8 @@ _FIRST_TURN = 256
 """Bytes of a question of the handshake and its answer, at most; gateways of later versions say more of themselves."""
 _MOST_WAITING = 64
 """Least number of requests that wait for a session before those given up are removed."""
+_SMALLEST_RING = 1 << 8
+"""IDs of a gateway whose IDs have two digits."""
 _NO_RING = 2
 """IDs of the window while there is no session: as few as a ring can have."""
 _UNKNOWN_PATIENCE = 0.25
@@ -98,6 +100,8 @@ class Session:
         """Number of the session, counted from 0; -1 before the first."""
         self._node = node
         self._choose = choose
+        self._seed: int | None = None
+        """Number by which the first ID was chosen last."""
         self._resumes = resumes
         self._now = 0.0
         self._rest = b""
@@ -243,9 +247,13 @@ class Session:
     def _begin(self, now: float, *, again: bool) -> None:
         wire_time = (self._byte_time or 0.0) * _FIRST_TURN if self._takes_turns else None
         group = None if self._groups is None else self._groups.known
+        before, self._seed = self._seed, self._choose()
+        if before is not None and not (self._seed ^ before) % _SMALLEST_RING:
+            # The answer to the `K` of before would be that of this one.
+            self._seed += 1
         self._handshake = Handshake(
             self._node,
-            self._choose(),
+            self._seed,
             now,
             again=again,
             group=group,
