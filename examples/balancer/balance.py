@@ -31,7 +31,7 @@ async def balance(url: str) -> None:
                 if abs(tilt) > MOST_TILT:
                     await robot.fallen.set(True)
                     break
-                volts = TILT * tilt + RATE * sample[robot.rate]
+                volts = TILT * tilt + RATE * sample[robot.gyro[1]]
                 volts += SPEED * sample[robot.wheel.velocity] + WAY * sample[robot.wheel.position]
                 volts = min(max(volts, -12.0), 12.0)
                 await robot.left.value.post(volts)

@@ -32,6 +32,7 @@ class Balancer(SimulatedRobot):
     left: Any
     right: Any
     wheel: Any
+    gyro: Any
 
     def start(self) -> None:
         """Hold it."""
@@ -53,5 +54,5 @@ class Balancer(SimulatedRobot):
             self.lean = min(max(self.lean + self.turning * dt, -LYING), LYING)
             if abs(self.lean) == LYING:
                 self.turning = 0.0
-        self.tilt, self.rate = self.lean, min(max(self.turning, -32.0), 32.0)
+        self.tilt, self.gyro[1] = self.lean, min(max(self.turning, -32.0), 32.0)
         self.wheel.position = self.angle

@@ -93,4 +93,5 @@ def awkward_specs(draw: st.DrawFn, words: Iterable[str] = IN_C) -> str:
 def _signals(given: Iterator[str], kinds: list[str], groups: list[str]) -> list[str]:
     pairs = [(kind, group) for kind in kinds for group in groups]
     place = "base + " if "" in groups else ""
-    return [f"@{next(given)} = {place}{2 * at}: {kind} READWRITE({group});" for at, (kind, group) in enumerate(pairs)]
+    heads = [f"@{next(given)}{'[2]' * (at % 2)} = {place}{2 * at}{' + i' * (at % 2)}" for at in range(len(pairs))]
+    return [f"{head}: {kind} READWRITE({group});" for head, (kind, group) in zip(heads, pairs, strict=True)]

@@ -35,6 +35,7 @@ _JOINT = """\
 joint(): @(base) {
   @position = base: signed READWRITE(UNIT="counts");
   @double = base + 1: READWRITE();
+  @flags[3] = base + 2[2 * i + 1:2 * i]: unsigned READWRITE();
 }
 """
 
@@ -113,9 +114,12 @@ def every_kind(word_bits: int) -> Spec:
         f"@rest = {address}[7:6]: unsigned READWRITE();",
         f"@status = {address + 1}: READ();",
         f"@command = {address + 1}: WRITE();",
-        f"arms[2]: joint() @({address + 2} + 2 * i);",
+        f"@near[3] = {address + 2} + i: signed 8 READWRITE(SCALE=0.25 * (i + 1));",
+        f"@modes[2] = {address + 5}[4 * i + 3:4 * i]: mode READWRITE();",
+        f"@shapes[3] = {address + 6} + i[i + 1:0]: READWRITE();",
+        f"arms[2]: joint() @({address + 9} + 3 * i);",
     ]
-    assert address + 6 <= 0x100
+    assert address + 15 <= 0x100
     body = "\n".join(f"  {line}" for line in lines)
     return compile_text(
         f"{_ENUMERATION}{_JOINT}/// One of each.\npublic robot() {{\n  GATEWAY(DATA_BITS={word_bits});\n{body}\n}}\n"

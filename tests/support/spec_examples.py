@@ -93,6 +93,8 @@ def expressions(draw: st.DrawFn, names: list[str]) -> Expression:
     return draw(st.recursive(leaves, larger, max_leaves=4))
 
 
+ROW = 2
+"""Most signals of a row."""
 SIZE = 12
 """Width that signals in components have by a parameter."""
 
@@ -160,6 +162,16 @@ def signals(
     return SignalDeclaration(Word(name), where, bits, kind, Word(access), draw(st.permutations(arguments)), doc=doc)
 
 
+@st.composite
+def rows(draw: st.DrawFn, signal: SignalDeclaration) -> SignalDeclaration:
+    """Draw a signal alone, or a row of at most `ROW` of them at addresses that follow each other."""
+    if draw(st.booleans()):
+        assert signal.address is not None
+        signal.count = whole(draw(st.integers(1, ROW)))
+        signal.address = Chain([Parenthesis(signal.address), Name(Word("i"))], ["+"])
+    return signal
+
+
 def _unique_names(draw: st.DrawFn, taken: set[str], size: int) -> list[str]:
     names = draw(st.lists(words.filter(lambda name: name not in taken), min_size=size, max_size=size, unique=True))
     taken.update(names)
@@ -196,7 +208,9 @@ def specs(draw: st.DrawFn) -> File:
     components: list[ComponentDeclaration] = []
     for name in _unique_names(draw, taken, draw(st.integers(0, 2))):
         names = _unique_names(draw, set(), draw(st.integers(1, 3)))
-        inside: list[Member] = [draw(signals(one, -index - 1, enumerations, groups)) for index, one in enumerate(names)]
+        inside: list[Member] = [
+            draw(rows(draw(signals(one, -ROW * index - 1, enumerations, groups)))) for index, one in enumerate(names)
+        ]
         components.append(
             ComponentDeclaration(
                 public=False,
@@ -216,7 +230,7 @@ def specs(draw: st.DrawFn) -> File:
             count = draw(st.one_of(st.none(), st.integers(1, 3)))
             place = whole(address)
             if count is not None:
-                place = Chain([place, whole(4), Name(Word("i"))], ["+", "*"])
+                place = Chain([place, whole(4 * ROW), Name(Word("i"))], ["+", "*"])
             members.append(
                 Placement(
                     Word(name),
@@ -226,7 +240,7 @@ def specs(draw: st.DrawFn) -> File:
                     [Argument(None, place)],
                 )
             )
-            address += 4 * (count or 1)
+            address += 4 * ROW * (count or 1)
         else:
             signal = draw(signals(name, 0, enumerations, groups))
             signal.address = whole(address)
@@ -234,8 +248,8 @@ def specs(draw: st.DrawFn) -> File:
                 block = [Argument(Word("BASE"), whole(0)), Argument(Word("SIZE"), whole(1))]
                 members.append(Placement(None, None, Word("MEMORY"), block, None, [signal]))
             else:
-                members.append(signal)
-            address += 1
+                members.append(draw(rows(signal)))
+            address += ROW
     public = ComponentDeclaration(public=True, name=Word(interface), parameters=[], addresses=None, members=members)
     items: list[Item] = [*enumerations, *group_items, *components, public]
     return File(draw(st.permutations(items)))

@@ -445,6 +445,6 @@ def _signal(signal: Signal, digits: int) -> Any:
     ]
     return Text.assemble(
         (f"0x{signal.address:0{digits}X}{bits}", "green"),
-        f" {signal.name}: {signal.kind} {signal.access}",
+        f" {signal.label}: {signal.kind} {signal.access}",
         (f"  {' '.join(filter(None, details))}", "dim"),
     )

@@ -198,10 +198,10 @@ class Robot(Component):
         """Assign the members of a component."""
         members: list[Proxy[Any] | Component] = []
         attributes: dict[str, Any] = {}
-        for signal in part.signals:
-            proxy = self._make_proxy(signal)
-            members.append(proxy)
-            attributes[signal.name] = proxy
+        for name, signals in part.rows.items():
+            proxies = tuple(self._make_proxy(signal) for signal in signals)
+            members += proxies
+            attributes[name] = proxies[0] if signals[0].index is None else proxies
         for below in part.parts:
             if isinstance(below, ComponentArray):
                 items = tuple(self._make_component(item) for item in below.items)

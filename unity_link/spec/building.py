@@ -105,22 +105,29 @@ class Builder:
     # Signals
 
     def signal(
-        self, source: SourceText, node: SignalDeclaration, where: Where, module: int | None, base: int
+        self,
+        source: SourceText,
+        node: SignalDeclaration,
+        where: Where,
+        module: int | None,
+        base: int,
+        index: int | None = None,
     ) -> Signal | None:
-        """Build a signal; None where it has no address or no kind."""
+        """Build a signal, or the one of a row that has an index; None where it has no address or no kind."""
         evaluator, reader = self.tools(source)
         address = self._address(evaluator, node, where)
         parts = reader.read(node, where.scope)
         if address.value is None or parts is None:
             return None
         bound, name = parts.arguments, str(node.name)
-        path = f"{where.path}.{name}" if where.path else name
+        path = ".".join(filter(None, (where.path, name if index is None else f"{name}[{index}]")))
         fifo: Bound | None = bound.get("FIFO")
         groups = self._groups(evaluator, bound, parts.places)
         signal = Signal(
             name=name,
             path=path,
             id=bound.get("ID", path),
+            index=index,
             address=base + address.value,
             word_bits=self._draft.data_bits,
             lowest_bit=parts.lowest_bit,

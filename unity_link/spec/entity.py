@@ -169,8 +169,12 @@ class Hardware:
             advice = "HOLD stands in a component whose ENTITY has the input ARMED; elsewhere name a safe value"
             self._fault(place, "bad-safe", message, advice)
 
-    def core(self, component: Word, signals: set[str]) -> Core | None:
-        """Return the hardware of a component whose signals have these names; None where it has none.
+    def core(self, component: Word, widths: Mapping[str, set[int]]) -> Core | None:
+        """Return the hardware of a component; None where it has none.
+
+        Args:
+            component: its name.
+            widths: those of its signals, by their names.
 
         Ports without an entity behind them are reported.
         """
@@ -179,10 +183,14 @@ class Hardware:
                 message = f"{name} is a port of no entity: {component} has no ENTITY"
                 self._fault(place, "bad-entity", message, 'as in ENTITY("ul_pwm", width=WIDTH);')
             return None
-        for name in signals:
+        for name in widths:
             if not _IDENTIFIER.fullmatch(name):
                 message = f"'{name}' cannot be the name of a port in VHDL"
                 self._fault(self._placed.type.place, "bad-entity", message)
+            elif len(widths[name]) > 1:
+                message = f"the signals in the row {name} have {listed(sorted(map(str, widths[name])), 'and')} bits"
+                advice = "those of a component with an ENTITY have one width, as they stand side by side in one port"
+                self._fault(self._placed.type.place, "bad-entity", message, advice)
         if self._entity is None:
             return None
         entity, wants, generics = self._entity

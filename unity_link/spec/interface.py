@@ -394,7 +394,11 @@ class InterfaceDraft:
         sampled = {name: part.lower() for part, name in clause.items() if part.lower() not in set_points}
         found: dict[str, dict[str, str]] = {}
         for signal, _ in draft.signals:
-            if signal.name in sampled:
+            if signal.name in sampled and signal.index is not None:
+                message = f"{signal.path} stands in a row of signals, and each joint is a component of its own"
+                advice = f"put {signal.name} into a component, as in joints[6]: joint() @(0x10 + i);"
+                self._error(draft.place, "joints", message, advice)
+            elif signal.name in sampled:
                 component = signal.path.rpartition(".")[0]
                 found.setdefault(component, {})[sampled[signal.name]] = signal.path
         writable = {placed.signal.path for placed in self.signals if placed.signal.access.writes}

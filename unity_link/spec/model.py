@@ -157,8 +157,11 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
     """A named value: some bits of a word, a word, or several words in a row of which the first has the lowest bits."""
 
     name: str
+    """Name of its declaration, which the others of its row have too."""
     path: str
     id: str
+    index: int | None = None
+    """Its place in a row of signals; None for one that stands alone."""
     address: int
     """Address of the word, or of the first one."""
     word_bits: int
@@ -194,6 +197,11 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
     """Index in `Interface.modules` of the module that it stands in."""
     doc: str = ""
     span: Span = NOWHERE
+
+    @property
+    def label(self) -> str:
+        """Its name in its component, with its place in a row: ``acc[1]``."""
+        return self.name if self.index is None else f"{self.name}[{self.index}]"
 
     @property
     def width(self) -> int:
@@ -328,6 +336,14 @@ class ComponentSpec(msgspec.Struct, frozen=True, kw_only=True, tag_field="part",
     type_doc: str = ""
     """Doc string of its declaration, where `doc` is of the place."""
     span: Span = NOWHERE
+
+    @property
+    def rows(self) -> dict[str, tuple[Signal, ...]]:
+        """Its signals by their names: those of a row together, any other one by itself."""
+        rows: dict[str, tuple[Signal, ...]] = {}
+        for signal in self.signals:
+            rows[signal.name] = (*rows.get(signal.name, ()), signal)
+        return rows
 
     def walk(self) -> Iterator[ComponentSpec]:
         """Return this component and all in it, in the order of the spec."""

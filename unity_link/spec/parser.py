@@ -185,6 +185,7 @@ class _Builder(Transformer[Token, Any]):
         self,
         at: Token,
         name: Token,
+        count: Expression | None,
         address: Expression | None,
         bits: Bits | None,
         head: tuple[KindSpecifier | None, Token],
@@ -192,7 +193,7 @@ class _Builder(Transformer[Token, Any]):
         end: Token,
     ) -> SignalDeclaration:
         kind, access = head
-        return SignalDeclaration(word(name), address, bits, kind, word(access), arguments, **_bounds(at, end))
+        return SignalDeclaration(word(name), address, bits, kind, word(access), arguments, count, **_bounds(at, end))
 
     def placement(
         self,

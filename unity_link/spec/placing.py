@@ -30,7 +30,7 @@ from unity_link.spec.syntax import (
 from unity_link.spec.syntax import ParameterDeclaration as ParameterNode
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Iterator, Mapping, Sequence
 
     from unity_link.spec.cores import FoundCore
     from unity_link.spec.loading import Declared
@@ -102,7 +102,10 @@ class Contents:
         self._hardware.check_leases({safe.lease for safe in guarded.values()})
         holds = {name: self._names[name.lower()] for name, safe in guarded.items() if safe.bits is None}
         self._hardware.check_holds(holds)
-        return self._hardware.core(self._node.name, {signal.name for signal in self.signals})
+        widths: dict[str, set[int]] = {}
+        for signal in self.signals:
+            widths.setdefault(signal.name, set()).add(signal.width)
+        return self._hardware.core(self._node.name, widths)
 
     def fill(self, members: Sequence[SignalDeclaration | Placement], module: int | None, base: int) -> None:
         """Build members that stand in a module."""
@@ -114,9 +117,7 @@ class Contents:
             if isinstance(member, SignalDeclaration) and member.access in PORT_WORDS:
                 self._hardware.add_port(self._builder, self._source, member)
             elif isinstance(member, SignalDeclaration):
-                signal = self._builder.signal(self._source, member, self._where, module, base)
-                if signal is not None:
-                    self.signals.append(signal)
+                self.signals += self._signals(member, module, base)
             elif member.type in MODULES:
                 self._place_module(member, module, base)
             elif member.type == GATEWAY_WORD and member.name is None:
@@ -144,7 +145,22 @@ class Contents:
         item = str(name) if index is None else f"{name}[{index}]"
         return f"{self._where.path}.{item}" if self._where.path else item
 
-    def _count(self, member: Placement) -> range | None:
+    def _signals(self, member: SignalDeclaration, module: int | None, base: int) -> Iterator[Signal]:
+        """Build a signal, or all of a row."""
+        if member.count is None:
+            alone = self._builder.signal(self._source, member, self._where, module, base)
+            yield from () if alone is None else (alone,)
+            return
+        # Of a row whose length is not known, one is checked as far as that can be done without its index.
+        for index in self._count(member) or (None,):
+            if not self._builder.count(self._evaluator, member.place):
+                return
+            where = self._where._replace(scope={**self._where.scope, INDEX_NAME: index})
+            signal = self._builder.signal(self._source, member, where, module, base, index or 0)
+            if signal is not None:
+                yield signal
+
+    def _count(self, member: Placement | SignalDeclaration) -> range | None:
         """Return the indices of an array."""
         assert member.count is not None
         value = self._evaluator.evaluate(member.count, self._where.scope)

@@ -115,6 +115,7 @@ def _block(
 
 
 def _signal_head(signal: SignalDeclaration) -> str:
+    count = "" if signal.count is None else f"[{_expression(signal.count)}]"
     address = "" if signal.address is None else f" = {_expression(signal.address)}"
     bits = ""
     if signal.bits is not None:
@@ -124,7 +125,7 @@ def _signal_head(signal: SignalDeclaration) -> str:
     if signal.kind is not None:
         width = "" if signal.kind.width is None else f"{_expression(signal.kind.width)} "
         kind = f"{signal.kind.name} {width}"
-    return f"@{signal.name}{address}{bits}: {kind}{signal.access}"
+    return f"@{signal.name}{count}{address}{bits}: {kind}{signal.access}"
 
 
 def _component_head(component: ComponentDeclaration) -> str:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from typing import Self, TypeAlias
 
 INDEX_NAME = "i"
-"""Name of the index in the arguments of an array of components."""
+"""Name of the index in the arguments of an array of components, and in the declaration of a row of signals."""
 
 
 class Word(str):
@@ -205,7 +205,7 @@ class KindSpecifier:
 
 @dataclass(slots=True)
 class SignalDeclaration(Statement):
-    """``@name = address[bits]: kind ACCESS(...);``."""
+    """``@name = address[bits]: kind ACCESS(...);``; several in a row: ``@name[count] = address[bits]: ...``."""
 
     name: Word
     address: Expression | None
@@ -213,6 +213,7 @@ class SignalDeclaration(Statement):
     kind: KindSpecifier | None
     access: Word
     arguments: list[Argument]
+    count: Expression | None = None
 
 
 @dataclass(slots=True)

@@ -136,7 +136,7 @@ class CoreModels:
         model = kinds[0](component, part, _Around(self, component.path))
         # What a schedule has for the cycle in which a lease ends acts in it, and is safe behind it.
         self._models.insert(0 if component.core is not None and component.core.stages else len(self._models), model)
-        self._of_signal |= {signal.path: (model, signal.name) for signal in component.signals}
+        self._of_signal |= {signal.path: (model, signal.label) for signal in component.signals}
         assert component.core is not None
         inputs = {pin.name for pin in component.core.pins if pin.way is not Way.OUT}
         return lambda name: model.written(name) if name in inputs else None

@@ -22,6 +22,7 @@ import logging
 import math
 import time
 from collections import deque
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from unity_link.errors import ANY_ERROR, ArgumentError
@@ -70,6 +71,43 @@ class Fault:
         robot.set_fault(self._name, on=on)
 
 
+class Row(Sequence[Any]):
+    """Values of a row of signals of a simulated robot. They are read and set by their places, or all at once.
+
+    Args:
+        part: that they are signals of.
+        labels: names of its attributes for them.
+    """
+
+    def __init__(self, part: Part, labels: list[str]) -> None:
+        self._part = part
+        self._labels = labels
+
+    def __len__(self) -> int:
+        return len(self._labels)
+
+    def __getitem__(self, place: Any) -> Any:
+        """Return a value; of several places a list."""
+        found = self._labels[place]
+        return getattr(self._part, found) if isinstance(found, str) else [getattr(self._part, one) for one in found]
+
+    def __setitem__(self, place: Any, value: Any) -> None:
+        """Set a value, or those of several places.
+
+        Raises:
+            ArgumentError: for a value that the signal cannot have, or another number of values.
+        """
+        found = self._labels[place]
+        labels, values = ([found], [value]) if isinstance(found, str) else (found, [*value])
+        if len(labels) != len(values):
+            raise ArgumentError(f"{labels[0]} and what follows are {len(labels)} signals, and {len(values)} were given")
+        for label, one in zip(labels, values, strict=True):
+            setattr(self._part, label, one)
+
+    def __repr__(self) -> str:
+        return repr([*self])
+
+
 class Part:
     """A part of a simulated robot. Its signals are attributes, which are values; so are its parts."""
 
@@ -111,6 +149,8 @@ class Part:
                 raise ArgumentError(f"{self._name}.{name} is a pin, and 0 or 1, not {value!r:.80}")
             self._pins[name] = int(value)
             self._pin_set(name)
+        elif isinstance(row := self.__dict__.get(name), Row):
+            row[:] = value
         elif cell is None:
             if self.__dict__.get("_started") and name not in self.__dict__ and not hasattr(type(self), name):
                 raise self._unknown(name)
@@ -423,9 +463,12 @@ class SimulatedRobot(Part):
         name = described.path or self.interface.name
         part.__dict__.update(
             _name=name,
-            _cells={_free_name(signal.name): cells[signal.path] for signal in described.signals},
+            _cells={_free_name(signal.label): cells[signal.path] for signal in described.signals},
             _started=False,
         )
+        for signals in described.rows.values():
+            if signals[0].index is not None:
+                part.__dict__[_free_name(signals[0].name)] = Row(part, [_free_name(signal.label) for signal in signals])
         for below in described.parts:
             items = below.items if isinstance(below, ComponentArray) else (below,)
             made = tuple(self._make(item) for item in items)
@@ -435,7 +478,7 @@ class SimulatedRobot(Part):
             part.__dict__["_pin_set"] = self.cores.add(described, part)
             self._parts.append(part)
             return
-        for attribute in (*part._cells, *(_free_name(below.name) for below in described.parts)):  # noqa: SLF001
+        for attribute in map(_free_name, (*described.rows, *(below.name for below in described.parts))):
             if hasattr(type(self), attribute):
                 raise ArgumentError(f"{type(self).__name__}.{attribute} hides {attribute} of {name}: call it otherwise")
 

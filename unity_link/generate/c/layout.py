@@ -82,19 +82,21 @@ class ValueType(NamedTuple):
 
 
 class SignalMember(NamedTuple):
-    """A signal of a component."""
+    """A signal of a component, or a row of them."""
 
     name: str
     type: ValueType
     signal: Signal
     """The one of the first place."""
+    size: int | None
+    """Length of the row; None for a signal that stands alone."""
     varies: bool
     """True if its unit or limits are not the same everywhere."""
 
     @property
     def declaration(self) -> str:
         """Declaration as a member of a structure."""
-        return f"{self.type.signal} {self.name};"
+        return f"{self.type.signal} {self.name}{_brackets(self.size)};"
 
 
 class PartMember(NamedTuple):
@@ -109,7 +111,7 @@ class PartMember(NamedTuple):
     @property
     def declaration(self) -> str:
         """Declaration as a member of a structure."""
-        return f"{self.type} {self.name}{'' if self.size is None else f'[{self.size}]'};"
+        return f"{self.type} {self.name}{_brackets(self.size)};"
 
 
 class PartType(NamedTuple):
@@ -185,6 +187,11 @@ class GroupType(NamedTuple):
         return all(member.signal.access.writes for member in self.members)
 
 
+def _brackets(number: int | None) -> str:
+    """Write an index or a size behind a name; nothing where there is none."""
+    return "" if number is None else f"[{number}]"
+
+
 BOOL = ValueType("bool", "ul_bool", "unsigned", "bool")
 UNSIGNED = ValueType("uint64_t", "ul_unsigned", "unsigned", "std::uint64_t")
 SIGNED = ValueType("int64_t", "ul_signed", "signed", "std::int64_t")
@@ -249,7 +256,7 @@ class Layout:
 
     def _names_in(self, component: ComponentSpec) -> dict[str, str]:
         names = Names(self._guards)
-        members = [one.name for one in (*component.signals, *component.parts)]
+        members = [*component.rows, *(part.name for part in component.parts)]
         return {name: names.take(name) for name in [*members, *self.modules_of(component)]}
 
     def _names_of(self, group: GroupSpec) -> dict[str, str]:
@@ -326,7 +333,8 @@ class Layout:
             PartMember(names[name], "ul_module", "", len(some) if "[" in str(some[0].path) else None, some[0].doc)
             for name, some in self.modules_of(component).items()
         )
-        form = (component.type, tuple((part.type, part.size) for part in (*parts, *modules)))
+        rows = tuple(map(len, component.rows.values()))
+        form = (component.type, rows, tuple((part.type, part.size) for part in (*parts, *modules)))
         if form not in self._types_by_form:
             self._types_by_form[form] = self._new_type(component, parts, modules)
             self.types[self._types_by_form[form].name] = self._types_by_form[form]
@@ -339,12 +347,13 @@ class Layout:
         names = self.member_names(component)
         signals = tuple(
             SignalMember(
-                names[signal.name],
-                self.value_types[signal.path],
-                signal,
-                varies=self._varies(component.type, signal.name),
+                names[name],
+                self.value_types[first.path],
+                first,
+                None if first.index is None else 1 + len(others),
+                varies=self._varies(component.type, name),
             )
-            for signal in component.signals
+            for name, (first, *others) in component.rows.items()
         )
         name = self.root_type if is_root else self._global(component.type)
         short = self.class_name if is_root else self._short(component.type)
@@ -370,11 +379,10 @@ class Layout:
     def _express(self, component: ComponentSpec, expression: str) -> None:
         names = self.member_names(component)
         for signal in component.signals:
-            self.expressions[signal.path] = f"{expression}.{names[signal.name]}"
+            self.expressions[signal.path] = f"{expression}.{names[signal.name]}{_brackets(signal.index)}"
         for part in component.parts:
             for item in part.items if isinstance(part, ComponentArray) else (part,):
-                index = "" if isinstance(part, ComponentSpec) else f"[{item.index}]"
-                self._express(item, f"{expression}.{names[part.name]}{index}")
+                self._express(item, f"{expression}.{names[part.name]}{_brackets(item.index)}")
 
     # Groups
 

@@ -28,7 +28,8 @@ def _component(layout: Layout, component: ComponentSpec, indent: str) -> Iterato
         # C has neither empty structures nor empty initializers.
         yield f"{indent}.empty = 0,"
     for signal in component.signals:
-        yield f"{indent}.{names[signal.name]}.signal = {signal_initializer(layout, signal)},"
+        index = "" if signal.index is None else f"[{signal.index}]"
+        yield f"{indent}.{names[signal.name]}{index}.signal = {signal_initializer(layout, signal)},"
     for part in component.parts:
         yield f"{indent}.{names[part.name]} = {{"
         yield from _part(layout, part, f"{indent}    ")

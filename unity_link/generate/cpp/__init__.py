@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING
 from unity_link.generate import GeneratedFile, Templates
 from unity_link.generate.c import FILTERS as C_FILTERS
 from unity_link.generate.c import files as c_files
-from unity_link.generate.c.layout import Layout
+from unity_link.generate.c.layout import Layout, PartMember
 from unity_link.generate.c.signals import describe
 from unity_link.quoting import c_comment
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from unity_link.generate.c.layout import GroupMember, GroupType, PartMember, PartType, SignalMember
+    from unity_link.generate.c.layout import GroupMember, GroupType, PartType, SignalMember
     from unity_link.spec import Interface
 
 DOC = "a client in C++17, over the one in C: RAII, exceptions, typed signals"
@@ -49,8 +49,8 @@ def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]
 
 def declarations(part: PartType) -> list[str]:
     """Return the members of a component, each with what stands beside it."""
-    signals = [(f"{_signal_type(member)} {member.name};", describe(member)) for member in part.signals]
-    parts = [(f"{_part_type(member)} {member.name};", member.doc) for member in (*part.parts, *part.modules)]
+    signals = [(f"{_member_type(member)} {member.name};", describe(member)) for member in part.signals]
+    parts = [(f"{_member_type(member)} {member.name};", member.doc) for member in (*part.parts, *part.modules)]
     return _aligned([*signals, *parts])
 
 
@@ -73,26 +73,23 @@ def converted(member: GroupMember, to: str) -> str:
 
 def initializers(part: PartType, place: str = "place") -> list[str]:
     """Return what the members of a component are made from: `place` is the component in C."""
-    signals = [f"{member.name}(the_link, {place}.{member.name}.signal)" for member in part.signals]
-    parts = [
+    members: list[SignalMember | PartMember] = [*part.signals, *part.parts, *part.modules]
+    return [
         f"{member.name}(the_link, {place}.{member.name})"
         if member.size is None
         else f"{member.name}(unity_link::each<{_item_type(member)}>(the_link, {place}.{member.name}))"
-        for member in (*part.parts, *part.modules)
+        for member in members
     ]
-    return signals + parts
 
 
-def _signal_type(member: SignalMember) -> str:
+def _item_type(member: SignalMember | PartMember) -> str:
+    if isinstance(member, PartMember):
+        return member.short or "unity_link::Module"
     signal = member.signal
     return f"unity_link::{_SIGNALS[signal.access]}{'Queue' * signal.fifo}<{member.type.cpp}>"
 
 
-def _item_type(member: PartMember) -> str:
-    return member.short or "unity_link::Module"
-
-
-def _part_type(member: PartMember) -> str:
+def _member_type(member: SignalMember | PartMember) -> str:
     item = _item_type(member)
     return item if member.size is None else f"std::array<{item}, {member.size}>"
 

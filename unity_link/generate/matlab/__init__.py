@@ -109,12 +109,13 @@ def _fingerprint() -> str:
 
 
 def _members(part: ComponentSpec) -> list[str]:
-    return [member.name for member in (*part.signals, *part.parts)]
+    return [*part.rows, *(member.name for member in part.parts)]
 
 
 def _properties(root: ComponentSpec, taken: list[str]) -> list[Property]:
     names = identifiers(_members(root), taken)
-    return [Property(names[member.name], _comment(member.doc)) for member in (*root.signals, *root.parts)]
+    members = (*(row[0] for row in root.rows.values()), *root.parts)
+    return [Property(names[member.name], _comment(member.doc)) for member in members]
 
 
 def _lines(part: ComponentSpec, path: str, taken: list[str] | None = None) -> Iterator[ConstructorLine]:
@@ -122,7 +123,9 @@ def _lines(part: ComponentSpec, path: str, taken: list[str] | None = None) -> It
     names = identifiers(_members(part), taken or ())
     before = f"{path}." if path else ""
     for signal in part.signals:
-        yield ConstructorLine(before + names[signal.name], signal)
+        # A cell array, as Octave has no arrays of objects.
+        index = "" if signal.index is None else f"{{{signal.index + 1}}}"
+        yield ConstructorLine(before + names[signal.name] + index, signal)
     for member in part.parts:
         inside = before + names[member.name]
         items = member.items if isinstance(member, ComponentArray) else (member,)

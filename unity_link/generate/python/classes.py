@@ -189,7 +189,7 @@ class _Maker:
 
     def _members(self, uses: list[ComponentSpec]) -> Iterator[Iterable[Attribute]]:
         first = uses[0]
-        yield (self._signal([use.signals[place] for use in uses]) for place in range(len(first.signals)))
+        yield (self._signal([signal for use in uses for signal in use.rows[name]]) for name in first.rows)
         yield (self._part(part) for part in first.parts)
         yield self._modules(first)
 
@@ -201,7 +201,8 @@ class _Maker:
         if first.access.writes and first.kind.enumeration is not None:
             value += f", {self._given[first.kind.enumeration.name]}"
         doc = "\n".join([*_text(first.doc), *_properties(signals)])
-        return Attribute(first.name, f"{proxy_type(first).__name__}[{value}]", doc)
+        proxy = f"{proxy_type(first).__name__}[{value}]"
+        return Attribute(first.name, proxy if first.index is None else f"tuple[{proxy}, ...]", doc)
 
     def _value_type(self, kind: Kind) -> str:
         if kind.enumeration is not None:

@@ -34,7 +34,8 @@ def topic_names(interface: Interface) -> dict[str, str]:
         parts = [part for part in component.parts if isinstance(part, ComponentSpec)]
         elements = [one for part in component.parts if isinstance(part, ComponentArray) for one in part.items]
         # What has a name in the spec keeps it.
-        members: list[Signal | ComponentSpec] = [*component.signals, *parts, *elements]
+        signals = sorted(component.signals, key=lambda signal: signal.index is not None)
+        members: list[Signal | ComponentSpec] = [*signals, *parts, *elements]
         taken: set[str] = set()
         for member in members:
             name = _unique(re.sub(r"\[(\d+)\]", r"_\1", member.path.rpartition(".")[2]), taken)

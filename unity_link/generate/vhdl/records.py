@@ -79,6 +79,23 @@ def elements_of(signal: Signal, name: str, type_: str) -> Iterator[tuple[Directi
         yield Direction.TO, "written", Element(f"{name}_written", "std_logic")
 
 
+class Placed(NamedTuple):
+    """An element of a record, for a signal or for a row of them."""
+
+    direction: Direction
+    pin: str
+    """Name of a field of `Pins`."""
+    element: Element
+    places: dict[str, str]
+    """Names of the element, or of its items, by the paths of the signals."""
+
+
+def _endings(signals: tuple[Signal, ...]) -> list[str]:
+    """Return the ends of the names of elements for a signal, or for a row of them."""
+    ends = ("", "_valid", "_ready") if signals[0].fifo else ("", "_written")
+    return [f"{place}{end}" for place in ("", *(f"_{one.index}" for one in signals)) for end in ends]
+
+
 class Records:
     """The record types of an interface.
 
@@ -103,6 +120,8 @@ class Records:
         self._known: dict[tuple[str, Direction, tuple[Element, ...]], str] = {}
         self._of_component: dict[tuple[str, Direction], str | None] = {}
         self._arrays: dict[tuple[str, Direction], str | None] = {}
+        self._rows: dict[str, str] = {}
+        """Types of arrays by those of the values in them."""
         self.types: list[RecordType] = []
         """Types in an order in which each uses only those before it."""
         self.pins: dict[str, Pins] = {path: Pins() for path in signals}
@@ -116,10 +135,7 @@ class Records:
         """Return the VHDL names of a component's members, which are the same in both records."""
         if component.path not in self._names:
             scope = Scope()
-            names = {
-                signal.name: scope.unique(signal.name, "", *(("_valid", "_ready") if signal.fifo else ("_written",)))
-                for signal in component.signals
-            }
+            names = {name: scope.unique(name, *_endings(signals)) for name, signals in component.rows.items()}
             names |= {part.name: scope.unique(part.name) for part in component.parts if isinstance(part, ComponentSpec)}
             for part in component.parts:
                 if not isinstance(part, ComponentSpec):
@@ -140,12 +156,8 @@ class Records:
 
     def _elements(self, component: ComponentSpec, direction: Direction) -> Iterator[Element]:
         names = self._names_in(component)
-        for signal in component.signals:
-            if signal.path in self._signals:
-                type_ = vhdl_type(signal.kind, self._enumerations)
-                for where, _, element in elements_of(signal, names[signal.name], type_):
-                    if where is direction:
-                        yield element
+        for name, signals in component.rows.items():
+            yield from (one.element for one in self._of_row(names[name], signals) if one.direction is direction)
         for part in component.parts:
             if isinstance(part, ComponentSpec):
                 record = self._record(part, direction)
@@ -164,6 +176,31 @@ class Records:
                     if record is not None
                 )
 
+    def _of_row(self, name: str, signals: tuple[Signal, ...]) -> Iterator[Placed]:
+        """Return the elements of a signal or a row; one of which the signals are not alike has some for each signal."""
+        types = {vhdl_type(signal.kind, self._enumerations) for signal in signals}
+        own = [signal for signal in signals if signal.path in self._signals]
+        if signals[0].index is None or len(types) > 1 or len(own) < len(signals):
+            for signal in own:
+                called = name if signal.index is None else f"{name}_{signal.index}"
+                for direction, pin, one in elements_of(signal, called, vhdl_type(signal.kind, self._enumerations)):
+                    yield Placed(direction, pin, one, {signal.path: one.name})
+            return
+        for direction, pin, one in elements_of(signals[0], name, types.pop()):
+            array = f"{self._array_of(one.type, signals[0].width)}(0 to {len(signals) - 1})"
+            places = {signal.path: f"{one.name}({signal.index})" for signal in signals}
+            yield Placed(direction, pin, one._replace(type=array), places)
+
+    def _array_of(self, item: str, width: int) -> str:
+        """Return the type of an array of values."""
+        if item == "std_logic":
+            return "std_logic_vector"
+        if item not in self._rows:
+            base = item.removesuffix("_t") if "(" not in item else f"{item.partition('(')[0]}_{width}"
+            self._rows[item] = f"{self._scope.unique(base, '_array_t')}_array_t"
+            self.types.append(RecordType(self._rows[item], item=item))
+        return self._rows[item]
+
     def _array(self, records: list[str | None]) -> str | None:
         """Return the type of an array of such records, or None where there is none that holds them all."""
         first = records[0]
@@ -177,14 +214,10 @@ class Records:
     def _place(self, component: ComponentSpec, direction: Direction, prefix: str) -> None:
         """Find the elements of all signals of a component, which is the element `prefix` itself."""
         names = self._names_in(component)
-        for signal in component.signals:
-            if signal.path in self._signals:
-                found = {
-                    pin: f"{prefix}.{element.name}"
-                    for where, pin, element in elements_of(signal, names[signal.name], "")
-                    if where is direction
-                }
-                self.pins[signal.path] = self.pins[signal.path]._replace(**found)
+        for name, signals in component.rows.items():
+            for one in self._of_row(names[name], signals):
+                for path, place in one.places.items() if one.direction is direction else ():
+                    self.pins[path] = self.pins[path]._replace(**{one.pin: f"{prefix}.{place}"})
         for part in component.parts:
             if isinstance(part, ComponentSpec):
                 self._place(part, direction, f"{prefix}.{names[part.name]}")

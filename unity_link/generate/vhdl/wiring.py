@@ -175,7 +175,7 @@ class Wiring:
         self._check_ports(first, core)
         label = self._scope.unique(f"{core.entity}_of_{first.path}")
         wires = [
-            *(wire for index in range(len(first.signals)) for wire in self._of_signal(label, placements, index)),
+            *(wire for name in first.rows for wire in self._of_row(label, placements, name)),
             *(self._of_trigger(label, placements, index) for index in range(len(core.triggers))),
             *(wire for index in range(len(core.pins)) for wire in self._of_pin(label, placements, index)),
         ]
@@ -199,9 +199,8 @@ class Wiring:
 
     def _check_ports(self, component: ComponentSpec, core: Core) -> None:
         """Refuse names of ports that VHDL, or the contract of cores, has another meaning for."""
-        signals = [signal.name for signal in component.signals]
         others = [*(pin.name for pin in core.pins), *(trigger.name for trigger in core.triggers)]
-        for name in [*signals, *others]:
+        for name in [*component.rows, *others]:
             taken = {"clk", "rst", *core.wants, *(STAGE_PORTS if core.stages else ())}
             if name.lower() in RESERVED or name.lower() in taken:
                 what = "a word of VHDL" if name.lower() in RESERVED else "a port that it has for something else"
@@ -209,9 +208,10 @@ class Wiring:
                     f"{component.path}.{name} cannot be a port of {core.entity}: {name.lower()} is {what}"
                 )
 
-    def _of_signal(self, label: str, placements: list[ComponentSpec], index: int) -> Iterator[EntityPort]:
-        signals = [part.signals[index] for part in placements]
-        name, width = signals[0].name.lower(), signals[0].width
+    def _of_row(self, label: str, placements: list[ComponentSpec], row: str) -> Iterator[EntityPort]:
+        """Return the ports of a signal, or of a row of them: the first axis has the lowest bits, and all of its row."""
+        signals = [signal for part in placements for signal in part.rows[row]]
+        name, width = row.lower(), signals[0].width
         if signals[0].access.writes:
             yield self._wire(label, name, width, [self._wires[one.path].got for one in signals], drives=True)
             written = [self._wires[one.path].written for one in signals]
