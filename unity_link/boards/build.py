@@ -120,6 +120,7 @@ def build(
     chosen = spec.interface(interface)
     if own is None or own.top is None:
         vhdl.check_whole(chosen)
+    chosen.check_clock(board.core_hz)
     check_generics({**vhdl.gateway_generics(chosen), "clock_hz": board.core_hz})
     # What is missing is said at once, not after a minute.
     for tool in (YOSYS, family.nextpnr, family.packer):

@@ -70,6 +70,8 @@ def generate(  # noqa: PLR0913  (each is an option)
             )
         options |= {"maintainer": found[1], "email": found[2]}
     compiled = compile_or_exit(spec, interface=interface, given=given)
+    if clock_hz is not None:
+        compiled.interface(interface).check_clock(clock_hz)
     files = make(target, compiled, interface, **options)
     if with_gateware:
         from unity_link.generate.vhdl.folder import with_gateware as complete

@@ -112,7 +112,11 @@ GROUP = (
         ),
     ),
 )
-GATEWAY = (ArgumentSlot("ADDRESS_BITS", Shape.WHOLE, *ADDRESS_BITS), ArgumentSlot("DATA_BITS", Shape.WHOLE, *DATA_BITS))
+GATEWAY = (
+    ArgumentSlot("ADDRESS_BITS", Shape.WHOLE, *ADDRESS_BITS),
+    ArgumentSlot("DATA_BITS", Shape.WHOLE, *DATA_BITS),
+    ArgumentSlot("CLOCK", Shape.WHOLE, 1, 1_000_000_000),
+)
 
 _NOT_NEEDED = {"CRC": "leave it out: every message of a program is checked", "INDEX": "the index of an array is 'i'"}
 

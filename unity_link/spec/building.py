@@ -21,7 +21,7 @@ from unity_link.spec.syntax import (
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Callable, Mapping
 
     from unity_link.spec.context import Context
     from unity_link.spec.cores import CoreFolder, Cores, FoundCore
@@ -51,6 +51,8 @@ class Where(NamedTuple):
     """Pins of the board by the names of the component's own; `none` for those that have none."""
     core: CoreFolder | None = None
     """The core that it is, where it is one."""
+    given: Mapping[str, SignalPlace] = {}
+    """Where its parameters are given, by their names."""
 
 
 class Builder:
@@ -92,6 +94,11 @@ class Builder:
         """Look up the names in the files of a core among its own declarations."""
         for source in core.sources:
             self._contexts[id(source)] = core.context
+
+    def limit(self, message: Callable[[int], str]) -> str:
+        """Take a limit, a function as those of `Interface.limits`; return what it says of the spec's own clock."""
+        self._draft.limits.append(message)
+        return message(self._draft.clock_hz)
 
     def count(self, evaluator: Evaluator, place: tuple[int, int]) -> bool:
         """Count one more part; False where there are too many."""

@@ -11,10 +11,12 @@ import zlib
 from typing import TYPE_CHECKING
 
 from unity_link.spec.diagnostics import Reporter, SourceText
+from unity_link.spec.entity import LIMIT_WORDS
 from unity_link.spec.parser import parse
 from unity_link.spec.printer import print_file
 from unity_link.spec.syntax import (
     BlockStatement,
+    ComponentDeclaration,
     File,
     GroupDeclaration,
     Import,
@@ -74,6 +76,9 @@ def _text(texts: Sequence[str], name: str) -> str:
     kept: list[Item] = [item for item in items if isinstance(item, GroupDeclaration) or str(item.name) in wanted]
     for item in kept:
         _strip(item)
+        if isinstance(item, ComponentDeclaration):
+            # What a board has was allowed when it was made.
+            item.members = [one for one in item.members if getattr(one, "type", None) not in LIMIT_WORDS]
     return print_file(File(kept))
 
 

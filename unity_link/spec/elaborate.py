@@ -22,7 +22,7 @@ from unity_link.spec.expressions import (
     ScheduleReference,
     describe,
 )
-from unity_link.spec.interface import InterfaceDraft, SignalPlace
+from unity_link.spec.interface import DEFAULT_CLOCK_HZ, InterfaceDraft, SignalPlace
 from unity_link.spec.model import Interface, Parameter, ParameterReference
 from unity_link.spec.placing import GATEWAY_WORD, put_component
 from unity_link.spec.syntax import ComponentDeclaration, Placement
@@ -93,8 +93,8 @@ class Elaborator:
             scope[str(item.name)] = ParameterReference(str(item.name)) if value is None else value
         scope |= _references(node)
         self._context.check_parameters(evaluator, node)
-        address_bits, data_bits = self._widths(evaluator, node, scope)
-        draft = InterfaceDraft(self._context.reporter, address_bits, data_bits)
+        address_bits, data_bits, clock_hz = self._gateway(evaluator, node, scope)
+        draft = InterfaceDraft(self._context.reporter, address_bits, data_bits, clock_hz)
         builder = Builder(self._context, self._cores, draft)
         module, base = builder.module_of_all(source, node, scope)
         where = Where("", {}, scope, module, base, (str(node.name),))
@@ -106,7 +106,7 @@ class Elaborator:
             for placed in draft.signals
             if placed.signal.kind.enumeration is not None
         }
-        return Interface(
+        interface = Interface(
             name=str(node.name),
             parameters=tuple(parameters),
             address_bits=address_bits,
@@ -118,9 +118,13 @@ class Elaborator:
             doc="\n".join(node.doc),
             span=self._context.span(source, node),
         )
+        vars(interface)["limits"] = tuple(draft.limits)
+        return interface
 
-    def _widths(self, evaluator: Evaluator, node: ComponentDeclaration, scope: Mapping[str, Result]) -> tuple[int, int]:
-        """Return the gateway's widths: those that the caller knows, else those that the spec tells."""
+    def _gateway(
+        self, evaluator: Evaluator, node: ComponentDeclaration, scope: Mapping[str, Result]
+    ) -> tuple[int, int, int]:
+        """Return the gateway's widths, those that the caller knows or else those that the spec tells, and its clock."""
         bound: Bound = {}
         found: Placement | None = None
         for member in node.members:
@@ -140,6 +144,7 @@ class Elaborator:
         return (
             given_address or bound.get("ADDRESS_BITS", DEFAULT_ADDRESS_BITS),
             given_data or bound.get("DATA_BITS", DEFAULT_DATA_BITS),
+            bound.get("CLOCK", DEFAULT_CLOCK_HZ),
         )
 
     def _check_unused(self, declared: Declared[ComponentDeclaration]) -> None:

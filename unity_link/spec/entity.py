@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 import re
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple, TypeGuard
 
 from unity_link.spec.arguments import PIN, TRIGGER, Binder, Bound
 from unity_link.spec.diagnostics import did_you_mean, listed
@@ -17,9 +18,13 @@ if TYPE_CHECKING:
     from unity_link.spec.building import Builder, Where
     from unity_link.spec.diagnostics import SourceText
     from unity_link.spec.expressions import Evaluator
-    from unity_link.spec.syntax import Word
+    from unity_link.spec.syntax import Expression, Node, Word
 
 ENTITY_WORD = "ENTITY"
+LIMIT_WORDS = ("RANGE", "ONE_OF")
+"""Words for what a parameter may be."""
+CLOCK = "CLOCK"
+"""Name, in a limit, of the frequency of the gateway's clock in Hz."""
 _SLOTS = {"PIN": PIN, "TRIGGER": TRIGGER}
 PORT_WORDS = tuple(_SLOTS)
 """Words that stand in the place of an access, for ports without an address."""
@@ -30,6 +35,21 @@ _PRINTABLE = re.compile(r"[ -~]*")
 _GIVEN = ("axes", "clock_hz")
 """Generics that the design gives by itself."""
 _LARGEST = (1 << 31) - 1
+
+
+_EDGES = (-math.inf, math.inf)
+"""Bounds of a RANGE that has none."""
+
+
+class Limit(NamedTuple):
+    """A limit of a parameter."""
+
+    member: Placement
+    """The statement."""
+    name: str
+    bounds: list[Expression]
+    held: dict[str, Expression]
+    """Values of other parameters with which alone it holds."""
 
 
 def pins_of(node: ComponentDeclaration) -> list[Word]:
@@ -50,6 +70,8 @@ class Hardware:
         self._where = where
         self._entity: tuple[str, list[str], dict[str, int | bool | str]] | None = None
         self._placed: Placement | None = None
+        self._refused: set[str] = set()
+        """Parameters that a limit does not allow."""
         self._ports: dict[str, tuple[int, int]] = {}
         self._pins: list[Pin] = []
         self._triggers: list[Trigger] = []
@@ -86,6 +108,59 @@ class Hardware:
                 generics |= self._generic(argument)
         self._entity = name.lower(), list(dict.fromkeys(wants)), generics
 
+    def check_limit(self, builder: Builder, node: ComponentDeclaration, member: Placement) -> None:
+        """Check a parameter by a RANGE or a ONE_OF."""
+        known = {str(one.name) for one in node.parameters}
+        first, others = member.arguments[:1], member.arguments[1:]
+        name = next((str(one.value.name) for one in first if one.name is None and isinstance(one.value, Name)), "")
+        bounds = [one.value for one in others if one.name is None]
+        held = {str(one.name): one.value for one in others if one.name is not None}
+        is_whole = len(bounds) == 2 if member.type == "RANGE" else bool(bounds)
+        if not is_whole or not {name, *held} <= known or member.addresses is not None or member.members is not None:
+            message = f"{member.type} takes a parameter of {node.name}, and then what that may be"
+            advice = 'as in RANGE(WIDTH, 2, 24); or ONE_OF(MODE, "a", "b");'
+            self._fault(member.type.place, "bad-limit", message, advice)
+            return
+        limit = Limit(member, name, bounds, held)
+        if self._refused.isdisjoint(self._words(member)) and (message := self._check(builder, limit)):
+            self._refused.add(name)
+            source, place = self._given(name) or (self._evaluator.source, member.place)
+            builder.context.reporter.error(source, place, "out-of-range", message)
+
+    def _check(self, builder: Builder, limit: Limit) -> str:
+        return builder.limit(lambda clock_hz: self._beyond(limit, clock_hz))
+
+    def _beyond(self, limit: Limit, clock_hz: int) -> str:
+        """Return why a parameter is not what a limit says; empty where it is."""
+        scope = {**self._where.scope, CLOCK: clock_hz}
+        value = scope.get(limit.name)
+        bounds = [self._evaluator.evaluate(one, scope) for one in limit.bounds]
+        held = {name: self._evaluator.evaluate(one, scope) for name, one in limit.held.items()}
+        if value is None or value is LEFT_OUT or None in bounds or any(scope.get(name) != held[name] for name in held):
+            return ""
+        if limit.member.type == "RANGE":
+            low, high = (edge if one is LEFT_OUT else one for one, edge in zip(bounds, _EDGES, strict=True))
+            if not (_is_number(low) and _is_number(high)):
+                self._fault(limit.member.place, "bad-limit", "RANGE takes two numbers behind the parameter")
+                return ""
+            is_allowed = _is_number(value) and low <= value <= high
+            expected = _span(low, high)
+        else:
+            is_allowed = any(value == one and isinstance(value, bool) is isinstance(one, bool) for one in bounds)
+            expected = listed([_plain(one) for one in bounds])
+        expected += "".join(f" with {name}={_plain(one)}" for name, one in held.items())
+        expected += f" at a clock of {clock_hz:,} Hz" * (CLOCK in self._words(limit.member))
+        return "" if is_allowed else f"{self._where.path}: {limit.name} is {_plain(value)}, expected {expected}"
+
+    def _words(self, node: Node) -> set[str]:
+        """Return the names that stand in a part of the source."""
+        return set(re.findall(r"\w+", self._evaluator.source.text[slice(*node.place)]))
+
+    def _given(self, *names: str) -> tuple[SourceText, tuple[int, int]] | None:
+        """Return where the first of some parameters that are given is given."""
+        found = next((self._where.given[name] for name in names if name in self._where.given), None)
+        return None if found is None else (found.source, found.bounds)
+
     def _want(self, argument: Argument) -> Iterator[str]:
         word = argument.value.name if isinstance(argument.value, Name) else None
         if word in WANTS:
@@ -98,17 +173,20 @@ class Hardware:
     def _generic(self, argument: Argument) -> dict[str, int | bool | str]:
         assert argument.name is not None
         name, value = argument.name, self._evaluator.evaluate(argument.value, self._where.scope)
-        if value is None or value is LEFT_OUT:
+        if value is None or value is LEFT_OUT or self._refused & self._words(argument):
             return {}
-        if isinstance(value, float) and value.is_integer():
-            value = int(value)
+        # 1.001 * 1000000 is no whole number in binary.
+        if isinstance(value, float) and math.isclose(value, round(value), rel_tol=1e-12):
+            value = round(value)
         if not _IDENTIFIER.fullmatch(name):
             self._fault(name.place, "bad-entity", f"'{name}' cannot be the name of a generic in VHDL")
         elif isinstance(value, int | str) and _fits(value):
             return {name.lower(): value}
         else:
             message = f"{name} is {_described(value)}, and a generic is a whole number of 32 bits, a truth or a string"
-            self._fault(argument.value.place, "bad-entity", message)
+            given = self._given(*sorted(self._words(argument)))
+            source, place = given or (self._evaluator.source, argument.value.place)
+            self._evaluator.reporter.error(source, place, "bad-entity", f"{self._where.path}: {message}")
         return {}
 
     def add_port(self, builder: Builder, source: SourceText, member: SignalDeclaration) -> None:
@@ -218,3 +296,23 @@ def _fits(value: int | str) -> bool:
 
 def _described(value: Result) -> str:
     return f"the number {value:.12g}" if isinstance(value, float) else describe(value)
+
+
+def _is_number(value: Result) -> TypeGuard[int | float]:
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def _plain(value: Result) -> str:
+    """Write a value as a spec has it."""
+    if isinstance(value, str):
+        return f'"{value[:40]}"'
+    return f"{value:.12g}" if _is_number(value) else describe(value)
+
+
+def _span(low: float, high: float) -> str:
+    """Write what lies between two numbers."""
+    if low == high:
+        return _plain(low)
+    if high == math.inf:
+        return f"at least {_plain(low)}"
+    return f"at most {_plain(high)}" if low == -math.inf else f"{_plain(low)} to {_plain(high)}"

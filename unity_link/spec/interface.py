@@ -14,6 +14,8 @@ from unity_link.spec.model import GroupSpec, Joint, ModuleSpec, Signal
 from unity_link.spec.rates import base_millihertz, out_of_reach, published_hz
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from unity_link.spec.arguments import Bound
     from unity_link.spec.diagnostics import Reporter, SourceText, Span
 
@@ -76,13 +78,20 @@ class Placed(NamedTuple):
     """Place of its TIMED."""
 
 
+DEFAULT_CLOCK_HZ = 50_000_000
+"""Frequency of the gateway's clock where the spec says no other."""
+
+
 class InterfaceDraft:
     """Everything found of one interface so far."""
 
-    def __init__(self, reporter: Reporter, address_bits: int, data_bits: int) -> None:
+    def __init__(self, reporter: Reporter, address_bits: int, data_bits: int, clock_hz: int = DEFAULT_CLOCK_HZ) -> None:
         self.reporter = reporter
         self.address_bits = address_bits
         self.data_bits = data_bits
+        self.clock_hz = clock_hz
+        self.limits: list[Callable[[int], str]] = []
+        """As `Interface.limits`."""
         self.signals: list[Placed] = []
         self.modules: list[tuple[ModuleSpec, SignalPlace]] = []
         self.groups: dict[str, GroupDraft] = {}

@@ -490,6 +490,21 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
         return bytes
 
     @functools.cached_property
+    def limits(self) -> tuple[Callable[[int], str], ...]:
+        """Functions that take a clock in Hz, and return why a parameter of a core is not allowed; empty where it is."""
+        return ()
+
+    def check_clock(self, clock_hz: int) -> None:
+        """Check the parameters of cores for a clock of the gateway.
+
+        Raises:
+            ArgumentError: for one that a core cannot have.
+        """
+        message = next(filter(None, (limit(clock_hz) for limit in self.limits)), "")
+        if message:
+            raise ArgumentError(message)
+
+    @functools.cached_property
     def description(self) -> bytes:
         """Its text, with those of its cores, as a board carries it; empty where it was made of no text."""
         return self.describe()

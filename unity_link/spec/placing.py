@@ -13,7 +13,7 @@ import msgspec
 from unity_link.spec.building import Address, Builder, Where, whole_address
 from unity_link.spec.cores import is_word
 from unity_link.spec.diagnostics import did_you_mean, listed
-from unity_link.spec.entity import ENTITY_WORD, PORT_WORDS, Hardware, pins_of
+from unity_link.spec.entity import ENTITY_WORD, LIMIT_WORDS, PORT_WORDS, Hardware, pins_of
 from unity_link.spec.expressions import LEFT_OUT, Evaluator, LeftOut, Result, describe
 from unity_link.spec.interface import SignalPlace
 from unity_link.spec.model import STAGE_BITS, ComponentArray, ComponentSpec, Core, Signal, Way
@@ -124,6 +124,8 @@ class Contents:
                 self._check_gateway(member)
             elif member.type == ENTITY_WORD and member.name is None:
                 self._hardware.set_entity(member)
+            elif member.type in LIMIT_WORDS and member.name is None:
+                self._hardware.check_limit(self._builder, self._node, member)
             else:
                 self._place_component(member, module, base)
 
@@ -320,7 +322,8 @@ class Contents:
         inner = {**known, **given, **{name: one.value for name, one in addresses.items()}}
         chain = (*self._where.chain, str(node.name))
         folder = None if core is None else core.folder
-        where = Where(self._path(member.name, index), addresses, inner, module, base, chain, pins, folder)
+        stands = {name: SignalPlace(self._source, place) for name, (_, place) in values.items()}
+        where = Where(self._path(member.name, index), addresses, inner, module, base, chain, pins, folder, stands)
         component = put_component(self._builder, declared, where, str(member.name), index, given)
         if not index:
             self._warn_of_no_lease(member, component)

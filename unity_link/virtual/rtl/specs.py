@@ -117,6 +117,7 @@ def configuration_of(interface: Interface, fields: Mapping[str, int], node: int 
     generics["fingerprint"] = generics["build_id"] == interface.fingerprint
     generics["description"] = bool(generics["description"] and interface.is_described)
     check_generics(generics)
+    interface.check_clock(generics["clock_hz"])
     design = _design_of(interface, generics)
     return Configuration(
         interface.name, info_of(generics), "", node, json.dumps(generics, sort_keys=True), design=design

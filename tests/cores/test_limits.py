@@ -1,0 +1,184 @@
+"""Parameters that a core cannot have are refused by `check`, with name, value and range, before GHDL runs."""
+
+from __future__ import annotations
+
+import functools
+import re
+import subprocess
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from support.searching import examples
+from support.spec_examples import interface_of
+from unity_link.boards.build import build
+from unity_link.boards.loading import load_board
+from unity_link.errors import ArgumentError
+from unity_link.spec import SpecError, compile_text
+
+GATEWARE = Path(__file__).parents[2] / "gateware"
+CLOCKS = st.sampled_from([10_000_000, 12_000_000, 48_000_000, 50_000_000, 60_000_000, 100_000_000])
+
+
+def around(*edges: int, low: int = -2) -> st.SearchStrategy[int]:
+    """Draw whole numbers about edges, and others."""
+    near = st.sampled_from(edges).flatmap(lambda edge: st.integers(edge - 2, edge + 2))
+    return st.one_of(near, st.integers(low, 1 << 31), st.integers(low, 5000))
+
+
+class Parameter(NamedTuple):
+    """A parameter of a core, and the generic that it is."""
+
+    generic: str
+    values: st.SearchStrategy[Any]
+    factor: int = 1
+
+
+MOST = (1 << 31) - 1
+POWERS = st.integers(2, 16).map(lambda number: 1 << number)
+TRUTHS = Parameter("", st.booleans())
+TIME = Parameter("", around(0, MOST))
+CORES: dict[str, dict[str, Parameter]] = {
+    "LEASE": {"TIMEOUT": Parameter("most_us", around(1, 10_737_418, 21_474_836, 89_478_485), 1_000_000)},
+    "SCHEDULE": {
+        "DEPTH": Parameter("depth", st.one_of(around(8, 1024, 16384), st.integers(2, 16).map(lambda n: 1 << n)))
+    },
+    "GPIO": {"DEBOUNCE": Parameter("debounce_us", around(0, 10_737_418, 21_474_836, 89_478_485))},
+    "ENCODER": {"FILTER": Parameter("filter", around(1, MOST)), "COUNTER": TRUTHS._replace(generic="counter")},
+    "PWM": {
+        "WIDTH": Parameter("width", around(2, 24, 64)),
+        "FREQUENCY": Parameter("frequency_hz", st.one_of(around(1, 2_500_000, 12_500_000), st.just(20_000))),
+        "CENTRE": TRUTHS._replace(generic="centre"),
+        "MODE": Parameter("mode", st.sampled_from(["sign", "up_down", "offset", "Sign", ""])),
+        "DEAD_TIME": Parameter("dead_time_ns", around(0, 24_980, 24_917)),
+    },
+    "STEPGEN": {
+        "STEPLEN": TIME._replace(generic="steplen_ns"),
+        "STEPSPACE": TIME._replace(generic="stepspace_ns"),
+        "DIRSETUP": TIME._replace(generic="dirsetup_ns"),
+        "DIRHOLD": TIME._replace(generic="dirhold_ns"),
+        "REVERSE": TRUTHS._replace(generic="reverse"),
+    },
+}
+"""The parameters that entities limit."""
+
+
+def written(value: object) -> str:
+    """Write a value as a spec does."""
+    return f'"{value}"' if isinstance(value, str) else str(value).lower()
+
+
+@functools.cache
+def made(folder: Path, entity: str) -> Path:
+    """Analyse the gateware into a folder."""
+    if not any(folder.iterdir()):
+        files = [
+            *GATEWARE.glob("rtl/base/*.vhd"),
+            *GATEWARE.glob("cores/*/ul_*.vhd"),
+            *GATEWARE.glob("rtl/**/*_pkg.vhd"),
+        ]
+        ghdl(folder, "-i", *map(str, dict.fromkeys(files)), check=True)
+    ghdl(folder, "-m", entity, check=True)
+    return folder
+
+
+def ghdl(folder: Path, command: str, *arguments: str, check: bool = False) -> bool:
+    """Run GHDL; return whether it was content."""
+    words = ["ghdl", command, "--std=08", "--work=unity_link", "--workdir=.", *arguments]
+    return subprocess.run(words, cwd=folder, check=check, capture_output=True).returncode == 0
+
+
+@pytest.mark.rtl
+@pytest.mark.parametrize("word", CORES)
+def test_check_accepts_what_the_entity_accepts(word: str, tmp_path_factory: pytest.TempPathFactory) -> None:
+    folder = tmp_path_factory.mktemp("ghdl")
+    entity, known = f"ul_{word.lower()}", CORES[word]
+
+    @settings(max_examples=examples(12), deadline=None, suppress_health_check=list(HealthCheck))
+    @given(
+        clock_hz=CLOCKS, chosen=st.fixed_dictionaries({}, optional={name: one.values for name, one in known.items()})
+    )
+    def holds(clock_hz: int, chosen: dict[str, Any]) -> None:
+        given = {
+            name: value / known[name].factor if known[name].factor > 1 else value for name, value in chosen.items()
+        }
+        arguments = ", ".join(f"{name}={written(value)}" for name, value in given.items())
+        try:
+            interface_of(f"GATEWAY(CLOCK={clock_hz}); x: {word}({arguments}) @(0);")
+            is_accepted = True
+        except SpecError as error:
+            is_accepted = False
+            first = next(one for one in error.diagnostics if one.severity == "error").message
+            assert re.match(rf"x: ({'|'.join(chosen)}) is .+, expected ", first), first
+        generics = [f"-g{known[name].generic}={written(value)}".replace('"', "") for name, value in chosen.items()]
+        runs = ghdl(made(folder, entity), "-r", entity, f"-gclock_hz={clock_hz}", *generics, "--stop-time=0ns")
+        assert runs == is_accepted, (generics, clock_hz)
+
+    holds()
+
+
+@pytest.mark.parametrize(
+    ("placement", "message"),
+    [
+        (
+            "x: LEASE(TIMEOUT=60) @(0);",
+            "x: TIMEOUT is 60, expected 1e-06 to 21.47483648 at a clock of 50,000,000 Hz",
+        ),
+        ("GATEWAY(CLOCK=12000000); x: LEASE(TIMEOUT=60) @(0);", ""),
+        ("x: LEASE(TIMEOUT=1.001) @(0);", ""),
+        ("x: PWM(FREQUENCY=0) @(0);", "x: FREQUENCY is 0, expected 1 to 12500000 at a clock of 50,000,000 Hz"),
+        ("x: PWM(CENTRE=1) @(0);", "x: CENTRE is 1, expected false or true"),
+        ("x: PWM(DEAD_TIME=5) @(0);", 'x: DEAD_TIME is 5, expected 0 with MODE="sign"'),
+        ('x: PWM(MODE="half") @(0);', 'x: MODE is "half", expected "sign", "up_down" or "offset"'),
+        ("x[2]: STEPGEN(STEPLEN=3000000000 * i) @(8 * i);", "x[1]: STEPLEN is 3000000000, expected 0 to 2147483647"),
+        ("x: ENCODER(FILTER=none) @(0);", ""),
+        (
+            "x: GPIO(DEBOUNCE=2.5) @(0);",
+            "x: debounce_us is the number 2.5, and a generic is a whole number of 32 bits, a truth or a string",
+        ),
+    ],
+)
+def test_one_sentence_says_what_is_expected_where_the_parameter_is_given(placement: str, message: str) -> None:
+    try:
+        interface_of(placement)
+        told = []
+    except SpecError as error:
+        told = [(one.span.file, one.message) for one in error.diagnostics if one.severity == "error"]
+    assert told == ([("<text>", message)] if message else [])
+
+
+def test_a_board_with_another_clock_is_told_by_build_before_any_tool_runs(tmp_path: Path) -> None:
+    spec = compile_text("public robot() { GATEWAY(CLOCK=10000000); x: LEASE(TIMEOUT=60) @(0); }")
+    board = load_board("ulx3s")[1]
+    most = (1 << 30) / board.core_hz
+    told = f"x: TIMEOUT is 60, expected 1e-06 to {most:.12g} at a clock of {board.core_hz:,} Hz"
+    with pytest.raises(ArgumentError, match=f"^{re.escape(told)}$"):
+        build(spec, "ulx3s", board, tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("limit", "message"),
+    [
+        ("RANGE(WIDTH, 1);", "RANGE takes a parameter of own, and then what that may be"),
+        ("RANGE(OTHER, 1, 2);", "RANGE takes a parameter of own, and then what that may be"),
+        ("RANGE();", "RANGE takes a parameter of own, and then what that may be"),
+        ("ONE_OF(WIDTH);", "ONE_OF takes a parameter of own, and then what that may be"),
+        ("ONE_OF(WIDTH, 1, OTHER=2);", "ONE_OF takes a parameter of own, and then what that may be"),
+        ('RANGE(WIDTH, "a", 2);', "RANGE takes two numbers behind the parameter"),
+    ],
+)
+def test_a_limit_that_is_none_is_told(limit: str, message: str) -> None:
+    outside = f'own(WIDTH=8): @(BASE) {{ {limit} ENTITY("own", width=WIDTH); @a = BASE: READ(); }}'
+    with pytest.raises(SpecError) as caught:
+        interface_of("x: own() @(1);", outside=outside)
+    assert [one.message for one in caught.value.diagnostics] == [message]
+
+
+def test_a_limit_of_one_component_says_nothing_of_another() -> None:
+    outside = 'own(WIDTH=8): @(BASE) { RANGE(WIDTH, 1, none); ENTITY("own", width=WIDTH); @a = BASE: READ(); }'
+    interface_of("x: own(1000) @(1);", outside=outside)
+    with pytest.raises(SpecError, match="x: WIDTH is 0, expected at least 1"):
+        interface_of("x: own(0) @(1); y: own(4) @(2);", outside=outside)
