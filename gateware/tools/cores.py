@@ -74,6 +74,7 @@ class Size(msgspec.Struct, forbid_unknown_fields=True):
 class _Data(msgspec.Struct, forbid_unknown_fields=True):
     proofs: tuple[Proof, ...] = ()
     sizes: dict[str, Size] = {}
+    per_axis: tuple[str, ...] = ()
 
 
 class Core(NamedTuple):

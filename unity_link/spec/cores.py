@@ -16,6 +16,7 @@ import importlib.machinery
 import importlib.metadata
 import os
 import re
+import tomllib
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -61,6 +62,24 @@ class CoreFolder(NamedTuple):
     def map(self) -> Path:
         """The file that declares its component."""
         return self.path / f"{self.path.name}.ul"
+
+    @property
+    def per_axis(self) -> tuple[str, ...]:
+        """Generics that each placement has by itself, as the `core.toml` beside its map says.
+
+        Raises:
+            ValueError: for a file that says it in no list of names.
+        """
+        file = self.path / "core.toml"
+        if not file.is_file():
+            return ()
+        try:
+            names = tomllib.loads(read_text(file)).get("per_axis", [])
+        except tomllib.TOMLDecodeError as error:
+            raise ValueError(f"{file} is no TOML: {error}") from None
+        if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
+            raise ValueError(f'{file}: per_axis is {names!r}, a list of generics was expected, as in ["length"]')
+        return tuple(name.lower() for name in names)
 
     @property
     def is_installed(self) -> bool:

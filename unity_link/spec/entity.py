@@ -280,10 +280,27 @@ class Hardware:
             vhdl=() if folder is None or folder.is_installed else tuple(map(str, folder.vhdl)),
             wants=tuple(wants),
             generics=generics,
+            per_axis=self._per_axis(generics),
             pins=tuple(self._pins),
             triggers=tuple(self._triggers),
             python="" if folder is None else folder.python,
         )
+
+    def _per_axis(self, generics: Mapping[str, int | bool | str]) -> tuple[str, ...]:
+        """Return those generics that each placement has by itself, which are whole numbers."""
+        folder = self._where.core
+        assert self._placed is not None
+        try:
+            names = () if folder is None else folder.per_axis
+        except ValueError as error:
+            self._fault(self._placed.type.place, "core", str(error))
+            return ()
+        for name in names:
+            if type(generics.get(name)) is not int:
+                what = "no generic of it" if name not in generics else f"{_plain(generics[name])}, no whole number"
+                message = f"core.toml has {name} per axis, and that is {what}"
+                self._fault(self._placed.type.place, "bad-entity", message)
+        return names
 
     def _fault(self, place: tuple[int, int], code: str, message: str, advice: str = "") -> None:
         self._evaluator.fault(place, code, message, advice)

@@ -122,6 +122,8 @@ class Core(msgspec.Struct, frozen=True, kw_only=True):
     wants: tuple[str, ...] = ()
     """Ports beside clock, reset and signals: ``tick``, ``now``, ``armed``, and ``stage`` for those of a schedule."""
     generics: dict[str, int | bool | str] = {}
+    per_axis: tuple[str, ...] = ()
+    """Those generics that come as a list, `integer_vector`, with the value of each placement."""
     pins: tuple[Pin, ...] = ()
     triggers: tuple[Trigger, ...] = ()
     python: str = ""

@@ -180,7 +180,10 @@ class Wiring:
             *(wire for index in range(len(core.pins)) for wire in self._of_pin(label, placements, index)),
         ]
         generics = {"axes": str(len(placements)), "clock_hz": "clock_hz"}
-        generics |= {name: vhdl_literal(value) for name, value in core.generics.items()}
+        for name, value in core.generics.items():
+            each = (part.core.generics[name] for part in placements if part.core is not None)
+            listed = ", ".join(f"{axis} => {one}" for axis, one in enumerate(each))
+            generics[name] = f"({listed})" if name in core.per_axis else vhdl_literal(value)
         joined = {"clk": "clk", "rst": "rst"} | {want: _INPUTS[want] for want in core.wants if want in _INPUTS}
         if core.stages:
             stage = self._stages.get(first.path)
@@ -264,7 +267,7 @@ class Wiring:
 
 
 def _gathered(parts: Iterable[ComponentSpec]) -> list[list[ComponentSpec]]:
-    """Return the placements that share an instance: those of one entity with equal generics and equal ports."""
+    """Return the placements that share an instance: of one entity with equal ports, and equal generics not per axis."""
     found: dict[object, list[ComponentSpec]] = {}
     for part in parts:
         core = part.core
@@ -273,7 +276,7 @@ def _gathered(parts: Iterable[ComponentSpec]) -> list[list[ComponentSpec]]:
             core.word,
             core.entity,
             core.wants,
-            tuple(sorted(core.generics.items())),
+            tuple(sorted((name, value) for name, value in core.generics.items() if name not in core.per_axis)),
             tuple((signal.name, signal.width, signal.access.writes) for signal in part.signals),
             tuple((pin.name, pin.way) for pin in core.pins),
             tuple(trigger.name for trigger in core.triggers),
