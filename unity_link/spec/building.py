@@ -52,7 +52,7 @@ class Where(NamedTuple):
     core: CoreFolder | None = None
     """The core that it is, where it is one."""
     given: Mapping[str, SignalPlace] = {}
-    """Where its parameters are given, by their names."""
+    """Places of the arguments that its parameters are given, by the names of these."""
 
 
 class Builder:
