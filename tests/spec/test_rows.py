@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import json
 import random
 from typing import TYPE_CHECKING, Any
 
@@ -11,6 +12,7 @@ import pytest
 import unity_link
 from support.simulated_time import on_simulated_time
 from support.spec_examples import interface_of
+from unity_link.bridges.messages import Encoder
 from unity_link.data import Group
 from unity_link.errors import ArgumentError
 from unity_link.spec import SpecError, compile_file, compile_text, format_text
@@ -155,6 +157,22 @@ def test_a_row_of_a_core_has_one_width() -> None:
 def test_systemrdl_has_each_of_a_row(tmp_path: Path) -> None:
     (tmp_path / "robot.rdl").write_text(export_text(compile_text(ROBOT).interface()))
     assert "@acc_1 = " in import_file(tmp_path / "robot.rdl").text
+
+
+@on_simulated_time
+async def test_a_recording_has_rows_as_arrays(tmp_path: Path) -> None:
+    (tmp_path / "robot.ul").write_text(
+        "public robot() { @a[3] = i: signed READ(PUBLISH(i % 2)); }\ngroup even(0, RATE=100);\ngroup odd(1, RATE=100);"
+    )
+    robot_type: Any = unity_link.load(tmp_path / "robot.ul")
+    async with unity_link.connect(simulate(tmp_path / "robot.ul")) as link:
+        robot = robot_type(link)
+        for name, values, there in ("even", [0, None, 0], [0, 2]), ("odd", [None, 0], [1]):
+            encoder = Encoder([robot.a[place].signal for place in there])
+            assert encoder.schema["properties"]["signals"]["properties"]["a"]["items"] == {"type": "integer"}
+            async with robot.groups[name].subscribe() as samples:
+                message = encoder.encode(await samples.take(1), 32)[0]
+            assert json.loads(message)["signals"] == {"a": values}
 
 
 @on_simulated_time

@@ -102,7 +102,8 @@ def _texts(values: list[Any]) -> list[bytes]:
     return msgspec.json.encode(values)[1:-1].split(b",")
 
 
-# The tree of names: objects are dicts, arrays are lists with {} where the group has nothing, leaves are places
+# The tree of names: objects are dicts, arrays are lists with {} where the group has nothing, leaves are places.
+# In a row of signals, what the group has not is null.
 
 
 def _steps(path: str) -> list[str | int]:
@@ -124,7 +125,8 @@ def _template(tree: Any, order: list[int]) -> str:
         order.append(tree)
         return "%b"
     if isinstance(tree, list):
-        return f"[{','.join(_template(item, order) for item in tree)}]"
+        is_row = _value_of(tree) is not None
+        return f"[{','.join('null' if is_row and item == {} else _template(item, order) for item in tree)}]"
     return f"{{{','.join(f'{json.dumps(name)}:{_template(item, order)}' for name, item in tree.items())}}}"
 
 
@@ -150,6 +152,9 @@ def _schema(tree: Any, signals: Sequence[Signal]) -> dict[str, Any]:
     if isinstance(tree, int):
         return _value_schema(signals[tree])
     if isinstance(tree, list):
+        value = _value_of(tree)
+        if value is not None:
+            return {"type": "array", "items": _value_schema(signals[value])}
         # Readers want one schema for all items; an item may lack what the group has only of others.
         merged: dict[str, Any] = {}
         for item in tree:
@@ -157,6 +162,11 @@ def _schema(tree: Any, signals: Sequence[Signal]) -> dict[str, Any]:
         return {"type": "array", "items": _schema(merged, signals)}
     properties = {name: _schema(item, signals) for name, item in tree.items()}
     return {"type": "object", "properties": properties}
+
+
+def _value_of(items: list[Any]) -> int | None:
+    """Return the place of the first value of a row of signals; None for an array of components."""
+    return next((item for item in items if isinstance(item, int)), None)
 
 
 def _value_schema(signal: Signal) -> dict[str, Any]:
