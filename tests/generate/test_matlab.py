@@ -51,7 +51,8 @@ def shown_values(signal: Signal, values: list[Value]) -> str:
 
 
 def in_matlab(path: str) -> str:
-    return path.replace("[0]", "(1)").replace("[1]", "(2)")
+    components = re.sub(r"\[(\d+)\]\.", lambda match: f"({int(match[1]) + 1}).", path)
+    return re.sub(r"\[(\d+)\]$", lambda match: f"{{{int(match[1]) + 1}}}", components)
 
 
 def test_values_of_every_kind_are_encoded_and_decoded_as_by_the_model(octave: Octave) -> None:
