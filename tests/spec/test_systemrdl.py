@@ -44,10 +44,10 @@ def seen(interface: Interface) -> dict[int, list[Any]]:
     """Return what must survive: everything of a signal but the names of its components and where it was written."""
     words: dict[int, list[Any]] = {}
     for signal in interface.signals.values():
-        kind = signal.kind
+        kind, name = signal.kind, signal.label.replace("[", "_").rstrip("]")
         encoded = None if kind.enumeration is None else [(one.name, one.value) for one in kind.enumeration.values]
         words.setdefault(signal.address, []).append((
-            signal.lowest_bit, signal.name, kind.name, kind.width, kind.fraction, kind.scale, kind.offset, encoded,
+            signal.lowest_bit, name, kind.name, kind.width, kind.fraction, kind.scale, kind.offset, encoded,
             signal.access, signal.fifo, signal.fifo_words, signal.unit, signal.minimum, signal.maximum, signal.group,
             signal.groups, signal.poll_hz, signal.doc, signal.is_field,
             signal.id if signal.id != signal.path else None,
