@@ -71,7 +71,7 @@ class Fault:
         robot.set_fault(self._name, on=on)
 
 
-class Row(Sequence[Any]):
+class RowValues(Sequence[Any]):
     """Values of a row of signals of a simulated robot. They are read and set by their places, or all at once.
 
     Args:
@@ -149,7 +149,7 @@ class Part:
                 raise ArgumentError(f"{self._name}.{name} is a pin, and 0 or 1, not {value!r:.80}")
             self._pins[name] = int(value)
             self._pin_set(name)
-        elif isinstance(row := self.__dict__.get(name), Row):
+        elif isinstance(row := self.__dict__.get(name), RowValues):
             row[:] = value
         elif cell is None:
             if self.__dict__.get("_started") and name not in self.__dict__ and not hasattr(type(self), name):
@@ -468,7 +468,9 @@ class SimulatedRobot(Part):
         )
         for signals in described.rows.values():
             if signals[0].index is not None:
-                part.__dict__[_free_name(signals[0].name)] = Row(part, [_free_name(signal.label) for signal in signals])
+                part.__dict__[_free_name(signals[0].name)] = RowValues(
+                    part, [_free_name(signal.label) for signal in signals]
+                )
         for below in described.parts:
             items = below.items if isinstance(below, ComponentArray) else (below,)
             made = tuple(self._make(item) for item in items)

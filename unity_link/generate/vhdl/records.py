@@ -79,7 +79,7 @@ def elements_of(signal: Signal, name: str, type_: str) -> Iterator[tuple[Directi
         yield Direction.TO, "written", Element(f"{name}_written", "std_logic")
 
 
-class Placed(NamedTuple):
+class RowElement(NamedTuple):
     """An element of a record, for a signal or for a row of them."""
 
     direction: Direction
@@ -176,7 +176,7 @@ class Records:
                     if record is not None
                 )
 
-    def _of_row(self, name: str, signals: tuple[Signal, ...]) -> Iterator[Placed]:
+    def _of_row(self, name: str, signals: tuple[Signal, ...]) -> Iterator[RowElement]:
         """Return the elements of a signal or a row; one of which the signals are not alike has some for each signal."""
         types = {vhdl_type(signal.kind, self._enumerations) for signal in signals}
         own = [signal for signal in signals if signal.path in self._signals]
@@ -184,12 +184,12 @@ class Records:
             for signal in own:
                 called = name if signal.index is None else f"{name}_{signal.index}"
                 for direction, pin, one in elements_of(signal, called, vhdl_type(signal.kind, self._enumerations)):
-                    yield Placed(direction, pin, one, {signal.path: one.name})
+                    yield RowElement(direction, pin, one, {signal.path: one.name})
             return
         for direction, pin, one in elements_of(signals[0], name, types.pop()):
             array = f"{self._array_of(one.type, signals[0].width)}(0 to {len(signals) - 1})"
             places = {signal.path: f"{one.name}({signal.index})" for signal in signals}
-            yield Placed(direction, pin, one._replace(type=array), places)
+            yield RowElement(direction, pin, one._replace(type=array), places)
 
     def _array_of(self, item: str, width: int) -> str:
         """Return the type of an array of values."""
