@@ -82,6 +82,11 @@ FAULTS = {
     "a value is torn by reads in a row": ("bank_registers pipelined in_a_row", "position_keeps", "position_kept"),
     "a module's strobe does not fall": ("bank_registers pipelined in_a_row", "rests", "1'b0"),
     "a write without a lease is taken": ("leased_registers", "allowed", "1'b1"),
+    "a write is taken while a lease is finishing": (
+        "leased_registers",
+        r"n\d+_o(?= = ~drive_finishing_from_core;(?![\s\S]*~drive_finishing_from_core))",
+        "1'b1",
+    ),
     "a register keeps its value without a lease": (
         "leased_registers",
         r"n\d+_o(?= = n\d+_o \? 8'b01011010 : (?P<kept>n\d+_o);)",

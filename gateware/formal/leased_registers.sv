@@ -4,7 +4,8 @@
 // leased.ul), whatever a Wishbone master, the lease and the schedule do, and in whichever cycle: behind a cycle in which
 // the lease is not armed, each has its safe value, or keeps the one that it has (HOLD); a write ends with err then, and
 // changes nothing; it keeps its safe value until it is written afresh under the new lease, from the bus or from its
-// stage; what was written before counts for nothing then, neither half a value nor what waits in a shadow; what is new
+// stage; in a cycle in which the lease is finishing a write ends with err, too, and what comes from the stage alone is
+// new; what was written before counts for nothing then, neither half a value nor what waits in a shadow; what is new
 // in the shadows is taken in the cycle of `commit`, all of it and once; and a register that no lease guards is not touched
 // by one.
 
@@ -20,6 +21,7 @@ module leased_registers_properties (
 	input [63:0] drive_clock_from_core,
 	input [63:0] drive_fault_time_from_core,
 	input drive_armed_from_core,
+	input drive_finishing_from_core,
 	input [1:0] drive_state_from_core,
 	input [2:0] drive_reason_from_core,
 	input drive_estop_open_from_core,
@@ -71,9 +73,11 @@ module leased_registers_properties (
 	(* hierconn *) wire [1:0] \dut.wide_pending ;
 
 	wire armed = drive_armed_from_core;
+	// The bus may write; a schedule may while it is armed.
+	wire open = armed && !drive_finishing_from_core;
 	wire begins = wb_cyc && wb_stb && !wb_ack && !wb_err;
 	wire guarded = wb_adr < OTHER;
-	wire writes = begins && wb_we && (armed || !guarded);
+	wire writes = begins && wb_we && (open || !guarded);
 
 	// What each register has to hold, what is new for it on the stage, and what there is of a value that is not whole.
 	reg first = 1;
@@ -102,7 +106,7 @@ module leased_registers_properties (
 
 	always @(posedge clk) if (!first) begin
 		unarmed <= !armed;
-		refused <= begins && wb_we && guarded && !armed;
+		refused <= begins && wb_we && guarded && !open;
 		allowed <= writes && wb_adr <= OTHER;
 		pulses <= 0;
 		if (writes) case (wb_adr)
@@ -171,6 +175,7 @@ module leased_registers_properties (
 
 		cover (is_fresh == 6'h3F && unarmed == 0);
 		cover (refused && goal != 0);
+		cover (refused && !unarmed && pulses[5]);
 		cover (pulses[6] && pulses[5] && pulses[2] && pulses[0]);
 		cover (unarmed && armed && is_other != 0 && is_goal != 0);
 	end

@@ -39,7 +39,7 @@ events = st.lists(
     st.tuples(
         st.one_of(
             st.tuples(st.just("batch"), margin, good | full | malformed, st.sampled_from([0, 0, 0, 0, 1, 2**15])),
-            st.tuples(st.sampled_from(["cancel", "disarm", "arm", "half"])),
+            st.tuples(st.sampled_from(["cancel", "disarm", "arm", "finish", "half"])),
         ),
         st.integers(0, 3) | st.integers(0, 150),
     ),
@@ -52,7 +52,7 @@ class Around:
 
     def __init__(self, now: int) -> None:
         self.now = now
-        self.is_armed = True
+        self.is_armed, self.is_finishing = True, False
         self.acted: list[tuple[int, dict[int, int]]] = []
         self.model: ScheduleModel | None = None
 
@@ -60,24 +60,25 @@ class Around:
         self.acted.append((self.now, dict(words)))
 
 
-def inputs_of(happened: list[Any], now: int) -> list[tuple[int | None, bool, bool]]:
-    """Return a word, whether to cancel, and whether it is armed, for each cycle."""
-    cycles: list[tuple[int | None, bool, bool]] = []
-    armed = True
+def inputs_of(happened: list[Any], now: int) -> list[tuple[int | None, bool, bool, bool]]:
+    """Return a word, whether to cancel, whether it is armed, and whether it is finishing, for each cycle."""
+    cycles: list[tuple[int | None, bool, bool, bool]] = []
+    armed, finishing = True, False
     for (kind, *what), pause in happened:
         if kind == "batch":
             instant = (now + len(cycles) + 2 * len(what[1]) + 6 + what[0]) % 2**40
             words = [len(what[1]) << 24 | what[2] << 8 | instant >> 32, instant & 0xFFFF_FFFF, *what[1]]
-            cycles += [(word, False, armed) for word in words]
+            cycles += [(word, False, armed, finishing) for word in words]
         elif kind == "half":
-            cycles.append((2 << 24, False, armed))
+            cycles.append((2 << 24, False, armed, finishing))
         elif kind == "cancel":
-            cycles.append((None, True, armed))
+            cycles.append((None, True, armed, finishing))
         else:
-            armed = kind == "arm"
-        cycles += [(None, False, armed)] * pause
-    rest: list[tuple[int | None, bool, bool]] = [(None, False, armed)] * 150
-    return [*cycles, *rest, (None, True, True), *[(None, False, True)] * 30]
+            armed = kind == "arm" or (kind == "finish" and armed)
+            finishing = armed and (finishing or kind == "finish")
+        cycles += [(None, False, armed, finishing)] * pause
+    rest: list[tuple[int | None, bool, bool, bool]] = [(None, False, armed, finishing)] * 150
+    return [*cycles, *rest, (None, True, True, False), *[(None, False, True, False)] * 30]
 
 
 def behind_one_that_waits(count: int) -> list[Any]:
@@ -94,15 +95,16 @@ def test_it_is_as_the_model_of_the_bench_in_every_cycle(happened: list[Any], now
     quick, exact = ScheduleModel(COMPONENT, part, around), bench.Model()
     expected: list[tuple[int, dict[int, int]]] = []
     shadows: dict[int, int] = {}
-    for word, cancels, armed in inputs_of(happened, now):
-        given_inputs = bench.Inputs(word, cancels, armed)
+    for word, cancels, armed, finishing in inputs_of(happened, now):
+        given_inputs = bench.Inputs(word, cancels, armed, finishing)
         seen = exact.outputs(given_inputs, reset=False)
         around.now = now
         quick.step(0)
+        assert quick.is_empty == seen["empty"]
         if around.is_armed and not armed:
             around.is_armed = False
             quick.disarmed()
-        around.is_armed = armed
+        around.is_armed, around.is_finishing = armed, finishing
         assert {name: vars(part)[name] % 2**64 for name in FATES[:3]} == {name: seen[name] for name in FATES[:3]}
         if word is not None:
             part.entry = word

@@ -419,7 +419,7 @@ pause(1);
 attempt('silent', @() lift.kick());
 show('state', robot.arms(1).lift.state.name_of(robot.arms(1).lift.state.get()));
 """)
-    ended = "unity_link:busError drive.armed: it is not armed any more: what it guards is safe"
+    ended = "unity_link:busError drive.armed: it is not armed any more: what it guards is safe, or finishes"
     assert shown["not armed"].startswith("unity_link:busError ")
     assert shown["too early"] == "unity_link:busError drive.armed: it was not armed by this program: call arm"
     assert shown["no time"] == "unity_link:argumentError a lease lasts more than 0 s, and less than 3600"

@@ -16,7 +16,7 @@ TOPIC = "/diagnostics"
 EVERY = 1.0
 """Seconds, as ROS's own programs have it."""
 OK, WARN, ERROR, STALE = range(4)
-_OF_LEASES = {"disarmed": WARN, "armed": OK, "fault": ERROR}
+_OF_LEASES = {"disarmed": WARN, "armed": OK, "fault": ERROR, "finishing": WARN}
 """Levels by the state of a lease."""
 
 
@@ -123,7 +123,7 @@ class LeaseDiagnostics:
             "leases begun": condition.arms,
         }
         message = condition.state
-        if not condition.armed:
+        if condition.state != "armed":
             fault = await lease.fault(condition)
             message += f": {str(fault).partition(': ')[2]}"
             values["time of the fault (s)"] = "" if fault.instant is None else f"{fault.instant:.6f}"

@@ -83,6 +83,14 @@ class Surroundings(Protocol):
     def is_armed(self) -> bool:
         """Return whether the lease of what the component times, or of its own signals, is armed; True without one."""
 
+    @property
+    def is_finishing(self) -> bool:
+        """Return whether that lease takes nothing more, and is armed for what is scheduled; False without one."""
+
+    @property
+    def is_empty(self) -> bool:
+        """Return whether nothing waits in the schedules of what the component guards, as a lease does."""
+
     def commit(self, words: Mapping[int, int]) -> None:
         """Write words of 32 bits to signals that the component times, by their places on its stage."""
 
@@ -173,6 +181,11 @@ class Model(_Placement):
     def due(self) -> int | None:
         """Cycle of the clock at which something happens by itself; `step` is called up to there. None for nothing."""
         return None
+
+    @property
+    def is_empty(self) -> bool:
+        """Return whether nothing that was accepted is still to act; of a schedule."""
+        return True
 
     def disarmed(self) -> None:
         """Do as the core does when the lease has ended that guards what it writes."""

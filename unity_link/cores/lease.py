@@ -11,7 +11,7 @@ import contextlib
 import secrets
 from asyncio import CancelledError
 from collections import deque
-from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, Self
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol, Self
 
 from unity_link.cores import AtPins, CoreRegisters, Model, RobotVerbs, Verbs
 from unity_link.cores.clock import TURN, TickBounds
@@ -41,6 +41,8 @@ if TYPE_CHECKING:
 TIME_BITS = 40
 """Bits of an end in a word that arms or kicks; the token stands above."""
 TOKEN_BITS = 24
+FINISHES = 1 << TOKEN_BITS - 1
+"""Bit of a token whose owner wants what is scheduled to go on behind the end."""
 LONGEST_START = 1.0
 """Seconds for which `Lease.each` kicks while it waits for the first sample of a group."""
 NEAREST = 0.98
@@ -77,6 +79,7 @@ class _Condition(NamedTuple):
     """State of a lease, as its registers tell it."""
 
     armed: bool
+    """True also while it is finishing."""
     state: str
     reason: str
     estop_open: bool
@@ -92,6 +95,8 @@ class LeaseRegisters(CoreRegisters):
         find = self.find
         self.most_seconds = float(self.core.generics["most_us"]) / 1e6
         """Most seconds that an end may be ahead."""
+        self.finish_seconds = float(self.core.generics.get("finish_us", 0)) / 1e6
+        """Most seconds for which what is scheduled may go on behind the end."""
         self.arm, self.kick, self.clock = find("arm"), find("kick"), find("clock")
         self.disarm, self.fault_time = find("disarm"), find("fault_time")
         self._fields = tuple(find(field).signal for field in ("armed", "state", "reason", "estop_open"))
@@ -115,7 +120,10 @@ class LeaseRegisters(CoreRegisters):
         return self.condition_of((await self.link.read_block(self.address, 2)).tolist())
 
     async def fault(self, condition: _Condition) -> NotArmedError:
-        """Return the error for a lease that is not armed."""
+        """Return the error for a lease that is not armed, or takes nothing any more as it is finishing."""
+        if condition.state == "finishing":
+            message = f"{self.name} is finishing: no kick came before its end, and what was scheduled by then runs out"
+            return NotArmedError(message, "silence")
         if condition.state != "fault":
             how = "nobody has armed it since the reset" if condition.reason == "none_yet" else "it was disarmed"
             return NotArmedError(f"{self.name} is not armed: {how}", condition.reason)
@@ -137,7 +145,7 @@ async def refused(error: BusError, robot: Any, lease: str) -> BusError:
         return error
     registers = LeaseRegisters(robot, lease)
     condition = await registers.condition()
-    if condition.armed:
+    if condition.state == "armed":
         # A gateway takes it then: a server between does not.
         return BusError(
             f"{error}: another program has armed {lease}, and it alone may move what that guards", error.code
@@ -149,15 +157,18 @@ async def refused(error: BusError, robot: Any, lease: str) -> BusError:
 class LeaseVerbs(Verbs):
     """Verbs of a LEASE."""
 
-    def armed(self, *, timeout: float | None = None) -> Lease:
+    def armed(self, *, timeout: float | None = None, on_silence: Literal["safe", "finish"] = "safe") -> Lease:
         """Return a lease for an ``async with`` block: it is armed where that begins, and disarmed where it ends.
 
         Args:
             timeout: seconds from each kick to the end that it names; None for the most, which is 98 % of TIMEOUT in the
                 spec.
+            on_silence: at the end, where no kick came: ``"safe"``: all that it guards is safe at once. ``"finish"``:
+                what its schedule has accepted by then acts first, for FINISH seconds of the spec at most.
 
         Raises:
-            ArgumentError: for a time-out that is not above 0, or is above that of the spec.
+            ArgumentError: for a time-out that is not above 0, or is above that of the spec; for ``"finish"`` where the
+                spec has no FINISH, or no schedule writes what the lease guards.
         """
         registers = LeaseRegisters.of(self)
         most, name = registers.most_seconds, registers.name
@@ -165,7 +176,16 @@ class LeaseVerbs(Verbs):
         seconds = most if timeout is None else real_number(timeout, what)
         if not 0 < seconds <= most:
             raise ArgumentError(f"{what}, not {timeout!r:.80}")
-        return Lease(registers, min(seconds, NEAREST * most))
+        if on_silence not in {"safe", "finish"}:
+            raise ArgumentError(f"on_silence={on_silence!r:.40}: 'safe' or 'finish' was expected")
+        finishes = on_silence == "finish"
+        if finishes and not registers.finish_seconds:
+            raise ArgumentError(
+                f"{name} does not finish what is scheduled: its spec gives it no FINISH, as in LEASE(FINISH=1)"
+            )
+        if finishes and not registers.robot.interface.schedules_of(name):
+            raise ArgumentError(f"{name} has nothing to finish: no signal that it guards is TIMED by a SCHEDULE")
+        return Lease(registers, min(seconds, NEAREST * most), finishes=finishes)
 
     async def stop(self) -> bool:
         """Disarm it, whoever has armed it: all that it guards is safe when this returns.
@@ -186,7 +206,7 @@ class LeaseVerbs(Verbs):
 class LeasedRobot(RobotVerbs):
     """Verbs of a robot with a LEASE."""
 
-    def armed(self, *, timeout: float | None = None) -> Lease:
+    def armed(self, *, timeout: float | None = None, on_silence: Literal["safe", "finish"] = "safe") -> Lease:
         """Return the only lease of the robot, as `LeaseVerbs.armed`.
 
         Raises:
@@ -199,7 +219,7 @@ class LeasedRobot(RobotVerbs):
             raise ArgumentError(
                 f"{robot.interface.name} has {len(leases)} leases, and none is meant by itself: {calls}"
             )
-        return next(iter(leases.values())).armed(timeout=timeout)
+        return next(iter(leases.values())).armed(timeout=timeout, on_silence=on_silence)
 
 
 def leases_of(robot: Any) -> dict[str, LeaseVerbs]:
@@ -221,9 +241,10 @@ class Lease(Sealed):
     of kicks, by an e-stop or because somebody disarmed it, the next of them raises `NotArmedError`.
     """
 
-    def __init__(self, registers: LeaseRegisters, seconds: float) -> None:
+    def __init__(self, registers: LeaseRegisters, seconds: float, *, finishes: bool) -> None:
         self.timeout = seconds
         """Seconds from each kick to the end that it names."""
+        self._finishes = finishes
         self._registers = registers
         self._link = registers.link
         hertz = self._link.gateway.clock_hz
@@ -287,7 +308,7 @@ class Lease(Sealed):
 
     async def _arm(self) -> None:
         registers = self._registers
-        self._token = secrets.randbits(TOKEN_BITS)
+        self._token = secrets.randbits(TOKEN_BITS - 1) | (FINISHES if self._finishes else 0)
         self._end = self._clock.least(running().steady()) + self._ticks
         before, error, after = await gather(registers.condition(), self._write_arm(), registers.condition())
         self._arms = after.arms
@@ -296,7 +317,8 @@ class Lease(Sealed):
         if is_mine:
             return
         if before.armed or after.armed:
-            raise NotArmedError(f"{registers.name} cannot be armed: another program has armed it", "taken")
+            how = "that of another program is finishing" if before.state == "finishing" else "another program has armed it"
+            raise NotArmedError(f"{registers.name} cannot be armed: {how}", "taken")
         if error is not None:
             raise error
         if after.estop_open:
@@ -327,27 +349,38 @@ class Lease(Sealed):
             asked.give_up()
         if error is not None:
             await self._let_go(error)
-        elif not self._has_ended():
+        else:
             await self._disarm()
 
     def _has_ended(self) -> bool:
         return self._is_over or self._clock.least(running().steady()) >= self._end
 
+    async def _is_finishing(self) -> bool:
+        """Return whether its end has come, and what was scheduled goes on; nobody else can have armed it then."""
+        if self._is_over or not self._finishes:
+            return False
+        condition = await self._registers.condition()
+        return condition.state == "finishing" and condition.arms == self._arms
+
     async def _disarm(self) -> None:
         try:
-            await self._registers.disarm.set(1)
+            if not self._has_ended() or await self._is_finishing():
+                await self._registers.disarm.set(1)
         except UnityLinkError as lost:
             lost.add_note(self._note())
             raise
 
     async def _let_go(self, error: BaseException) -> None:
         """Disarm after an error, which is not hidden by one of its own; waits no longer than the lease lasts."""
-        if self._has_ended():
-            return
+        waits = isinstance(error, (Exception, CancelledError, KeyboardInterrupt))
         disarm = self._registers.disarm.signal.address
         try:
+            if self._has_ended():
+                async with running().timeout(self.timeout):
+                    if not (waits and await self._is_finishing()):
+                        return
             await self._link.post(disarm, 1)
-            if isinstance(error, (Exception, CancelledError, KeyboardInterrupt)):
+            if waits:
                 async with running().timeout(self.timeout):
                     await self._link.read(self._registers.address)
         except (UnityLinkError, TimeoutError):
@@ -355,7 +388,11 @@ class Lease(Sealed):
 
     def _note(self) -> str:
         name = self._registers.name
-        return f"{name} could not be disarmed for sure: it runs out by itself, {self.timeout:g} s after the last kick"
+        more = f", and finishes what is scheduled, for {self._registers.finish_seconds:g} s at most"
+        return (
+            f"{name} could not be disarmed for sure: it runs out by itself, {self.timeout:g} s after the last kick"
+            f"{more if self._finishes else ''}"
+        )
 
     # Kicks
 
@@ -475,10 +512,10 @@ class Lease(Sealed):
         Raises:
             NotArmedError: where it has; also where another one has begun since.
         """
-        if condition.armed and condition.arms == self._arms:
+        if condition.state == "armed" and condition.arms == self._arms:
             return
         self._is_over = True
-        if not condition.armed:
+        if condition.state != "armed":
             raise await self._registers.fault(condition)
         how = _ENDED.get(condition.reason, "has ended")
         message = f"{self._registers.name} {how}, and another program has armed it since"
@@ -491,25 +528,40 @@ class LeaseModel(Model):
     def __init__(self, component: ComponentSpec, part: Any, around: Any) -> None:
         super().__init__(component, part, around)
         self._token = self._end = 0
+        self._emptied: int | None = None
 
     def reset(self) -> None:
         """Disarm, as if nobody had armed it."""
-        self.part.armed, self.part.state, self.part.reason = False, "disarmed", "none_yet"
+        self._end_as("disarmed", "none_yet")
         self.part.fault_time = 0
         self.part.arms = 0
-        self.part.enable = 0
-        self.around.make_safe()
 
     @property
     def due(self) -> int | None:
         """Return the end of the lease."""
-        return self._end if self.part.armed else None
+        if not self.part.armed:
+            return None
+        return self._end if self._emptied is None else min(self._end, self._emptied + 1)
 
     def step(self, dt: float) -> None:  # noqa: ARG002  (the clock says more)
-        """End the lease where its end has come."""
-        self.part.clock = self.around.now
-        if self.part.armed and self.around.now >= self._end:
+        """End the lease where its end has come, or nothing is left to finish."""
+        self.part.clock = now = self.around.now
+        if self.part.finishing and self._emptied is None and self.around.is_empty:
+            self._emptied = now
+        if not self.part.armed:
+            return
+        if self._emptied is not None and now > self._emptied:
+            self._fall("silence", self._emptied)
+        elif now >= self._end:
+            self._run_out()
+
+    def _run_out(self) -> None:
+        part = self.part
+        if part.finishing or not self._token & FINISHES or self.around.is_empty:
             self._fall("silence", self._end - 1)
+            return
+        part.finishing, part.state = True, "finishing"
+        self._end += self._cycles("finish_us", 0)
 
     def written(self, name: str) -> None:
         """Arm, kick, disarm, or look at the e-stop."""
@@ -519,8 +571,7 @@ class LeaseModel(Model):
         elif name == "kick":
             self._take(part.kick, is_arm=False)
         elif name == "disarm" and part.armed:
-            part.armed, part.state, part.reason, part.enable = False, "disarmed", "disarmed", 0
-            self.around.make_safe()
+            self._end_as("disarmed", "disarmed")
         elif name == "estop":
             part.estop_open = not part.estop
             if part.armed and part.estop_open:
@@ -529,26 +580,32 @@ class LeaseModel(Model):
     def _take(self, word: int, *, is_arm: bool) -> None:
         part, now = self.part, self.around.now
         token, ahead = word >> TIME_BITS, (word - now) % (1 << TIME_BITS)
+        if part.finishing or (token & FINISHES and not self.generics.get("finish_us")):
+            return
         if part.armed and now + 1 >= self._end:
             # The word would act one cycle later, when the lease has ended.
-            self._fall("silence", self._end - 1)
+            self._run_out()
+            if part.finishing:
+                return
         may = token == self._token if part.armed else is_arm
         # It acts two cycles later, and an end that has come by then is none.
-        if not may or part.estop_open or not 3 <= ahead <= self._most or (part.armed and now + ahead <= self._end):
+        if not may or part.estop_open or not 3 <= ahead <= self._cycles("most_us", 100_000) or (part.armed and now + ahead <= self._end):
             return
         part.arms = (part.arms + (not part.armed)) % MOST_ARMS
         part.armed, part.state, part.enable = True, "armed", 1
         self._token, self._end = token, now + ahead
 
-    @property
-    def _most(self) -> int:
-        most_us = int(self.generics.get("most_us", 100_000))
-        return min(max(-(-most_us * self.around.clock_hz // 1_000_000), 3), 1 << 30)
+    def _cycles(self, generic: str, otherwise: int) -> int:
+        return min(-(-int(self.generics.get(generic, otherwise)) * self.around.clock_hz // 1_000_000), 1 << 30)
 
     def _fall(self, reason: str, instant: int) -> None:
+        self._end_as("fault", reason)
+        self.part.fault_time = instant
+
+    def _end_as(self, state: str, reason: str) -> None:
         part = self.part
-        part.armed, part.state, part.reason, part.enable = False, "fault", reason, 0
-        part.fault_time = instant
+        part.armed, part.finishing, part.state, part.reason, part.enable = False, False, state, reason, 0
+        self._emptied = None
         self.around.make_safe()
 
 

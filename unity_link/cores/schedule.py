@@ -221,6 +221,11 @@ class ScheduleModel(Model):
         left = cycles_to(batch.instant, waits)
         return (waits + left - 1, "acts", values) if left >= FRAME else (waits + 1, "late", {})
 
+    @property
+    def is_empty(self) -> bool:
+        """Return whether nothing is in the queue."""
+        return not any(batch.is_good for batch in self._ended)
+
     def written(self, name: str) -> None:
         """Take a word, or cancel."""
         if name == "entry":
@@ -253,12 +258,13 @@ class ScheduleModel(Model):
             words = word >> 24
             fits = words + FRAME <= self._depth - self._unread()
             is_good = fits and words > 0 and not word >> 8 & 0xFFFF and self.around.is_armed
-            self._coming = _Batch(word, is_good)
+            self._coming = _Batch(word, is_good and not self.around.is_finishing)
             return
         batch.rest.append(word)
         if len(batch.rest) <= batch.words:
             return
         batch.came, self._coming = now, None
+        batch.is_good = batch.is_good and not self.around.is_finishing
         self._ended.append(batch)
         self._words += batch.queued
         if batch.is_good:

@@ -464,7 +464,7 @@ class ScheduleFeed:
 
             lease = LeaseRegisters(self.registers.robot, self.registers.lease)
             condition = await lease.condition()
-            if not condition.armed:
+            if condition.state != "armed":
                 fault = await lease.fault(condition)
                 return NotArmedError(f"{what}: {fault}", fault.reason, fault.instant)
         return LateError(f"{what}: it came too late, or was cancelled", first.instant.ticks)

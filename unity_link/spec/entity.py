@@ -28,7 +28,13 @@ CLOCK = "CLOCK"
 _SLOTS = {"PIN": PIN, "TRIGGER": TRIGGER}
 PORT_WORDS = tuple(_SLOTS)
 """Words that stand in the place of an access, for ports without an address."""
-WANTS = {"TICK": ("tick",), "TIME": ("now",), "ARMED": ("armed",), "STAGE": ("stage", "armed")}
+WANTS = {
+    "TICK": ("tick",),
+    "TIME": ("now",),
+    "ARMED": ("armed",),
+    "STAGE": ("stage", "armed", "finishing"),
+    "EMPTY": ("empty",),
+}
 """Words of an entity for ports beside clock and reset, and what it has by them."""
 _IDENTIFIER = re.compile(r"[a-z](_?[a-z0-9])*", re.IGNORECASE)
 _PRINTABLE = re.compile(r"[ -~]*")

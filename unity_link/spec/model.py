@@ -120,7 +120,8 @@ class Core(msgspec.Struct, frozen=True, kw_only=True):
     vhdl: tuple[str, ...] = ()
     """Files of its VHDL, in the folder of a core that is not installed with the gateware."""
     wants: tuple[str, ...] = ()
-    """Ports beside clock, reset and signals: ``tick``, ``now``, ``armed``, and ``stage`` for those of a schedule."""
+    """Ports beside clock, reset and signals: ``tick``, ``now``, ``armed``, those of a schedule (``stage`` and ``finishing``),
+    and ``empty`` of a lease, which tells that nothing waits in the schedules of what it guards."""
     generics: dict[str, int | bool | str] = {}
     per_axis: tuple[str, ...] = ()
     """Those generics that come as a list, `integer_vector`, with the value of each placement."""
@@ -554,6 +555,11 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
                 free[signal.timed] = first + -(-signal.width // STAGE_BITS)
                 found[signal.path] = range(first, free[signal.timed])
         return found
+
+    def schedules_of(self, lease: str) -> tuple[str, ...]:
+        """Return the paths of the schedules that write signals that a lease guards, by its path."""
+        guarded = (one for one in self.signals.values() if one.safe is not None and one.safe.lease == lease)
+        return tuple(dict.fromkeys(one.timed for one in guarded if one.timed is not None))
 
     @functools.cached_property
     def written_bits(self) -> dict[int, int]:

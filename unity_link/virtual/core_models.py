@@ -67,6 +67,16 @@ class _Around:
         """Return whether the lease of what the component times, or of its own signals, is armed; True without one."""
         return self._models.registers.is_armed(self._path)
 
+    @property
+    def is_finishing(self) -> bool:
+        """Return whether that lease takes nothing more, and is armed for what is scheduled; False without one."""
+        return self._models.registers.is_finishing(self._path)
+
+    @property
+    def is_empty(self) -> bool:
+        """Return whether nothing waits in the schedules of what the component guards, as a lease does."""
+        return self._models.is_empty(self._path)
+
     def commit(self, words: Mapping[int, int]) -> None:
         """Write words of 32 bits to signals that the component times, by their places on its stage."""
         for cell in self._models.registers.commit(self._path, words):
@@ -175,6 +185,11 @@ class CoreModels:
         for model in self._models:
             if lease in self.registers.leases_of(model.component.path):
                 model.disarmed()
+
+    def is_empty(self, lease: str) -> bool:
+        """Return whether nothing waits in the schedules of what a lease guards."""
+        leases_of = self.registers.leases_of
+        return all(model.is_empty for model in self._models if lease in leases_of(model.component.path))
 
     def written(self, path: str) -> None:
         """Pass the value that was written to a signal on to the model of its core."""

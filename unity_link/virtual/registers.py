@@ -3,8 +3,8 @@
 They do what the register bank does that `unity-link generate vhdl` makes: reads of what is only written, writes of what
 is only read, and accesses to addresses without a signal are bus errors; a value of several words is read from the
 instant of its first one, and is written with its last. A signal with SAFE refuses to be written while its lease is not
-armed. Beyond that, a write outside of MIN and MAX is a bus error too,
-which the log explains. Addresses of hardware modules are memory, those of FIFO ports are queues.
+armed, or is finishing. Beyond that, a write outside of MIN and MAX is a bus error too, which the log explains. Addresses
+of hardware modules are memory, those of FIFO ports are queues.
 """
 
 from __future__ import annotations
@@ -296,7 +296,7 @@ class Registers:
                 self._write_module(address, word)
             return []
         for cell, part in cells:
-            if cell.signal.safe is not None and not self.cells[f"{cell.signal.safe.lease}.armed"].raw:
+            if cell.signal.safe is not None and not self._may_write(cell.signal.safe.lease):
                 raise AccessError(ErrorCode.BUS_ERROR)
             cell.check_write(part, word)
         return [cell for cell, part in cells if cell.write(part, word)]
@@ -308,6 +308,17 @@ class Registers:
     def is_armed(self, component: str) -> bool:
         """Return whether these leases are armed."""
         return all(self.cells[f"{lease}.armed"].raw for lease in self.leases_of(component))
+
+    def is_finishing(self, component: str) -> bool:
+        """Return whether one of these leases is finishing."""
+        return any(self._is_finishing(lease) for lease in self.leases_of(component))
+
+    def _is_finishing(self, lease: str) -> bool:
+        cell = self.cells.get(f"{lease}.finishing")
+        return cell is not None and bool(cell.raw)
+
+    def _may_write(self, lease: str) -> bool:
+        return bool(self.cells[f"{lease}.armed"].raw) and not self._is_finishing(lease)
 
     def commit(self, schedule: str, words: Mapping[int, int]) -> list[Cell]:
         """Write words of a schedule, by their places on its stage; return the signals that have got a value."""

@@ -22,9 +22,20 @@ if TYPE_CHECKING:
 
 TIME = 1 << 40
 """Ends are instants modulo this."""
-DISARMED, ARMED, FAULT = range(3)
+DISARMED, ARMED, FAULT, FINISHING = range(4)
 NONE, BY_DISARM, SILENCE, ESTOP = range(4)
-OUTPUTS = {"armed": 1, "state": 2, "reason": 3, "arms": 16, "estop_open": 1, "enable": 1, "fault_time": 64}
+WANTS_FINISH = 1 << 23
+"""Bit of a token whose owner wants what waits to go on behind the end."""
+OUTPUTS = {
+    "armed": 1,
+    "state": 2,
+    "finishing": 1,
+    "reason": 3,
+    "arms": 16,
+    "estop_open": 1,
+    "enable": 1,
+    "fault_time": 64,
+}
 """Bits of each for an axis."""
 
 
@@ -35,12 +46,18 @@ class Settings:
     axes: int = 1
     clock_hz: int = 50_000_000
     most_us: int = 100_000
+    finish_us: int = 0
     estop_used: bool = True
 
     @property
     def most(self) -> int:
         """Cycles that an end may be ahead."""
         return -(-self.most_us * self.clock_hz // 10**6)
+
+    @property
+    def more(self) -> int:
+        """Cycles that a lease may go on behind its end."""
+        return -(-self.finish_us * self.clock_hz // 10**6)
 
 
 class Word(NamedTuple):
@@ -61,6 +78,7 @@ class Inputs(NamedTuple):
     kick: Word | None = None
     disarm: bool = False
     estop: bool = False
+    empty: bool = True
 
 
 class Axis:
@@ -90,17 +108,29 @@ class Axis:
             self.happened["arm" if self.state != ARMED else "kick"] += 1
             self.arms = (self.arms + (self.state != ARMED)) % 2**16
             self.state, self._lease = ARMED, self._asked[0]
+        elif self.state == ARMED and (self._lease.end - now) % TIME == 1 and not inputs.empty and self._may_finish:
+            self.happened["goes on"] += 1
+            self.state, self._lease = FINISHING, Word(0, (self._lease.end + self._settings.more) % TIME)
         elif (self._lease.end - now) % TIME == 1:
+            self.happened["goes on to the last"] += self.state == FINISHING
+            self._fall(FAULT, SILENCE, now)
+        elif self.state == FINISHING and inputs.empty:
+            self.happened["goes on until it is empty"] += 1
             self._fall(FAULT, SILENCE, now)
         self._asked = None if reset or inputs.disarm else self._written(inputs, now)
         self._open, self._pin_before = reset or self._pin_before, reset or not inputs.estop
         return self._outputs()
 
+    @property
+    def _may_finish(self) -> bool:
+        return self._settings.more > 0 and bool(self._lease.token & WANTS_FINISH)
+
     def _outputs(self) -> dict[str, int]:
-        armed = int(self.state == ARMED)
+        armed = int(self.state in {ARMED, FINISHING})
         return {
             "armed": armed,
             "state": self.state,
+            "finishing": int(self.state == FINISHING),
             "reason": self.reason,
             "arms": self.arms,
             "estop_open": int(self._open and self._settings.estop_used),
@@ -109,15 +139,17 @@ class Axis:
         }
 
     def _written(self, inputs: Inputs, now: int) -> tuple[Word, bool] | None:
-        """Return what counts of the words of a cycle: nothing whose end is past, or too far ahead."""
+        """Return what counts of the words of a cycle: nothing whose end is past, too far ahead, or not to be one."""
         word = inputs.arm or inputs.kick
         if word is None or not 0 < (word.end - now) % TIME <= self._settings.most:
+            return None
+        if word.token & WANTS_FINISH and not self._settings.more:
             return None
         return word, inputs.arm is not None
 
     def _takes(self, now: int) -> bool:
         """Return whether the word of the cycle before begins a lease, or moves its end."""
-        if self._asked is None:
+        if self._asked is None or self.state == FINISHING:
             return False
         word, is_arm = self._asked
         # From now on; one that has passed since is far ahead.
@@ -127,7 +159,7 @@ class Axis:
         return is_arm and 1 < ahead < TIME // 2
 
     def _fall(self, state: int, reason: int, now: int) -> None:
-        if self.state == ARMED:
+        if self.state in {ARMED, FINISHING}:
             self.happened[f"fall {reason}"] += 1
             self.state, self.reason = state, reason
             self.fault_time = now if state == FAULT else self.fault_time
@@ -139,9 +171,10 @@ class Stimulus:
     def __init__(self, settings: Settings, rng: random.Random) -> None:
         """Take the generics and what chooses."""
         self._most, self._rng = settings.most, rng
-        self._tokens = [rng.getrandbits(24)] * 6
+        self._tokens = [rng.getrandbits(23) | (WANTS_FINISH if settings.more else 0)] * 6
         self._tokens += [self._tokens[0] ^ 1 << rng.randrange(24), rng.getrandbits(24)]
         self._last = Inputs(estop=True)
+        self._longest = settings.more + 1
         self._end = 0
 
     def next(self, now: int) -> Inputs:
@@ -155,6 +188,7 @@ class Stimulus:
             kick=self._word(now) if chance < 0.01 else word if chance >= 0.08 else None,
             disarm=rng.random() < (0.3 if chance < 0.01 else 0.01),
             estop=estop,
+            empty=rng.random() < (1 / self._longest if not self._last.empty else 0.2),
         )
         return self._last
 
@@ -195,7 +229,8 @@ class Driver:
             values[name] = _joined(self._words[name], 64)
             values[f"{name}_written"] = _joined([word is not None for word in given], 1)
         values["disarm"] = values["disarm_written"] = _joined([one.disarm for one in inputs], 1)
-        values["estop"] = _joined([one.estop for one in inputs], 1)
+        for name in ("estop", "empty"):
+            values[name] = _joined([getattr(one, name) for one in inputs], 1)
         for name, value in values.items():
             if self._values.get(name) != value:
                 getattr(self._dut, name).value = value
@@ -233,4 +268,6 @@ async def it_is_as_the_model_in_every_cycle(dut: SimHandleBase) -> None:
         # The shortest of leases lasts for one cycle, and meets nothing else in it.
         if settings.most > 3:
             kinds += ["kick", f"fall {BY_DISARM}", *([f"fall {ESTOP}"] * settings.estop_used)]
+        if settings.more:
+            kinds += ["goes on", "goes on until it is empty", "goes on to the last"]
         assert all(axis.happened[kind] > cycles / 5000 for kind in kinds), axis.happened

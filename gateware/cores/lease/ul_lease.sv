@@ -3,7 +3,10 @@
 // What ul_lease promises, for all words, e-stops and resets, and from any instant on: `armed` is '1' in those cycles,
 // and in no others, that lie behind an arm and before the end that the owner named last, until disarmed or stopped.
 // `end_at` and all beside it are a model in absolute time: the entity counts down.
-// NO_ESTOP is one without an e-stop.
+// NO_ESTOP is one without an e-stop, whose leases end at their ends, and take no word that wants more.
+//
+// Else a lease whose owner wants it so goes on behind its end while `empty` is '0', for FINISH cycles at most: it takes no
+// word then, and a disarm and the e-stop end it as ever.
 //
 // Besides: a lease lasts for less than MOST cycles behind the last word that was taken; a word of another, or with an end
 // that is past or too far ahead, changes nothing; the end of a lease never comes nearer; what falls does so in the next
@@ -13,6 +16,7 @@ module ul_lease_properties (
 	input clk,
 	input rst,
 	input [63:0] now,
+	input empty,
 	input [63:0] arm,
 	input arm_written,
 	input [63:0] kick,
@@ -22,11 +26,16 @@ module ul_lease_properties (
 	input estop
 );
 	localparam MOST = 6;
-	localparam DISARMED = 0, ARMED = 1, FAULT = 2;
+`ifdef NO_ESTOP
+	localparam FINISH = 0;
+`else
+	localparam FINISH = 5;
+`endif
+	localparam DISARMED = 0, ARMED = 1, FAULT = 2, FINISHING = 3;
 	localparam NONE = 0, BY_DISARM = 1, SILENCE = 2, ESTOP = 3;
 
 	wire [63:0] clock, fault_time;
-	wire armed, estop_open, enable;
+	wire armed, finishing, estop_open, enable;
 	wire [1:0] state;
 	wire [2:0] reason;
 	wire [15:0] arms;
@@ -35,7 +44,7 @@ module ul_lease_properties (
 
 	// The cycle before.
 	reg begun = 0;
-	reg was_reset, was_armed, was_open, was_disarmed;
+	reg was_reset, was_armed, was_open, was_disarmed, was_finishing, was_empty;
 	reg [1:0] was_state;
 	reg [2:0] was_reason;
 	reg [15:0] was_arms;
@@ -59,9 +68,13 @@ module ul_lease_properties (
 	// In this cycle the word before takes effect: from the next one on, if the end is behind that.
 	wire [39:0] left_asked = end_asked - now[39:0], left = end_at - now[39:0];
 	wire is_owner = token_asked == owner;
-	wire takes = asked && in_reach && !rst && !estop_open && !disarm_written &&
+	wire takes = asked && in_reach && !rst && !finishing && !estop_open && !disarm_written &&
 		(armed ? is_owner && left_asked > left : is_arm && left_asked > 1 && left_asked <= MOST);
-	reg took, did_end;
+	reg took, did_end, did_go_on;
+
+	// It is not over at its end, which is the last one.
+	wire goes_on = FINISH != 0 && armed && !finishing && owner[23] && left == 1 && !takes && !empty && !estop_open &&
+		!disarm_written && !rst;
 
 	// Cycles since the last word was written that took effect.
 	reg [3:0] since = 15;
@@ -70,13 +83,14 @@ module ul_lease_properties (
 		begun <= 1;
 		assume (begun || rst);
 		{was_reset, was_armed, was_open, was_disarmed} <= {rst, armed, estop_open, disarm_written};
+		{was_finishing, was_empty, did_go_on} <= {finishing, empty, goes_on};
 		{was_state, was_reason, was_arms, was_fault_time, was_now} <= {state, reason, arms, fault_time, now};
 		{was_estop, estop_before, was_reset_before} <= {estop, was_estop, was_reset};
 		// A reset begins the time again, from anywhere.
 		if (begun && !was_reset)
 			assume (now == was_now + 1);
 
-		asked <= (arm_written || kick_written) && !disarm_written && !rst;
+		asked <= (arm_written || kick_written) && !disarm_written && !rst && !(FINISH == 0 && word[63]);
 		is_arm <= arm_written;
 		token_asked <= word[63:40];
 		end_asked <= word[39:0];
@@ -87,7 +101,8 @@ module ul_lease_properties (
 		if (takes) begin
 			owner <= token_asked;
 			end_at <= end_asked;
-		end
+		end else if (goes_on)
+			end_at <= end_at + FINISH;
 		// The word was written a cycle ago, and stands in the next.
 		since <= takes ? 2 : since + (since != 15);
 	end
@@ -97,23 +112,27 @@ module ul_lease_properties (
 	always @(posedge clk) if (begun) begin
 		assert (enable == armed);
 		assert (clock == now);
-		assert (state == (armed ? ARMED : was_reset ? DISARMED : took ? ARMED : fell && (was_open || !was_disarmed) ? FAULT :
-			fell ? DISARMED : was_state));
+		assert (state == (finishing ? FINISHING : armed ? ARMED : was_reset ? DISARMED :
+			fell && (was_open || !was_disarmed) ? FAULT : fell ? DISARMED : was_state));
 
 		// In a lease, and nowhere else.
 		if (was_reset)
 			assert (!armed && reason == NONE && arms == 0 && fault_time == 0);
 		else begin
-			assert (armed == (took || (was_armed && !was_open && !was_disarmed && !did_end)));
+			assert (armed == (took || did_go_on ||
+				(was_armed && !was_open && !was_disarmed && !did_end && !(was_finishing && was_empty))));
+			assert (finishing == (armed && (did_go_on || was_finishing)));
 			assert (reason == (!fell ? was_reason : was_open ? ESTOP : was_disarmed ? BY_DISARM : SILENCE));
 			// It counts where it rises: an arm of an owner that has the lease is a kick.
 			assert (arms == (was_armed || !armed ? was_arms : was_arms + 16'd1));
 			assert (fault_time == (state == FAULT && fell ? was_now : was_fault_time));
 		end
 
-		// An end is never passed, and never more than MOST cycles behind the word that named it.
+		// An end is never passed, and never more than MOST cycles behind the word that named it; then by FINISH at most.
 		if (armed)
-			assert (left > 0 && left + since <= MOST);
+			assert (left > 0 && (finishing ? left <= FINISH : left + since <= MOST));
+		if (finishing)
+			assert (owner[23] && !took && FINISH != 0);
 		if (was_open || was_disarmed)
 			assert (!armed);
 `ifdef NO_ESTOP
@@ -124,12 +143,17 @@ module ul_lease_properties (
 `endif
 		// Where it falls by itself, in the very cycle of the end.
 		if (fell && state == FAULT && reason == SILENCE && !was_reset)
-			assert (now[39:0] == end_at);
+			assert (was_finishing && was_empty ? left < FINISH : now[39:0] == end_at);
 
 		cover (armed && left == MOST - 2);
 		cover (fell && reason == SILENCE && since == MOST);
 `ifndef NO_ESTOP
 		cover (fell && reason == ESTOP);
+		cover (finishing && left == FINISH);
+		cover (fell && was_finishing && did_end && state == FAULT);
+		cover (fell && was_finishing && left == 3 && state == FAULT);
+		cover (fell && was_finishing && state == DISARMED && !was_reset);
+		cover (finishing && asked && in_reach && is_owner && left_asked > left);
 `endif
 		cover (fell && state == DISARMED && !was_reset);
 		// A kick moves the end, in the last cycle in which it can.
@@ -145,11 +169,11 @@ module ul_lease_properties (
 
 	(* hierconn *) wire [2:0] \dut.all_axes_n1_left ;
 	(* hierconn *) wire [23:0] \dut.all_axes_n1_token ;
+	(* hierconn *) wire \dut.all_axes_n1_is_fault ;
 
 	always @(posedge clk) if (begun) begin
-		assert (state != 3);
 		assert (\dut.all_axes_n1_left == (armed ? left + 1 : 2));
 		if (armed)
-			assert (\dut.all_axes_n1_token == owner);
+			assert (\dut.all_axes_n1_token == owner && !\dut.all_axes_n1_is_fault );
 	end
 endmodule

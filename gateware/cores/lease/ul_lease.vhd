@@ -11,6 +11,9 @@
 -- `left` is one more than the cycles to the end; where it is `least`, the next cycle is the end. It is `least` while
 -- nothing is armed, too, so that one comparison refuses a kick that would shorten a lease, and an arm whose end comes
 -- before it takes effect. No wrong bit in `left` or `now` makes a lease longer than the range of `left`.
+--
+-- The highest bit of the token says what its owner wants at the end. '1': the lease is not over while `empty` is '0',
+-- for `finish_us` more. It takes no word then, but a disarm. Where `finish_us` is 0, a word that wants this is void.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -27,6 +30,8 @@ entity ul_lease is
     clock_hz : positive := 50_000_000;
     -- What takes 3 to 2 ** 30 cycles, a part of one counted as one: us that an end may be ahead.
     most_us : positive := 100_000;
+    -- What takes 0 to 2 ** 30 cycles: us for which a lease can go on behind its end.
+    finish_us : natural := 0;
     -- False: there is no e-stop, and `estop` is not looked at.
     estop_used : boolean := true
   );
@@ -37,7 +42,10 @@ entity ul_lease is
     rst : in    std_logic;
     -- Cycles of clk, as the gateway counts them.
     now : in    std_logic_vector(63 downto 0);
-    -- Token of the owner (bits 63 to 40), and the end of the lease (bits 39 to 0): an instant of now, modulo 2 ** 40.
+    -- '1': nothing that was accepted waits behind the end of the lease.
+    empty : in    std_logic_vector(axes - 1 downto 0) := (others => '1');
+    -- Token of the owner (bits 63 to 40; bit 63: it wants what waits to go on behind the end), and the end of the lease
+    -- (bits 39 to 0): an instant of now, modulo 2 ** 40.
     arm : in    std_logic_vector(axes * 64 - 1 downto 0);
     -- '1' for one cycle: arm is meant.
     arm_written : in    std_logic_vector(axes - 1 downto 0);
@@ -51,8 +59,10 @@ entity ul_lease is
     fault_time : out   std_logic_vector(axes * 64 - 1 downto 0);
     -- '1' while the lease lasts.
     armed : out   std_logic_vector(axes - 1 downto 0);
-    -- 0: disarmed; 1: armed; 2: fault, until an arm.
+    -- 0: disarmed; 1: armed; 2: fault, until an arm; 3: finishing, behind the end.
     state : out   std_logic_vector(axes * 2 - 1 downto 0);
+    -- '1' in state 3.
+    finishing : out   std_logic_vector(axes - 1 downto 0);
     -- Of the last time that armed fell. 0: none since the reset; 1: disarmed; 2: silence, the end came; 3: e-stop.
     reason : out   std_logic_vector(axes * 3 - 1 downto 0);
     -- Leases that have begun since the reset, modulo 2 ** 16.
@@ -72,24 +82,26 @@ end entity ul_lease;
 
 architecture rtl of ul_lease is
 
-  -- Nearest number, for what is allowed; what is not ends with the sentence of its assertion, not before.
-  function cycles_of (cycles : real) return positive is
+  -- Rounded up, for what is allowed; what is not ends with the sentence of its assertion, not before.
+  function cycles_of (cycles : real; lowest : natural) return natural is
   begin
 
-    if cycles < 3.0 or cycles > 2.0 ** 30 then
-      return 3;
+    if cycles < real(lowest) or cycles > 2.0 ** 30 then
+      return lowest;
     end if;
-    return integer(cycles);
+    return integer(cycles + 0.499_999);
 
   end function cycles_of;
 
   constant time_bits  : positive := 40;
   constant token_bits : positive := 64 - time_bits;
 
-  -- Cycles that an end may be ahead, rounded up.
-  constant cycles : real     := real(most_us) * real(clock_hz) / 1.0e6;
-  constant most   : positive := cycles_of(cycles + 0.499_999);
-  constant least  : positive := 2;
+  -- Cycles that an end may be ahead, and that it may go on behind it.
+  constant cycles      : real     := real(most_us) * real(clock_hz) / 1.0e6;
+  constant most        : positive := cycles_of(cycles, 3);
+  constant more_cycles : real     := real(finish_us) * real(clock_hz) / 1.0e6;
+  constant more        : natural  := cycles_of(more_cycles, 0);
+  constant least       : positive := 2;
 
   constant reason_none     : std_logic_vector(1 downto 0) := "00";
   constant reason_disarmed : std_logic_vector(1 downto 0) := "01";
@@ -100,7 +112,7 @@ architecture rtl of ul_lease is
 
   subtype token_t is std_logic_vector(token_bits - 1 downto 0);
 
-  subtype left_t is unsigned(log2_ceil(most) - 1 downto 0);
+  subtype left_t is unsigned(maximum(log2_ceil(most), log2_ceil(more + 2)) - 1 downto 0);
 
   signal stops : std_logic_vector(axes - 1 downto 0);
 
@@ -109,6 +121,11 @@ begin
   assert cycles > 2.0 and cycles <= 2.0 ** 30
     report "ul_lease: most_us is " & integer'image(most_us) & ": what takes 3 to 2 ** 30 cycles of a clock of "
            & integer'image(clock_hz) & " Hz was expected"
+    severity failure;
+
+  assert more_cycles <= 2.0 ** 30
+    report "ul_lease: finish_us is " & integer'image(finish_us) & ": 0, or what takes up to 2 ** 30 cycles of a clock "
+           & "of " & integer'image(clock_hz) & " Hz was expected"
     severity failure;
 
   with_estop : if estop_used generate
@@ -156,6 +173,9 @@ begin
     signal takes       : std_logic;
     signal begins      : std_logic;
     signal falls       : std_logic;
+    signal goes_on     : std_logic;
+
+    signal is_finishing : std_logic;
 
     signal is_fault : std_logic;
     signal why      : std_logic_vector(1 downto 0);
@@ -181,7 +201,7 @@ begin
         is_arm      <= arm_written(axis);
         token_asked <= given(63 downto time_bits);
         ahead       <= unsigned(given(time_bits - 1 downto 0)) + not unsigned(now(time_bits - 1 downto 0));
-        if rst = '1' then
+        if rst = '1' or (more = 0 and given(63) = '1') then
           is_asked <= '0';
         end if;
       end if;
@@ -195,9 +215,13 @@ begin
     may_ask  <= is_arm when is_armed = '0' else
                 '1' when token_asked = token else
                 '0';
-    takes    <= is_asked and may_ask and is_near and is_later and not stops(axis) and not disarm_written(axis);
+    takes    <= is_asked and may_ask and is_near and is_later and not is_finishing and not stops(axis) and
+                not disarm_written(axis);
     begins   <= takes and not is_armed;
     falls    <= '1' when stops(axis) = '1' or disarm_written(axis) = '1' or left <= least else
+                is_finishing and empty(axis);
+    goes_on  <= not is_finishing and not empty(axis) and token(token'high) and not stops(axis) and
+                not disarm_written(axis) when more > 0 else
                 '0';
 
     lease : process (clk) is
@@ -212,8 +236,12 @@ begin
           left     <= ahead(left'range);
         elsif is_armed = '1' and falls = '0' then
           left <= left - 1;
+        elsif is_armed = '1' and goes_on = '1' then
+          is_finishing <= '1';
+          left         <= to_unsigned(more + 1, left'length);
         elsif is_armed = '1' then
-          is_armed <= '0';
+          is_armed     <= '0';
+          is_finishing <= '0';
           if stops(axis) = '1' then
             is_fault <= '1';
             why      <= reason_estop;
@@ -232,12 +260,13 @@ begin
         end if;
 
         if rst = '1' then
-          is_armed <= '0';
-          is_fault <= '0';
-          why      <= reason_none;
-          fell_at  <= (others => '0');
-          begun    <= (others => '0');
-          left     <= to_unsigned(least, left'length);
+          is_armed     <= '0';
+          is_finishing <= '0';
+          is_fault     <= '0';
+          why          <= reason_none;
+          fell_at      <= (others => '0');
+          begun        <= (others => '0');
+          left         <= to_unsigned(least, left'length);
         end if;
       end if;
 
@@ -245,7 +274,8 @@ begin
 
     armed(axis)                                 <= is_armed;
     enable(axis)                                <= is_armed;
-    state(2 * axis + 1 downto 2 * axis)         <= is_fault & is_armed;
+    finishing(axis)                             <= is_finishing;
+    state(2 * axis + 1 downto 2 * axis)         <= (is_fault or is_finishing) & is_armed;
     reason(3 * axis + 2 downto 3 * axis)        <= '0' & why;
     fault_time(64 * axis + 63 downto 64 * axis) <= fell_at;
     arms(16 * axis + 15 downto 16 * axis)       <= std_logic_vector(begun);

@@ -28,7 +28,7 @@ TIME = 1 << 40
 FRAME = 2
 """Words of a batch beside those that its header counts."""
 DEPTH = int(json.loads(os.environ["GENERICS"])["depth"])
-OUTPUTS = ("commit", "stage_write", "stage_clear", "fates", "late", "refused", "room", "slack")
+OUTPUTS = ("commit", "empty", "stage_write", "stage_clear", "fates", "late", "refused", "room", "slack")
 NO_SLACK = 2**31 - 1
 
 
@@ -38,11 +38,17 @@ class Inputs(NamedTuple):
     word: int | None = None
     cancel: bool = False
     armed: bool = True
+    finishing: bool = False
 
     @property
     def voids(self) -> bool:
         """Nothing acts of what came before."""
         return self.cancel or not self.armed
+
+    @property
+    def takes(self) -> bool:
+        """A batch may come."""
+        return self.armed and not self.finishing
 
 
 def time_to(instant: int, now: int) -> int:
@@ -119,6 +125,7 @@ class Model:
         staged = {} if index is None or data is None else {"stage_index": index, "stage_data": data}
         return {
             "commit": int(self.acts and not inputs.voids and not reset),
+            "empty": int(self._unread == 0),
             "stage_write": int(self._stage is not None),
             "stage_clear": int(self._clear),
             "fates": self._ends << 16 | self._finished,
@@ -158,7 +165,7 @@ class Model:
             self._batch = None
             return
         if self._batch:
-            self._batch.good &= inputs.armed
+            self._batch.good &= inputs.takes
         if inputs.word is None:
             return
         if self._batch is None:
@@ -166,7 +173,7 @@ class Model:
             fits = count + FRAME <= free
             self.happened["fits to the word"] += count + FRAME == free
             self.happened["does not fit by a word"] += count + FRAME == free + 1
-            good = inputs.armed and fits and count > 0 and not inputs.word >> 8 & 0xFFFF
+            good = inputs.takes and fits and count > 0 and not inputs.word >> 8 & 0xFFFF
             self._batch = Batch(inputs.word, self._ended, good)
             return
         self._batch.rest.append(inputs.word)
@@ -244,6 +251,7 @@ class Promise:
         self._is_whole = True
         self._shadows: dict[int, int] = {}
         self._acted: list[tuple[int, dict[int, int]]] = []
+        self.happened: collections.Counter[str] = collections.Counter()
         self._seen = 0
 
     def edge(self, inputs: Inputs, now: int, seen: dict[str, int]) -> None:
@@ -254,6 +262,8 @@ class Promise:
         self._words(inputs)
         if seen["commit"]:
             assert inputs.armed
+            assert not seen["empty"]
+            self.happened["acts behind the end"] += inputs.finishing
             assert not seen["stage_write"]
             self._acted.append((now + 1, self._shadows))
         if seen["commit"] or seen["stage_clear"] or not inputs.armed:
@@ -262,13 +272,15 @@ class Promise:
             self._shadows |= {seen["stage_index"]: seen["stage_data"]}
 
     def _words(self, inputs: Inputs) -> None:
+        if not inputs.takes and not self._is_whole:
+            self._sent[-1].good = False
         if inputs.voids:
             for batch in self._sent:
                 batch.good = False
         if inputs.cancel:
             self._is_whole = True
         elif inputs.word is not None and self._is_whole:
-            self._sent.append(Batch(inputs.word, 0, inputs.armed))
+            self._sent.append(Batch(inputs.word, 0, inputs.takes))
             self._is_whole = False
         elif inputs.word is not None:
             self._sent[-1].rest.append(inputs.word)
@@ -294,7 +306,7 @@ class Stimulus:
         self._words: list[int] = []
         self._instant = 0
         self._pace, self._lead = 1.0, 0
-        self._armed = True
+        self._armed, self._finishing = True, False
 
     def next(self, now: int, model: Model) -> Inputs:
         """Return the inputs of the next cycle."""
@@ -313,7 +325,8 @@ class Stimulus:
         if cancel:
             self._words = []
             word = rng.choice([None, None, rng.getrandbits(32)])
-        return Inputs(word, cancel, self._armed)
+        self._finishing = rng.random() < (0.05 / (DEPTH + 100) if not self._finishing else 0.98)
+        return Inputs(word, cancel, self._armed, self._finishing)
 
     def reset(self) -> None:
         """Begin with a header."""
@@ -377,6 +390,7 @@ class Driver:
             "now": now,
             "rst": int(reset),
             "armed": int(inputs.armed),
+            "finishing": int(inputs.finishing),
             "entry_written": int(inputs.word is not None),
             "entry": self._values.get("entry", 0) if inputs.word is None else inputs.word,
             "cancel": int(inputs.cancel),
@@ -420,11 +434,12 @@ async def it_is_as_the_model_in_every_cycle_and_keeps_its_promise(dut: SimHandle
         assert int(dut.clock.value) == now
         model.edge(inputs, now)
         if reset:
-            happened += model.happened
+            happened += model.happened + promise.happened
             model, promise = Model(), Promise()
             stimulus.reset()
-    happened += model.happened
+    happened += model.happened + promise.happened
     kinds = ["acts", "late", "refused", "malformed", "cancelled half sent"]
     assert all(happened[kind] > cycles / 20_000 for kind in kinds), happened
+    assert happened["acts behind the end"] > 0, happened
     assert happened["fits to the word"] > 0, happened
     assert happened["does not fit by a word"] > 0, happened

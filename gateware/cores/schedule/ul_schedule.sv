@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What ul_schedule promises, for all words, cancels, arming and resets: a batch ends once, in its turn. It acts if it
-// came whole and well formed, fitted, and met no cancel and no cycle that was not armed up to that of `commit`; then in
-// the cycle of its instant, with all of its values and none of another. Else it is counted: as late only where its
+// came whole and well formed, fitted, and met no cancel and no cycle that was not armed up to that of `commit`, nor one that
+// was `finishing` up to its last word; then in the cycle of its instant, with all of its values and none of another. Else it is counted: as late only where its
 // instant was too near by then, as refused only where one of the others has failed.
 //
 // Which batch is followed is left open (`follow`), as are the word of it that is kept (`nth`) and the shadow that is
@@ -41,6 +41,7 @@ module ul_schedule_properties (
 	input rst,
 	input [63:0] now,
 	input armed,
+	input finishing,
 	input [31:0] entry,
 	input entry_written,
 	input cancel_written,
@@ -51,7 +52,7 @@ module ul_schedule_properties (
 	wire [63:0] clock, fates;
 	wire [31:0] late, refused, slack, stage_data;
 	wire [15:0] room, stage_index;
-	wire stage_write, stage_clear, commit;
+	wire stage_write, stage_clear, commit, empty;
 	wire cancel = 0;
 
 	ul_schedule dut (.*);
@@ -95,7 +96,7 @@ module ul_schedule_properties (
 	wire [3:0] used = \dut.base - \dut.read_at ;
 	wire fits = entry[31:24] + 10'd2 <= DEPTH - used;
 	wire last = coming && given && left == 1;
-	wire accepted = last && good && armed;
+	wire accepted = last && good && armed && !finishing;
 	wire has_come = last || (coming && cancel_written);
 	wire ends = commit || \dut.drops || \dut.refuses ;
 	wire [7:0] arrived = has_instant ? length - left : 0;
@@ -124,7 +125,7 @@ module ul_schedule_properties (
 	reg [31:0] meant, held;
 
 	// The cycle before.
-	reg begun = 0, was_reset, was_void, did_commit, did_end;
+	reg begun = 0, was_reset, was_void, was_finishing, did_commit, did_end;
 	reg [63:0] was_now, was_fates;
 	reg [31:0] was_late, was_refused;
 	reg [3:0] was_used;
@@ -139,7 +140,7 @@ module ul_schedule_properties (
 	always @(posedge clk) begin
 		begun <= 1;
 		assume (begun || rst);
-		{was_reset, was_void, did_commit, did_end} <= {rst, voids, commit, ends};
+		{was_reset, was_void, was_finishing, did_commit, did_end} <= {rst, voids, finishing, commit, ends};
 		{was_now, was_fates, was_late, was_refused, was_used} <= {now, fates, late, refused, used};
 		// A reset begins the time again, from anywhere.
 		if (begun && !was_reset)
@@ -155,11 +156,11 @@ module ul_schedule_properties (
 			if (!coming) begin
 				length <= entry[31:24];
 				instant[39:32] <= entry[7:0];
-				good <= fits && armed && entry[31:24] != 0 && entry[23:8] == 0;
+				good <= fits && armed && !finishing && entry[31:24] != 0 && entry[23:8] == 0;
 			end else if (!has_instant)
 				instant[31:0] <= entry;
 		end
-		if (!armed)
+		if (!armed || finishing)
 			good <= 0;
 		ended <= ended + has_come;
 		turns <= turns + has_come - ends;
@@ -167,7 +168,7 @@ module ul_schedule_properties (
 			coming <= 0;
 
 		if (given && !coming && follow && !followed) begin
-			{followed, open, whole, voided} <= {3'b110, !armed};
+			{followed, open, whole, voided} <= {3'b110, !armed || finishing};
 			fitted <= fits;
 			{number, turn} <= {ended, turns - ends};
 			head <= entry;
@@ -182,7 +183,7 @@ module ul_schedule_properties (
 			end
 			if (cancel_written)
 				open <= 0;
-			voided <= voided || voids;
+			voided <= voided || voids || (open && finishing);
 			followed <= !its_end;
 			turn <= turn - ends;
 		end
@@ -238,6 +239,8 @@ module ul_schedule_properties (
 		`QUEUE (!was_reset || (!commit && !stage_write));
 		`QUEUE (room == (was_reset ? DEPTH : DEPTH - was_used));
 		`QUEUE (used <= DEPTH);
+		`QUEUE (empty == (used == 0));
+		`QUEUE (!commit || !empty);
 
 		`QUEUE (\dut.ended == ended);
 		`QUEUE (\dut.part == (!coming ? 0 : !has_instant ? 1 : 2));
@@ -383,6 +386,7 @@ module ul_schedule_properties (
 		end
 		cover (its_end && did_commit && nth == 1 && sent == 5 && count == 2);
 		cover (its_end && late != was_late);
+		cover (its_end && did_commit && was_finishing);
 		cover (is_read && state == ACTING && cancel_written);
 		cover (is_read && state == ACTING && !armed);
 

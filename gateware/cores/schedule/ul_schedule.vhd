@@ -38,6 +38,10 @@ entity ul_schedule is
     now : in    std_logic_vector(63 downto 0);
     -- '0': nothing acts, in this cycle and later, of batches that began before it is '1' again.
     armed : in    std_logic_vector(axes - 1 downto 0) := (others => '1');
+    -- '1': as armed is, but for batches that are in the queue, which act.
+    finishing : in    std_logic_vector(axes - 1 downto 0) := (others => '0');
+    -- '1': nothing is in the queue.
+    empty : out   std_logic_vector(axes - 1 downto 0);
     -- A word of a batch.
     entry : in    std_logic_vector(axes * 32 - 1 downto 0);
     -- '1': there is another one.
@@ -109,6 +113,7 @@ architecture rtl of ul_schedule is
   signal write       : std_logic;
   signal write_data  : std_logic_vector(31 downto 0);
   signal free_but_1  : pointer_t;
+  signal is_empty    : std_logic;
   signal read_at     : pointer_t;
   signal read_next   : pointer_t;
   signal word        : std_logic_vector(31 downto 0);
@@ -128,6 +133,7 @@ architecture rtl of ul_schedule is
   signal data      : std_logic_vector(31 downto 0);
   signal ahead     : instant_t;
   signal voids     : std_logic;
+  signal closed    : std_logic;
   signal commits   : std_logic;
   signal drops     : std_logic;
 
@@ -155,6 +161,9 @@ begin
   word_given <= entry(31 downto 0);
   is_given   <= entry_written(0);
   voids      <= cancel_written(0) or not armed(0);
+  closed     <= voids or finishing(0);
+  empty(0)   <= is_empty;
+  is_empty   <= to_std_logic(std_logic_vector(read_at) = std_logic_vector(base));
 
   -- What comes in.
 
@@ -174,7 +183,7 @@ begin
     to_std_logic(words_left = 1) when body_part;
 
   ends    <= is_given and is_last;
-  accepts <= ends and is_good and not voids;
+  accepts <= ends and is_good and not closed;
 
   take : process (clk) is
 
@@ -223,8 +232,10 @@ begin
       end if;
       room <= std_logic_vector(resize(free_but_1 + 1, 16));
 
+      if closed = '1' then
+        is_good <= '0';
+      end if;
       if voids = '1' then
-        is_good  <= '0';
         base     <= (others => '0');
         write_at <= (others => '0');
       end if;
@@ -289,7 +300,7 @@ begin
 
     if rising_edge(clk) then
       read_at     <= read_next;
-      has_batch   <= to_std_logic(std_logic_vector(read_at) /= std_logic_vector(base));
+      has_batch   <= not is_empty;
       stage_write <= '0';
       stage_clear <= '0';
       data        <= word;
@@ -303,7 +314,7 @@ begin
           words    <= unsigned(word(31 downto 24));
           upper    <= word(7 downto 0);
           is_wrong <= '0';
-          if read_at /= base or ended /= finished then
+          if is_empty = '0' or ended /= finished then
             state <= numbered;
           end if;
 

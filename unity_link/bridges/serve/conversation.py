@@ -198,8 +198,9 @@ class Conversation:
         def refuse(error: ErrorCode) -> None:
             self._refuse(request, error, plain=plain)
 
+        finishes = lease.is_to_finish(request, codec.highest_address)
         client.hold()
-        self._shared.settle_arm(leases.arm(lease, ArmRequest(client, relay, refuse)))
+        self._shared.settle_arm(leases.arm(lease, ArmRequest(client, finishes, relay, refuse)))
         return True
 
     # The short way for single words

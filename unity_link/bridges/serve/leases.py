@@ -61,6 +61,8 @@ class ArmRequest(NamedTuple):
     """A client's request that would arm."""
 
     client: Tenant
+    finishes: bool
+    """True if it wants what is scheduled to go on when it is silent."""
     relay: Callable[[Callable[[bool], None]], None]
     """Hands it on; takes a function that is called when it is over, with whether it was executed."""
     refuse: Callable[[ErrorCode], None]
@@ -87,9 +89,18 @@ class ClientLease:
         """Addresses that its owner alone writes: the kick, and what it guards."""
         self.owner: Tenant | None = None
         """Client that began the last lease; it may have ended since."""
+        self.finishes = False
+        """As its owner's `ArmRequest` has it."""
         self.is_owed = False
         """True if it is to be disarmed, which the gateway has not been told."""
+        self._choice = (64 - 1) % signals[f"{path}.arm"].word_bits
         self.lock = asyncio.Lock()
+
+    def is_to_finish(self, request: DecodedRequest, highest: int) -> bool:
+        """Return what a request that arms says of silence, by the highest bit of the value."""
+        return any(
+            address == self.arm[-1] and word >> self._choice & 1 for address, word in _written(request, highest)
+        )
 
 
 class Leases:
@@ -125,7 +136,7 @@ class Leases:
 
     def refuses(self, client: Tenant, request: DecodedRequest, highest: int) -> bool:
         """Return whether a request is a write to what another client's lease keeps for that one."""
-        written = set(_written(request, highest))
+        written = {address for address, _ in _written(request, highest)}
         return any(
             lease.owner not in {None, client} and not written.isdisjoint(lease.owned.union(lease.arm))
             for lease in self._leases
@@ -135,7 +146,7 @@ class Leases:
 
     def armed_by(self, request: DecodedRequest, highest: int) -> ClientLease | None:
         """Return the lease that a request would arm: it writes the last word of that register."""
-        written = set(_written(request, highest))
+        written = {address for address, _ in _written(request, highest)}
         return next((lease for lease in self._leases if lease.arm[-1] in written), None)
 
     async def arm(self, lease: ClientLease, request: ArmRequest) -> None:
@@ -159,6 +170,7 @@ class Leases:
                         return
                 # From here on no write of another client is let through, and those that were are executed before it.
                 self._own(lease, client)
+                lease.finishes = request.finishes
                 await self._host.others_have_written(client)
                 await self._relay(request)
                 with contextlib.suppress(UnityLinkError, TimeoutError):
@@ -186,9 +198,13 @@ class Leases:
     # Clients and gateways that go
 
     def left_by(self, client: object) -> list[Coroutine[Any, Any, None]]:
-        """Return what disarms the leases of a client that has gone."""
+        """Return what disarms the leases of a client that has gone, but for those that finish what is scheduled.
+
+        Such a one stays its own, so that nobody writes to what it guards, until another client arms.
+        """
         self._closed.pop(client, None)
-        return [self._disarm(lease, client) for lease in self._leases if lease.owner is client]
+        ending = [lease for lease in self._leases if lease.owner is client and not lease.finishes]
+        return [self._disarm(lease, client) for lease in ending]
 
     async def _disarm(self, lease: ClientLease, client: object) -> None:
         async with lease.lock:
@@ -215,10 +231,11 @@ class Leases:
             lease.is_owed = False
 
 
-def _written(request: DecodedRequest, highest: int) -> Iterator[int]:
-    """Return the addresses that a request writes to."""
+def _written(request: DecodedRequest, highest: int) -> Iterator[tuple[int, int]]:
+    """Return the addresses that a request writes to, each with the last word for it."""
     command, values = request.command, request.values
     if command in _ONE_WORD:
-        yield values[0]
+        words = values[-1]
+        yield values[0], words[-1] if isinstance(words, list) else words
     elif command == "WM":
-        yield from (values[0] + index & highest for index in range(len(values[1])))
+        yield from ((values[0] + index & highest, word) for index, word in enumerate(values[1]))

@@ -91,6 +91,8 @@ class Register(NamedTuple):
     """True where its hardware's side is a vector that a core or a pin has, and no element of a record."""
     armed: str = ""
     """Signal that is '1' while its lease is armed; empty for a register that no lease guards."""
+    finishing: str = ""
+    """Signal that is '1' while its lease is finishing: the bus writes nothing, and its schedule does."""
     places: range = range(0)
     """Its places on the stage of its schedule."""
     chain: str = ""
@@ -102,6 +104,11 @@ class Register(NamedTuple):
         lows = range(0, self.signal.width, STAGE_BITS)
         words = zip(self.places, lows, strict=False)
         return tuple(StageWord(at, min(low + STAGE_BITS, self.signal.width) - 1, low) for at, low in words)
+
+    @property
+    def writable(self) -> str:
+        """Write that the bus may write it, of one that a lease guards."""
+        return f"{self.armed} and not {self.finishing}" if self.finishing else self.armed
 
     @property
     def got_bits(self) -> str:
@@ -187,7 +194,8 @@ class BankWord(NamedTuple):
     def allowed(self) -> str:
         """Write whether an access is allowed."""
         if self.armed:
-            return f"not wb_we or {self.armed}" if self.read else f"wb_we and {self.armed}"
+            writable = next(register.writable for register in self.written)
+            return f"not wb_we or ({writable})" if self.read else f"wb_we and {writable}"
         return "'1'" if self.read and self.written else "wb_we" if self.written else "not wb_we"
 
     @property
@@ -285,14 +293,19 @@ class Bank:
                 self.names[path],
                 _wires(signal, self.names[path]) if path in wired else self.records.pins[path],
                 is_wired=path in wired,
-                armed=f"{_wires(signals[lease], self.names[lease]).given}(0)" if (lease := _armed_by(signal)) else "",
+                armed=self._of_lease(signal, "armed"),
+                finishing=self._of_lease(signal, "finishing"),
                 places=interface.stages.get(path, range(0)),
             )
             for path, signal in signals.items()
         )
-        armed = {_armed_by(register.signal) for register in self.registers}
-        self.leases = tuple(register for register in self.registers if register.signal.path in armed)
+        leases = {register.signal.safe.lease for register in self.registers if register.signal.safe}
+        self.leases = tuple(one for one in self.registers if one.signal.path in {f"{path}.armed" for path in leases})
         """Registers that tell whether the leases are armed that guard others."""
+        self.finishing = {
+            path: one for one in self.registers for path in leases if one.signal.path == f"{path}.finishing"
+        }
+        """Registers that tell whether these are finishing, by the paths of the leases."""
         self.stages = tuple(self._stages())
         self.words = tuple(_words(self.registers))
         self.page = (
@@ -305,6 +318,12 @@ class Bank:
         wires = {register.signal.path: register.pins for register in self.registers if register.is_wired}
         masters = (f"{port.name}_{pin}" for port in self.ports for pin in MASTER_PINS)
         self.wiring = Wiring(interface, wires, {stage.path: stage.name for stage in self.stages}, self._scope, masters)
+
+    def _of_lease(self, signal: Signal, register: str) -> str:
+        """Return a bit that the lease of a signal tells; empty where it has no lease, or that no such register."""
+        path = f"{signal.safe.lease}.{register}" if signal.safe is not None else ""
+        told = self.interface.signals.get(path)
+        return f"{_wires(told, self.names[path]).given}(0)" if told is not None else ""
 
     def _stages(self) -> Iterator[Stage]:
         for part in self.interface.cores:
@@ -423,11 +442,6 @@ def is_bit(register: Register) -> bool:
 def is_bool(register: Register) -> bool:
     """Return whether hardware's side of a register is a single bit."""
     return register.signal.kind.name is KindName.BOOL and not register.is_wired
-
-
-def _armed_by(signal: Signal) -> str:
-    """Return the path of the signal that tells whether the lease of a signal is armed; empty where it has none."""
-    return f"{signal.safe.lease}.armed" if signal.safe is not None else ""
 
 
 def _wires(signal: Signal, name: str) -> Pins:

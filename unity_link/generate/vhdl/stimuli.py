@@ -61,7 +61,7 @@ class Stimuli:
             ("After reset, each register has the value of its RESET, or 0.", self._reset()),
             *((f"What hardware gives can be read, round {one}.", self._reads(one)) for one in range(1, ROUNDS + 1)),
             *((f"What is written reaches hardware, round {one}.", self._writes(one)) for one in range(1, ROUNDS + 1)),
-            ("While a lease is not armed, what it guards is safe, and refuses to be written.", self._leases()),
+            ("While a lease is not armed, what it guards is safe, and refuses to be written; it refuses that also while finishing.", self._leases()),
             ("What a schedule writes is taken over at once, while its lease is armed.", self._schedules()),
             ("Fields of one word are written by reading it first.", self._fields()),
             ("Accesses in a row take a cycle each.", self._rows()),
@@ -152,6 +152,8 @@ class Stimuli:
     def _reset(self) -> Iterator[str]:
         for lease in self._bank.leases:
             yield self._give(lease, 1)
+        for finishing in self._bank.finishing.values():
+            yield self._give(finishing, 0)
         for register in self._bank.registers:
             if register.is_register:
                 yield self._see(register)
@@ -170,6 +172,8 @@ class Stimuli:
         kind, path = register.signal.kind, register.signal.path
         if register in self._bank.leases:
             return 1
+        if register in self._bank.finishing.values():
+            return 0
         if kind.enumeration is not None:
             return self._chance(round_, path).choice(kind.enumeration.values).value
         return self._number(kind.width, round_, path)
@@ -209,6 +213,13 @@ class Stimuli:
                 yield from [self._read(word.address)] * (word in readable)
             yield from (self._give(lease, 1), "pass(2);")
             yield from (self._see(register) for register in guarded)
+            if path in self._bank.finishing:
+                for word in words:
+                    yield from self._write(word, self._number(self._data_bits, 2, path, word.address))
+                yield from (self._give(self._bank.finishing[path], 1), "pass(2);")
+                yield from (f"refuse({self._at(word.address)}, '1');" for word in words)
+                yield from (self._see(register) for register in guarded)
+                yield from (self._give(self._bank.finishing[path], 0), "pass(2);")
 
     def _schedules(self) -> Iterator[str]:
         for stage in self._bank.stages:

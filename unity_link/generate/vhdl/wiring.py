@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from unity_link.generate.vhdl.records import Pins
     from unity_link.spec import ComponentSpec, Core, Interface, Signal
 
+EMPTY = "empty"
+"""Port of a schedule's entity, an output, and of a lease's, which looks at it."""
 STAGE_PORTS = {
     "stage_write": "std_logic",
     "stage_index": "std_logic_vector(15 downto 0)",
@@ -143,7 +145,10 @@ class Wiring:
         for signal in interface.signals.values():
             if signal.pin is not None and signal.path in wires:
                 self._pin_register(signal)
-        for placements in _gathered(interface.cores):
+        self._empty: dict[str, str] = {}
+        """Signals that tell whether schedules are empty, by the paths of these."""
+        # Leases look at them.
+        for placements in sorted(_gathered(interface.cores), key=lambda parts: EMPTY in _wants(parts)):
             self.instances.append(self._instance(placements))
 
     @property
@@ -188,8 +193,15 @@ class Wiring:
         if core.stages:
             stage = self._stages.get(first.path)
             joined |= {port: "open" if stage is None else f"{stage}_{port}" for port in STAGE_PORTS}
-        if "armed" in core.wants:
-            wires.append(self._wire(label, "armed", 0, [self._armed(part) for part in placements], drives=True))
+        for want, otherwise in (("armed", "'1'"), ("finishing", "'0'")):
+            if want in core.wants:
+                given = [self._of_lease(part, want, otherwise) for part in placements]
+                wires.append(self._wire(label, want, 0, given, drives=True))
+        if core.stages:
+            wires.append(self._wire(label, EMPTY, 0, [""], drives=False))
+            self._empty[first.path] = f"{wires[-1].signal}(0)"
+        elif EMPTY in core.wants:
+            wires.append(self._wire(label, EMPTY, 0, [self._all_empty(part) for part in placements], drives=True))
         return Instance(
             label,
             core.library,
@@ -204,7 +216,7 @@ class Wiring:
         """Refuse names of ports that VHDL, or the contract of cores, has another meaning for."""
         others = [*(pin.name for pin in core.pins), *(trigger.name for trigger in core.triggers)]
         for name in [*component.rows, *others]:
-            taken = {"clk", "rst", *core.wants, *(STAGE_PORTS if core.stages else ())}
+            taken = {"clk", "rst", *core.wants, *((*STAGE_PORTS, EMPTY) if core.stages else ())}
             if name.lower() in RESERVED or name.lower() in taken:
                 what = "a word of VHDL" if name.lower() in RESERVED else "a port that it has for something else"
                 raise UnsupportedError(
@@ -222,12 +234,17 @@ class Wiring:
         else:
             yield self._wire(label, name, width, [self._wires[one.path].given for one in signals], drives=False)
 
-    def _armed(self, part: ComponentSpec) -> str:
-        """Return what is '1' while the lease of a component, or of what it writes, is armed; or always."""
+    def _of_lease(self, part: ComponentSpec, register: str, otherwise: str) -> str:
+        """Return a bit of the lease of a component, or of what it writes; without one, another value."""
         timed = (signal for signal in self._interface.signals.values() if signal.timed == part.path)
         leases = (signal.safe.lease for signal in (*part.signals, *timed) if signal.safe is not None)
         lease = next(leases, None)
-        return "'1'" if lease is None else f"{self._wires[f'{lease}.armed'].given}(0)"
+        wires = self._wires.get(f"{lease}.{register}")
+        return otherwise if wires is None else f"{wires.given}(0)"
+
+    def _all_empty(self, lease: ComponentSpec) -> str:
+        """Return what is '1' while all schedules are empty that write what a lease guards."""
+        return " and ".join(self._empty[path] for path in self._interface.schedules_of(lease.path)) or "'1'"
 
     def _of_trigger(self, label: str, placements: list[ComponentSpec], index: int) -> EntityPort:
         triggers = [part.core.triggers[index] for part in placements if part.core is not None]
@@ -264,6 +281,10 @@ class Wiring:
             if name:
                 joins.append((bits, name) if drives else (name, bits))
         return EntityPort(port, signal, len(names) * max(width, 1), tuple(joins))
+
+
+def _wants(parts: list[ComponentSpec]) -> tuple[str, ...]:
+    return parts[0].core.wants if parts[0].core is not None else ()
 
 
 def _gathered(parts: Iterable[ComponentSpec]) -> list[list[ComponentSpec]]:

@@ -4,7 +4,8 @@
  * prolongs nothing. The clock is read first, and the end counts from that.
  */
 
-enum { LEASE_TIME_BITS = 40, LEASE_TOKEN_BITS = 24 };
+/* Above the token stands what the owner wants on silence. */
+enum { LEASE_TIME_BITS = 40, LEASE_TOKEN_BITS = 23 };
 
 static ul_status fail_lease(ul_link *link, const ul_lease *lease, const char *reason)
 {
@@ -22,7 +23,9 @@ static ul_status look_at_lease(ul_link *link, const ul_lease *lease, uint64_t *c
     ul_status status = ul_finish(link, &batch);
     if (status != UL_OK) return status;
     *clock = ul_decode_unsigned(&lease->clock->signal, clock_words);
-    *armed = ul_decode_unsigned(&lease->armed->signal, armed_words) != 0;
+    /* They stand in one word; a lease that is finishing takes nothing from anybody. */
+    *armed = ul_decode_unsigned(&lease->armed->signal, armed_words) != 0 &&
+             ul_decode_unsigned(&lease->finishing->signal, armed_words) == 0;
     *arms = ul_decode_unsigned(&lease->arms->signal, arms_words);
     return UL_OK;
 }
@@ -44,6 +47,7 @@ ul_status ul_lease_arm(ul_link *link, ul_lease *lease, double seconds)
     lease->seconds = seconds;
     /* Another one at each instant of three seconds and more; it keeps programs apart, and is no secret. */
     lease->token = (clock * UINT64_C(0x9E3779B97F4A7C15)) >> (64 - LEASE_TOKEN_BITS);
+    if (lease->finishes) lease->token |= UINT64_C(1) << LEASE_TOKEN_BITS;
     status = ul_set_unsigned(link, lease->arm, lease_word(link, lease, clock));
     if (status != UL_OK) return status;
     status = look_at_lease(link, lease, &clock, &armed, &after);
@@ -51,8 +55,11 @@ ul_status ul_lease_arm(ul_link *link, ul_lease *lease, double seconds)
     lease->count = after;
     if (armed && after == ((before + 1) & 0xFFFF)) return UL_OK;
     return fail_lease(link, lease, armed ? "it cannot be armed: another program has armed it"
-                                         : "it was not armed: its e-stop is open, the line takes longer than the lease, "
-                                           "or that is longer than TIMEOUT of the spec");
+                         : lease->finishes
+                             ? "it was not armed: its e-stop is open, the line takes longer than the lease, that is longer "
+                               "than TIMEOUT of the spec, the spec has no FINISH, or that of another program is finishing"
+                             : "it was not armed: its e-stop is open, the line takes longer than the lease, that is longer "
+                               "than TIMEOUT of the spec, or that of another program is finishing");
 }
 
 ul_status ul_lease_kick(ul_link *link, ul_lease *lease)
@@ -61,7 +68,7 @@ ul_status ul_lease_kick(ul_link *link, ul_lease *lease)
     bool armed;
     ul_status status = look_at_lease(link, lease, &clock, &armed, &arms);
     if (status != UL_OK) return status;
-    if (!armed || arms != lease->count) return fail_lease(link, lease, "it is not armed any more: what it guards is safe");
+    if (!armed || arms != lease->count) return fail_lease(link, lease, "it is not armed any more: what it guards is safe, or finishes");
     return ul_set_unsigned(link, lease->kick, lease_word(link, lease, clock));
 }
 
