@@ -212,11 +212,17 @@ async def test_a_gpio_counts_edges_and_is_driven_under_a_lease_alone(rover: Rove
         await asyncio.sleep(0.001)
         assert await robot.line.level.get() is True
         assert await robot.line.edges.get() == 1
+        rover.ports["line_pin_in"].drive(0)
         async with robot.drive.armed(timeout=0.05):
             await robot.line.output.set(True)
             await robot.line.drive.set(True)
             assert rover.see("line_pin_out", "line_pin_oe") == (1, 1)
+            # As at a pad: it reads what it drives.
+            await asyncio.sleep(0.001)
+            assert await robot.line.level.get() is True
         assert rover.see("line_pin_oe") == (0,)
+        await asyncio.sleep(0.001)
+        assert await robot.line.level.get() is False
 
 
 class Plant(SimulatedRobot):

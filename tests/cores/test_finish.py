@@ -58,7 +58,7 @@ class World:
 
 
 @pytest.fixture
-def world(rtl: bool, tmp_path: Path) -> World:  # noqa: FBT001  (a parameter of tests)
+def world(rtl: bool, tmp_path: Path) -> World:
     made = World(tmp_path, rtl=rtl)
     made.close_estop()
     return made
@@ -68,7 +68,7 @@ async def schedule(robot: Any, rows: int, every: float) -> Instant:
     """Schedule rows 1, 2 and on from 10 ms ahead, and return the instant of the last one."""
     clock = await robot.plan.clock()
     first = clock.now().after(0.01)
-    instants = [first.after(row * every) for row in range(rows)]
+    instants: list[Instant] = [first.after(row * every) for row in range(rows)]
     for row, instant in enumerate(instants, 1):
         await robot.duty.set(row, at=instant)
     return instants[-1]
@@ -268,7 +268,7 @@ with blocking.connect(url) as link:
         for row in range(1, 21):
             robot.duty.set(row, at=start.after(0.3 + row / 10))
         lease.kick()
-        # A call that waits for its answer sends all that was put in before; 4 words of each, the first one is being read.
+        # A call that waits for its answer sends all that was put in before: 4 words each, one is being read.
         assert robot.plan.room.get() <= 512 - 19 * 4
         print("moving", flush=True)
         input()
@@ -292,7 +292,12 @@ def test_what_a_program_has_scheduled_runs_out_behind_a_server_when_it_was_kille
                 if way == "kill":
                     program.kill()
                 seen = set[int]()
-                wait_until(lambda: seen.add(robot.duty.get()) or not robot.drive.armed_.get())
+
+                def is_over() -> bool:
+                    seen.add(robot.duty.get())
+                    return not robot.drive.armed_.get()
+
+                wait_until(is_over)
                 assert max(seen) in {19, 20}
                 assert robot.duty.get() == -1
                 assert robot.drive.reason.get().name == "silence"

@@ -729,3 +729,33 @@ def test_what_a_generated_module_knows_of_a_core_is_what_the_spec_says() -> None
     interface = compiled().interface()
     read = read_interface(model_text(interface))
     assert [component.core for component in read.cores] == [component.core for component in interface.cores]
+
+
+@on_simulated_time
+async def test_a_program_that_looks_on_sees_each_change_of_a_lease_with_its_time() -> None:
+    text = TEXT.replace("LEASE(TIMEOUT=0.1)", "LEASE(TIMEOUT=0.1, GROUP=safety)").replace(
+        "group bare", "group safety(RATE=200, ON_CHANGE, TIMESTAMPS);\ngroup bare"
+    )
+    world = World(text)
+    async with unity_link.connect(world.gateway) as link:
+        robot = world.kind(link)
+        drive, seen = robot.drive, []
+        async with robot.groups["safety"].subscribe() as samples:
+            async with robot.armed(timeout=0.02):
+                await asyncio.sleep(0.01)
+            await asyncio.sleep(0.01)
+            async with robot.armed(timeout=0.02):
+                await asyncio.sleep(0.05)
+            async for sample in samples:
+                seen.append((sample[drive.state].name, sample[drive.reason].name))
+                if seen[-1][0] == "fault":
+                    break
+        assert seen[-4:] == [
+            ("armed", "none_yet"),
+            ("disarmed", "disarmed"),
+            ("armed", "disarmed"),
+            ("fault", "silence"),
+        ]
+        assert sample[drive.fault_time] == await drive.fault_time.get() > 0
+        assert sample.time is not None
+        assert sample.time == pytest.approx(sample[drive.fault_time] / HZ, abs=0.01)

@@ -253,8 +253,18 @@ FAULTS = {
 
 
 OF_CORES = {
-    "a write without a lease": (r"if drive_armed_from_core\(0\) = '1' then", "if true then"),
-    "a write without a lease that is answered": (r"not wb_we or drive_armed_from_core\(0\)", "'1'"),
+    "a write without a lease": (
+        r"if \(drive_armed_from_core\(0\) and not drive_finishing_from_core\(0\)\) = '1' then",
+        "if not drive_finishing_from_core(0) = '1' then",
+    ),
+    "a write without a lease that is answered": (
+        r"not wb_we or \(drive_armed_from_core\(0\) and not drive_finishing_from_core\(0\)\)",
+        "'1'",
+    ),
+    "a write while a lease is finishing": (
+        r"if \(drive_armed_from_core\(0\) and not drive_finishing_from_core\(0\)\) = '1' then",
+        "if drive_armed_from_core(0) = '1' then",
+    ),
     "a lease that guards what another one does": (r"spare_armed_from_core\(0\)( = '0')", r"drive_armed_from_core(0)\1"),
     "a register that is not made safe": (r"gait_bits +<= \"0101\";\n +end if;", "null; end if;"),
     "a register with another value after reset": (r'row_bits +<= "0101"', 'row_bits <= "0111"'),

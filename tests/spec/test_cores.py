@@ -183,7 +183,7 @@ def test_timed_signals_have_places_on_the_stage_of_their_schedule_in_the_order_o
     assert interface.signals["never.wide"].timed is None
     core = interface.cores[0].core
     assert core is not None
-    assert set(core.wants) == {"now", "stage", "armed"}
+    assert set(core.wants) == {"now", "stage", "armed", "finishing"}
 
 
 def test_every_installed_core_is_a_component_with_an_entity() -> None:

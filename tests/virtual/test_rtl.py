@@ -7,6 +7,11 @@ import ctypes
 import itertools
 import os
 import random
+import select
+import signal
+import subprocess
+import sys
+import time
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING
 
@@ -443,6 +448,43 @@ async def test_a_cancelled_compilation_ends_the_compiler_and_what_it_started(
     assert await asyncio.wait_for(asyncio.to_thread(os.read, watch, 1), 60) == b""
     os.close(watch)
     assert list((tmp_path / "cache" / "unity-link" / "rtl").iterdir()) == []
+
+
+@pytest.mark.parametrize("way", ["SIGTERM", "SIGKILL"])
+def test_a_program_that_is_ended_by_a_signal_leaves_no_compiler(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, way: str
+) -> None:
+    started, ended = tmp_path / "started", tmp_path / "ended"
+    os.mkfifo(started)
+    os.mkfifo(ended)
+    compiler(monkeypatch, tmp_path, f'[ "$1" = --version ] || sh -c "exec 3>{ended}; echo >{started}; sleep 1000"')
+    watch = os.open(ended, os.O_RDONLY | os.O_NONBLOCK)
+    text = (
+        "from unity_link.virtual.rtl import compiling, configurations\ncompiling.compiled(configurations()['minimal'])"
+    )
+    with subprocess.Popen([sys.executable, "-c", text], stderr=subprocess.DEVNULL) as program:
+        started.read_text()
+        program.send_signal(signal.Signals[way])
+        assert program.wait() != 0
+    # Not to wait for ever where somebody is left.
+    ready, _, _ = select.select([watch], [], [], 60)
+    assert ready
+    assert os.read(watch, 1) == b""
+    os.close(watch)
+
+
+def test_what_a_killed_program_has_left_in_the_cache_is_removed_when_it_is_old(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    folder = tmp_path / "cache" / "unity-link" / "rtl"
+    for name, age in (("tmpold", 2 * 24 * 3600), ("tmpnew", 60)):
+        (folder / name).mkdir(parents=True)
+        (folder / name / "model.cc").touch()
+        os.utime(folder / name, (time.time() - age,) * 2)
+    compiler(monkeypatch, tmp_path, "exit 1")
+    with pytest.raises(ConnectError, match="could not be compiled"):
+        compiling.compiled(configurations()["minimal"])
+    assert [path.name for path in folder.iterdir()] == ["tmpnew"]
 
 
 def test_two_programs_may_compile_at_once(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

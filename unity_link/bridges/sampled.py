@@ -16,15 +16,16 @@ class SampledGroup(NamedTuple):
     group: Group
 
 
-def sampled_groups(robot: Robot, poll_hz: float | None = None) -> list[SampledGroup]:
+def sampled_groups(robot: Robot, poll_hz: float | None = None, *, is_needed: bool = True) -> list[SampledGroup]:
     """Return the groups of a robot that the gateway publishes or the host polls, in the order of the spec.
 
     Args:
         robot: a robot of any spec.
         poll_hz: also poll, so often, every register that can be read and is in none of them.
+        is_needed: False where there may be none.
 
     Raises:
-        ArgumentError: where there is nothing at all.
+        ArgumentError: where there is none that is needed.
     """
     from unity_link.data.blocking import View
 
@@ -51,7 +52,7 @@ def sampled_groups(robot: Robot, poll_hz: float | None = None) -> list[SampledGr
             found[f"poll_{proxy.signal.poll_hz:g}_hz".replace(".", "_")] = group
     if poll_hz is not None and rest:
         found["rest"] = Group.polled(poll_hz, rest)
-    if not found:
+    if is_needed and not found:
         raise ArgumentError(
             f"nothing says when signals of {robot.interface.name} are to be sampled: give PUBLISH or POLL in the spec, "
             "or a rate to poll all of them"

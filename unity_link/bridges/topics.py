@@ -167,12 +167,14 @@ class PublishedGroup(NamedTuple):
 
 
 def published_groups(robot: Robot, poll_hz: float | None = None) -> list[PublishedGroup]:
-    """Return what a robot publishes, as topics.
+    """Return what a robot publishes, as topics; nothing is enough where it has something to be written.
 
     Raises:
-        ArgumentError: where there is nothing.
+        ArgumentError: where it has neither.
     """
-    sampled = sampled_groups(robot, poll_hz)
+    sampled = sampled_groups(robot, poll_hz, is_needed=False)
+    if not any(isinstance(proxy, Writable) for proxy in robot.signals):
+        sampled = sampled_groups(robot, poll_hz)
     several = sum(group.model is not None and bool(group.model.joints) for _, group in sampled) > 1
     names = topic_names(robot.interface)
     found = []

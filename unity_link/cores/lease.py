@@ -317,7 +317,11 @@ class Lease(Sealed):
         if is_mine:
             return
         if before.armed or after.armed:
-            how = "that of another program is finishing" if before.state == "finishing" else "another program has armed it"
+            how = (
+                "that of another program is finishing"
+                if before.state == "finishing"
+                else "another program has armed it"
+            )
             raise NotArmedError(f"{registers.name} cannot be armed: {how}", "taken")
         if error is not None:
             raise error
@@ -589,7 +593,12 @@ class LeaseModel(Model):
                 return
         may = token == self._token if part.armed else is_arm
         # It acts two cycles later, and an end that has come by then is none.
-        if not may or part.estop_open or not 3 <= ahead <= self._cycles("most_us", 100_000) or (part.armed and now + ahead <= self._end):
+        if (
+            not may
+            or part.estop_open
+            or not 3 <= ahead <= self._cycles("most_us", 100_000)
+            or (part.armed and now + ahead <= self._end)
+        ):
             return
         part.arms = (part.arms + (not part.armed)) % MOST_ARMS
         part.armed, part.state, part.enable = True, "armed", 1

@@ -120,8 +120,8 @@ class Core(msgspec.Struct, frozen=True, kw_only=True):
     vhdl: tuple[str, ...] = ()
     """Files of its VHDL, in the folder of a core that is not installed with the gateware."""
     wants: tuple[str, ...] = ()
-    """Ports beside clock, reset and signals: ``tick``, ``now``, ``armed``, those of a schedule (``stage`` and ``finishing``),
-    and ``empty`` of a lease, which tells that nothing waits in the schedules of what it guards."""
+    """Ports beside clock, reset and signals: ``tick``, ``now``, ``armed``, those of a schedule (``stage`` and
+    ``finishing``), and ``empty`` of a lease, which tells that nothing waits in the schedules of what it guards."""
     generics: dict[str, int | bool | str] = {}
     per_axis: tuple[str, ...] = ()
     """Those generics that come as a list, `integer_vector`, with the value of each placement."""

@@ -3,8 +3,8 @@
 They do what the register bank does that `unity-link generate vhdl` makes: reads of what is only written, writes of what
 is only read, and accesses to addresses without a signal are bus errors; a value of several words is read from the
 instant of its first one, and is written with its last. A signal with SAFE refuses to be written while its lease is not
-armed, or is finishing. Beyond that, a write outside of MIN and MAX is a bus error too, which the log explains. Addresses
-of hardware modules are memory, those of FIFO ports are queues.
+armed, or is finishing. Beyond that, a write outside of MIN and MAX is a bus error too, which the log explains.
+Addresses of hardware modules are memory, those of FIFO ports are queues.
 """
 
 from __future__ import annotations

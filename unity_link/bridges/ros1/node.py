@@ -51,7 +51,7 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
 
     Raises:
         ConnectError: where ROS 1 is not installed.
-        ArgumentError: where the spec publishes nothing and `poll_hz` is not given; for a namespace that ROS does not
+        ArgumentError: where nothing is published, polled or can be written; for a namespace that ROS does not
             take; where the master is on another machine, and ROS_IP does not say how this one is reached.
     """
 

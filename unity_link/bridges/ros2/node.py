@@ -38,7 +38,7 @@ class Ros2Bridge(RosBridge["Ros2Outlet"]):
         report: is told in a sentence what a person should know.
 
     Raises:
-        ArgumentError: where the spec publishes nothing and no rate to poll is given; for a namespace that ROS does not
+        ArgumentError: where nothing is published, polled or can be written; for a namespace that ROS does not
             take, or settings of a topic that there is not.
         ConnectError: where CycloneDDS is not installed.
     """

@@ -98,9 +98,7 @@ class ClientLease:
 
     def is_to_finish(self, request: DecodedRequest, highest: int) -> bool:
         """Return what a request that arms says of silence, by the highest bit of the value."""
-        return any(
-            address == self.arm[-1] and word >> self._choice & 1 for address, word in _written(request, highest)
-        )
+        return any(address == self.arm[-1] and word >> self._choice & 1 for address, word in _written(request, highest))
 
 
 class Leases:

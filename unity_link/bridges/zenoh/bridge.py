@@ -101,8 +101,7 @@ class ZenohBridge:
         """Be the bridge until it is cancelled.
 
         Raises:
-            ArgumentError: for an endpoint that Zenoh does not take, or a spec that publishes nothing where `poll_hz` is
-                not given.
+            ArgumentError: for an endpoint that Zenoh does not take.
             ConnectError: where another bridge has the prefix, no session can be opened, or the link ends for good.
         """
         if isinstance(self._target, DriverUrl):
@@ -127,7 +126,7 @@ class ZenohBridge:
         try:
             await _open(link, shared)
             robot = await robot_behind(link, self._robot_type)
-            groups = sampled_groups(robot, self._poll_hz)
+            groups = sampled_groups(robot, self._poll_hz, is_needed=False)
             self._samples = [Samples(session, prefix, sampled, self._every, self._report) for sampled in groups]
             self._signals = ZenohSignals(session, prefix, robot, shared, self._report)
             streams = Streams(session, prefix, shared)
@@ -137,7 +136,7 @@ class ZenohBridge:
                         for samples in self._samples:
                             tasks.create_task(samples.run())
                         tasks.create_task(self._signals.run())
-                        names, signals = ", ".join(sampled.name for sampled in groups), len(robot.signals)
+                        names, signals = ", ".join(sampled.name for sampled in groups) or "nothing", len(robot.signals)
                         self._report(f"{robot.interface.name} at {prefix}: {names} published, {signals} signals")
             finally:
                 streams.close()

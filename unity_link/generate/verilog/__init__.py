@@ -14,7 +14,7 @@ from unity_link.errors import ArgumentError
 from unity_link.gateware.limits import check_generics
 from unity_link.gateware.release import release
 from unity_link.generate import GeneratedFile, write
-from unity_link.generate.verilog.flat import MEDIA, OtherPort, flat_ports, triggers
+from unity_link.generate.verilog.flat import MEDIA, OtherPort, flat_ports, pads, triggers
 from unity_link.generate.vhdl import FILTERS as VHDL_FILTERS
 from unity_link.generate.vhdl import files as vhdl_files
 from unity_link.generate.vhdl import gateway_generics
@@ -81,7 +81,12 @@ def files(interface: Interface, templates: Templates, options: Options) -> Itera
 
 
 def flat_design(
-    interface: Interface, templates: Templates, generics: Mapping[str, str], others: Sequence[OtherPort]
+    interface: Interface,
+    templates: Templates,
+    generics: Mapping[str, str],
+    others: Sequence[OtherPort],
+    *,
+    has_pads: bool = False,
 ) -> list[GeneratedFile]:
     """Return the VHDL of a gateway with its register bank behind the entity ``NAME_flat``, which has no records.
 
@@ -90,6 +95,7 @@ def flat_design(
         templates: of this target.
         generics: of the gateway that the entity has, with type and default.
         others: ports of the gateway that the entity has beside those of the signals and of the Wishbone masters.
+        has_pads: have a pin of both directions read the level that it drives, as at a pad, where it drives one.
 
     Raises:
         UnsupportedError: where addresses belong to two modules alike.
@@ -105,5 +111,6 @@ def flat_design(
         generics=generics,
         others=others,
         ports=list(flat_ports(bank, others)),
+        pads=pads(bank, others) if has_pads else [],
     )
     return [*(file for file in vhdl if file.name in wanted), GeneratedFile(f"{name}_flat.vhd", flat)]

@@ -7,11 +7,13 @@ from typing import TYPE_CHECKING, NamedTuple
 from unity_link.generate.vhdl.bank import MASTER_PINS
 from unity_link.generate.vhdl.names import Scope
 from unity_link.generate.vhdl.types import to_bits
+from unity_link.spec import Way
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
     from unity_link.generate.vhdl.bank import Bank, Register
+    from unity_link.generate.vhdl.wiring import PinPort
 
 
 class FlatPort(NamedTuple):
@@ -84,13 +86,24 @@ def flat_ports(bank: Bank, others: Iterable[OtherPort]) -> Iterator[FlatPort]:
         bank: of an interface.
         others: ports that stand beside them, whose names are taken.
     """
-    decoders = (enumeration.decode for enumeration in bank.enumerations.values())
-    masters = (f"{port.name}_{pin}" for port in bank.ports for pin in MASTER_PINS)
-    pins = (name for pin in bank.wiring.pins for name, _ in pin.ports)
-    scope = Scope(*_TAKEN, *(port.name for port in others), *decoders, *masters, *pins)
+    scope = _scope(bank, others)
     for register in bank.registers:
         if not register.is_wired:
             yield from _of(register, bank, scope)
+
+
+def pads(bank: Bank, others: Iterable[OtherPort]) -> list[tuple[PinPort, str]]:
+    """Return the pins of both directions, each with a name for the level at its pad."""
+    scope = _scope(bank, others)
+    scope.take(*(port.name for port in flat_ports(bank, others)))
+    return [(pin, scope.unique(f"{pin.name}_pad")) for pin in bank.wiring.pins if pin.way is Way.INOUT]
+
+
+def _scope(bank: Bank, others: Iterable[OtherPort]) -> Scope:
+    decoders = (enumeration.decode for enumeration in bank.enumerations.values())
+    masters = (f"{port.name}_{pin}" for port in bank.ports for pin in MASTER_PINS)
+    pins = (name for pin in bank.wiring.pins for name, _ in pin.ports)
+    return Scope(*_TAKEN, *(port.name for port in others), *decoders, *masters, *pins)
 
 
 _TAKEN = ("from_hardware", "to_hardware", "physical", "clock_hz", "baud", "to_bits", "work", "ieee")

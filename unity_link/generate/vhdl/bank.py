@@ -194,9 +194,13 @@ class BankWord(NamedTuple):
     def allowed(self) -> str:
         """Write whether an access is allowed."""
         if self.armed:
-            writable = next(register.writable for register in self.written)
-            return f"not wb_we or ({writable})" if self.read else f"wb_we and {writable}"
+            return f"not wb_we or ({self.writable})" if self.read else f"wb_we and {self.writable}"
         return "'1'" if self.read and self.written else "wb_we" if self.written else "not wb_we"
+
+    @property
+    def writable(self) -> str:
+        """Write that the lease of the word allows writes; empty where no lease guards it."""
+        return next((register.writable for register in self.written), "")
 
     @property
     def armed(self) -> str:

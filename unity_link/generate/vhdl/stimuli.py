@@ -61,7 +61,10 @@ class Stimuli:
             ("After reset, each register has the value of its RESET, or 0.", self._reset()),
             *((f"What hardware gives can be read, round {one}.", self._reads(one)) for one in range(1, ROUNDS + 1)),
             *((f"What is written reaches hardware, round {one}.", self._writes(one)) for one in range(1, ROUNDS + 1)),
-            ("While a lease is not armed, what it guards is safe, and refuses to be written; it refuses that also while finishing.", self._leases()),
+            (
+                "While a lease is not armed, what it guards is safe and not written, nor is it while finishing.",
+                self._leases(),
+            ),
             ("What a schedule writes is taken over at once, while its lease is armed.", self._schedules()),
             ("Fields of one word are written by reading it first.", self._fields()),
             ("Accesses in a row take a cycle each.", self._rows()),

@@ -17,6 +17,7 @@ import shutil
 import signal
 import subprocess
 import tempfile
+import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -36,6 +37,14 @@ _SHIM = _HERE / "shim.cc"
 _COMPILERS = ("c++", "g++", "clang++")
 # Of what compilers offer, -O3 makes the quickest gateware: twice that of -O2.
 _OPTIONS = ("-O3", "-std=c++14", "-shared", "-fPIC")
+_WATCHED = (
+    'exec 3<&0; (cat <&3; kill -9 0) >/dev/null 2>&1 & exec 3<&-; "$@" </dev/null; status=$?; kill $!; exit $status'
+)
+"""Runs a command for `sh`, and kills the process group as soon as nobody can write to its input any more: a program
+that a signal ends has no time to do so."""
+_UNFINISHED = "tmp"
+_STALE = 24 * 3600
+"""Seconds after which a folder that nobody has finished is removed."""
 log = logging.getLogger("unity_link.rtl")
 
 
@@ -92,7 +101,10 @@ class _Plan(msgspec.Struct, frozen=True):
         log.warning("compiling the gateware by %s: once, this takes a while", self.compiler[0])
         try:
             self.library.parent.mkdir(parents=True, exist_ok=True)
-            with tempfile.TemporaryDirectory(dir=self.library.parent, ignore_cleanup_errors=True) as scratch:
+            _remove_stale(self.library.parent)
+            with tempfile.TemporaryDirectory(
+                dir=self.library.parent, prefix=_UNFINISHED, ignore_cleanup_errors=True
+            ) as scratch:
                 built, model = Path(scratch, self.library.name), Path(scratch, "model.cc")
                 model.write_bytes(text)
                 named = f'-DUL_MODEL="{model}"'
@@ -111,22 +123,38 @@ class _Plan(msgspec.Struct, frozen=True):
 
 @contextlib.contextmanager
 def running(command: list[str], environment: Mapping[str, str] | None = None) -> Iterator[subprocess.Popen[bytes]]:
-    """Run a command that does not outlive the block, nor do the processes that it starts."""
-    process = subprocess.Popen(  # noqa: S603
-        command,
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.PIPE,
-        process_group=0,
-        env=environment,
-    )
+    """Run a command that outlives neither the block nor this process, nor do the processes that it starts."""
+    held, alive = os.pipe()
+    try:
+        process = subprocess.Popen(  # noqa: S603
+            ["/bin/sh", "-c", _WATCHED, "sh", *command],
+            stdin=held,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            process_group=0,
+            env=environment,
+        )
+    except BaseException:
+        os.close(alive)
+        raise
+    finally:
+        os.close(held)
     try:
         yield process
     finally:
+        os.close(alive)
         if process.poll() is None:
             with contextlib.suppress(ProcessLookupError):
                 os.killpg(process.pid, signal.SIGKILL)
             process.wait()
+
+
+def _remove_stale(folder: Path) -> None:
+    """Remove what programs that were killed have left of a compilation."""
+    for left in folder.glob(f"{_UNFINISHED}*/"):
+        with contextlib.suppress(OSError):
+            if time.time() - left.stat().st_mtime > _STALE:
+                shutil.rmtree(left)
 
 
 def compiler() -> list[str]:

@@ -133,7 +133,9 @@ def _design_of(interface: Interface, generics: Mapping[str, int]) -> Design:
     given = {"physical": 'string := "fifo"', "flow_control": "boolean := true"}
     left = _OF_THE_BANK if interface.is_described else _OF_THE_BANK | {"description"}
     given |= {name: _declared(name, value) for name, value in generics.items() if name not in left}
-    files = flat_design(interface, Templates("verilog", None, {}), given, [*FIFO, triggers(generics["groups"])])
+    files = flat_design(
+        interface, Templates("verilog", None, {}), given, [*FIFO, triggers(generics["groups"])], has_pads=True
+    )
     masters = tuple((port.name, port.first) for port in Bank(interface).ports)
     own = ((f"core_{number}.vhd", read_vhdl(Path(path))) for number, path in enumerate(interface.vhdl))
     return Design((*own, *((file.name, file.text) for file in files)), masters)
