@@ -20,7 +20,7 @@ import pytest
 from support.makers import build_params
 from unity_link.errors import ArgumentError, ConnectError
 from unity_link.protocol.crc import Crc
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.messages import Codec, ErrorCode
 from unity_link.virtual import AccessError
 from unity_link.virtual.rtl import RtlGateway, archive, choose, compiling, configurations, library
 
@@ -256,6 +256,17 @@ def test_the_next_answer_comes_behind_all_samples_that_were_taken_before_a_group
 @pytest.mark.parametrize("name", build_params(configurations()))
 def test_every_configuration_is_what_its_file_says(name: str) -> None:
     assert RtlGateway(name).info == configurations()[name].info
+
+
+@pytest.mark.slow
+def test_a_group_of_the_most_words_is_set_up_at_once() -> None:
+    gateway = RtlGateway("ft232h")
+    codec = Codec(gateway.info)
+    request = codec.framing.checked(b"GS" + codec.fields("GS", 0, 0, 1, 255, range(255)))
+    assert gateway.receive(request + codec.framing.checked(b"H"), 0.0) == b"".join(
+        codec.framing.checked(answer) for answer in (b"GS00", b"H")
+    )
+    assert gateway.receive(request, 1.0) == codec.framing.checked(b"GS00")
 
 
 def test_an_unknown_configuration_is_named() -> None:

@@ -21,6 +21,7 @@
 
 #include UL_MODEL
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstdint>
@@ -74,7 +75,8 @@ constexpr uint8_t BEHIND_DEVICE = 3;
 // Up to this width, memory is one array; above, a table of the words that were written.
 constexpr size_t MOST_DIRECT_BITS = 20;
 
-// So many cycles without a byte and without a bus access mean that the gateway has nothing left to do.
+// So many cycles without a byte and without a bus access mean that the gateway has nothing left to do, and half as many
+// more as the longest frame has characters: of a `GS` it stores an address a cycle, which has two digits at least.
 constexpr uint64_t QUIET_CYCLES = 96;
 
 // So many of them a waveform shows.
@@ -430,10 +432,11 @@ public:
 	uint64_t run_until_quiet(uint64_t most, uint64_t most_with_groups) {
 		uint64_t count = 0;
 		quiet_ = 0;
-		while (quiet_ < QUIET_CYCLES && count < (ticking() ? most_with_groups : most)) {
+		while (!is_quiet() && count < (ticking() ? most_with_groups : most)) {
 			cycle();
 			++count;
 		}
+		forget_when_quiet();
 		return count;
 	}
 
@@ -468,11 +471,13 @@ public:
 		const uint64_t flushed = flushes;
 		uint64_t count = 0;
 		quiet_ = 0;
-		while (count < most && flushes == flushed && !(stop_when_quiet && quiet_ >= QUIET_CYCLES)) {
+		while (count < most && flushes == flushed && !(stop_when_quiet && is_quiet())) {
 			cycle();
 			++count;
 		}
-		return stop_when_quiet && quiet_ >= QUIET_CYCLES ? count - quiet_ : count;
+		const bool stopped = stop_when_quiet && is_quiet();
+		forget_when_quiet();
+		return stopped ? count - quiet_ : count;
 	}
 
 	std::deque<uint8_t> to_gateway;
@@ -581,6 +586,13 @@ private:
 		bool asked;
 	};
 
+	bool is_quiet() const { return quiet_ >= QUIET_CYCLES + longest_frame_ / 2; }
+
+	void forget_when_quiet() {
+		if (is_quiet())
+			longest_frame_ = 0;
+	}
+
 	void cycle() {
 		if (cycles >= alarm && event) {
 			alarm = NEVER;
@@ -621,6 +633,8 @@ private:
 		const bool sent = room_left && get(top_.p_out__valid);
 		stalled = !room_left && get(top_.p_out__valid);
 		if (taken) {
+			frame_ = to_gateway.front() == '\n' || to_gateway.front() == '\r' ? 0 : frame_ + 1;
+			longest_frame_ = std::max(longest_frame_, frame_);
 			to_gateway.pop_front();
 			lost_before_next = false;
 			in_due_ = next_due(in_due_);
@@ -775,6 +789,9 @@ private:
 	uint64_t read_data_ = 0;
 	uint64_t held_ = 0;
 	uint64_t quiet_ = 0;
+	// Characters of the frame that is under way, and of the longest since all was quiet.
+	uint64_t frame_ = 0;
+	uint64_t longest_frame_ = 0;
 	double in_due_ = 0;
 	double out_due_ = 0;
 	double began_ = 0;
