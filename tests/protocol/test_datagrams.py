@@ -171,6 +171,21 @@ def test_a_header_may_be_in_lower_case_and_plain() -> None:
     assert gateway.executed == [b"H\r\n"] * 2
 
 
+def test_the_end_of_a_datagram_ends_its_last_frame_and_the_first_gives_the_form_of_the_header() -> None:
+    gateway = VirtualGateway()
+    framing, sent = Codec(gateway.info).framing, list[bytes]()
+    side: GatewayDatagrams[int] = GatewayDatagrams(
+        Codec(gateway.info), lambda frames: side.put(gateway.receive(frames, 0.0)), lambda data, _: sent.append(data)
+    )
+    side.take(framing.checked(b"H")[:-1], 1)
+    side.take(b"H\r" + framing.checked(b"H"), 1)
+    offer = b"U%08X00000000" % side.offer
+    assert sent == [
+        framing.checked(offer) + framing.checked(b"H"),
+        framing.plain_reply(offer) + b"H\r\n" + framing.checked(b"H"),
+    ]
+
+
 def test_empty_lines_before_a_header_are_nothing() -> None:
     gateway = Gateway().opened()
     covered = b"U4F1C0A320000000B"
