@@ -110,7 +110,7 @@ def main() -> None:
     paper.say("/arm/position_commands", data=[0.25, float("nan"), 0.1, 0.0])
     wait_until(lambda: is_near(positions(), [0.25, -0.5, 0.1, 0.0]))
     wait_until(lambda: paper.last.get("/arm/j1/pos_sp", [0, 0])[1] > 0)
-    wait_until(lambda: paper.last["/diagnostics"][1][1] == 0)
+    wait_until(lambda: paper.last["/diagnostics"][1][1][0][0] == 0)
     told = {
         "version": sys.version_info[:2],
         "last": paper.last,

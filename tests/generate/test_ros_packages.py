@@ -24,6 +24,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import unity_link
 from generate.every_kind import WORD_BITS, every_kind
 from generate.peers import serve as served_by_tcp
 from generate.ros_on_paper import Paper
@@ -31,6 +32,7 @@ from support.bridge_programs import PROGRAM, Noted, wait_until
 from support.spec_examples import FIGURE_1
 from unity_link import ArgumentError, GatewayInfo, blocking
 from unity_link.bridges.topics import command_topics, joint_command_topics, published_groups
+from unity_link.data.blocking import put
 from unity_link.generate import generate, write
 from unity_link.generate.ros import OLDEST_PYTHON
 from unity_link.spec import compile_file, compile_text
@@ -125,7 +127,7 @@ def test_a_package_runs_on_the_python_of_its_distribution(target: str, python: s
     kind, (_, frame_id, names, columns) = told["last"]["/arm/joint_states"]
     assert (kind, frame_id, names) == ("sensor_msgs/JointState", "base", ["j1", "j2", "j3", "j4"])
     assert [len(column) for column in columns] == [4, 4, 0]
-    _, (_, level, name, message, hardware, values) = told["last"]["/diagnostics"]
+    _, (_, [(level, name, message, hardware, values)]) = told["last"]["/diagnostics"]
     assert (level, name, message, hardware) == (0, "unity_link_arm: link", "connected", url)
     assert float(dict(values)["round trip (ms)"]) > 0
 
@@ -257,16 +259,48 @@ def test_a_gateway_may_go_and_come_back_and_nothing_is_kept_for_it(tmp_path: Pat
     wait_until(lambda: not bridge._link.connected.is_set())
     with pytest.raises(package["client"].LinkError, match="the gateway is away"):
         bridge.write([(target, 2)])
-    wait_until(lambda: paper.last["/diagnostics"][1][1:4:2] == (2, "the gateway is away"))
+    wait_until(lambda: paper.last["/diagnostics"][1][1][0][:3:2] == (2, "the gateway is away"))
     with noted.running():
         assert bridge._link.connected.wait(PATIENCE)
         before = bridge.published
         bridge.write([(target, 3)])
         wait_until(lambda: noted.values == [1, 3] and bridge.published > before)
-        wait_until(lambda: dict(paper.last["/diagnostics"][1][5])["reconnections"] == "1")
+        wait_until(lambda: dict(paper.last["/diagnostics"][1][1][0][4])["reconnections"] == "1")
     bridge.close()
     assert any("W21" in text and "the bus refused the access" in text for text in paper.warnings)
     assert any("waiting for the gateway" in text for text in paper.warnings)
+
+
+@pytest.mark.slow
+def test_each_lease_has_a_status_that_tells_how_it_ended(tmp_path: Path) -> None:
+    spec = tmp_path / "rover.ul"
+    spec.write_text(
+        "public rover() { drive: LEASE(TIMEOUT=20) @(0xE0); arm: LEASE() @(0xC0);"
+        " @speed = 0x10: signed READWRITE(SAFE(0, drive)); }"
+    )
+    package = loaded(packages(tmp_path / "package", "ros1", compile_file(spec)))
+    paper = Paper("unix:" + str(tmp_path / "gateway"))
+
+    def told() -> dict[str, tuple[int, str]]:
+        statuses = paper.last["/diagnostics"][1][1] if "/diagnostics" in paper.last else []
+        return {name: (level, message) for level, name, message, _, _ in statuses}
+
+    bridge = package["bridge"].Bridge(paper, package["robot"])
+    bridge.start()
+    wait_until(lambda: told().get("unity_link_arm: lease drive") == (3, "the gateway is away"))
+    never = (1, "disarmed: nobody has armed it since the reset")
+    with served(tmp_path, f"sim:{spec}") as url, blocking.connect(url) as link:
+        wait_until(lambda: told().get("unity_link_arm: lease arm") == never)
+        robot: Any = put(unity_link.load(spec), link)
+        with robot.drive.armed():
+            wait_until(lambda: told()["unity_link_arm: lease drive"] == (0, "armed"))
+        wait_until(lambda: told()["unity_link_arm: lease drive"] == (1, "disarmed: it was disarmed"))
+        with robot.drive.armed(timeout=0.5):
+            wait_until(lambda: told()["unity_link_arm: lease drive"][0] == 2)
+            message = told()["unity_link_arm: lease drive"][1]
+        assert message.startswith("fault: no kick came before its end, at ")
+        assert told()["unity_link_arm: lease arm"] == never
+    bridge.close()
 
 
 @pytest.mark.slow

@@ -537,6 +537,11 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
         return tuple(part for part in self.root.walk() if part.core is not None)
 
     @property
+    def leases(self) -> tuple[str, ...]:
+        """Paths of the leases."""
+        return tuple(part.path for part in self.cores if part.core is not None and part.core.word == "LEASE")
+
+    @property
     def vhdl(self) -> tuple[str, ...]:
         """Files of VHDL of its cores, but for those that are installed with the gateware."""
         return tuple(dict.fromkeys(path for part in self.cores if part.core is not None for path in part.core.vhdl))

@@ -21,8 +21,6 @@ if TYPE_CHECKING:
     from unity_link.protocol.messages import Codec, DecodedRequest
     from unity_link.spec.model import Interface
 
-WORD = "LEASE"
-"""Word of UL-spec that places a lease."""
 PATIENCE = 2.0
 """Seconds that an arm waits for the gateway."""
 _ONE_WORD = frozenset({"W", "WS", "WQ", "WK"})
@@ -111,8 +109,7 @@ class Leases:
 
     def __init__(self, interface: Interface, host: Host) -> None:
         self.interface = interface
-        paths = [one.path for one in interface.cores if one.core is not None and one.core.word == WORD]
-        self._leases = [ClientLease(interface, path) for path in paths]
+        self._leases = [ClientLease(interface, path) for path in interface.leases]
         self._host = host
         self._closed: dict[object, frozenset[bytes]] = {}
 

@@ -34,6 +34,8 @@ _NETWORKS = ("TOSNET",)
 _PARTS = ("position", "velocity", "effort")
 _SET_PARTS = ("velocity", "effort", "position")
 """Parts of a joint in the order in which they are written: a speed before the position that it is for."""
+_OF_A_LEASE = ("state", "reason", "estop_open", "arms", "fault_time")
+"""Signals that tell how a lease is."""
 
 
 class SampledSignals(NamedTuple):
@@ -153,6 +155,19 @@ def _table(interface: Interface) -> Iterator[str]:
             before = f"{one.name}/" if several else ""
             yield f"    Joints({before!r}, {_joint_names(one.group, names)!r}, {{{parts}}}),"
     yield "]"
+    yield "LEASES = ["
+    for lease in interface.leases:
+        told = {name: interface.signals[f"{lease}.{name}"] for name in _OF_A_LEASE}
+        addresses = sorted({address for signal in told.values() for address in signal.addresses})
+        group = f"Group(None, 0, None, None, {addresses!r}, {listed([signal.path for signal in told.values()])})"
+        yield f"    Lease({lease!r}, {group}, {_numbers(told['state'])!r}, {_numbers(told['reason'])!r}),"
+    yield "]"
+
+
+def _numbers(signal: Signal) -> dict[int, str]:
+    """Return the names of an enumeration by their numbers."""
+    enumeration = signal.kind.enumeration
+    return {} if enumeration is None else {one.value: one.name for one in enumeration.values}
 
 
 def _listed(variables: dict[str, str], paths: list[str | None]) -> str:
