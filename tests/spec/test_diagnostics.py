@@ -110,7 +110,7 @@ CASES = [
     ("public x() { m: c() @(0); }\nc(): @(at) { @a = at: READ(); @p: PIN(OUT); }", "bad-entity", "p is a port of no entity: c has no ENTITY", "p", 'as in ENTITY("ul_pwm", width=WIDTH);'),
     ("public x() { m: c() @(0); }\nc(): @(at) { ENTITY(blink); @a = at: READ(); }", "bad-entity", "ENTITY begins with the name of an entity in VHDL", "blink", 'as in ENTITY("ul_pwm", width=WIDTH);'),
     ('public x() { m: c() @(0); }\nc(): @(at) { ENTITY("a b"); @a = at: READ(); }', "bad-entity", "ENTITY begins with the name of an entity in VHDL", '"a b"', ""),
-    ('public x() { m: c() @(0); }\nc(): @(at) { ENTITY("b", TOCK); @a = at: READ(); }', "unknown-argument", "ENTITY takes the words TICK, TIME, ARMED and STAGE, and generics by their names", "TOCK", "mean 'TICK'?"),
+    ('public x() { m: c() @(0); }\nc(): @(at) { ENTITY("b", TOCK); @a = at: READ(); }', "unknown-argument", "ENTITY takes the words TICK, TIME, ARMED, STAGE and EMPTY, and generics by their names", "TOCK", "mean 'TICK'?"),
     ('public x() { m: c() @(0); }\nc(): @(at) { ENTITY("b", n=0.5); @a = at: READ(); }', "bad-entity", "n is the number 0.5, and a generic is a whole number of 32 bits, a truth or a string", "0.5", ""),
     ('public x() { m: c() @(0); }\nc(): @(at) { ENTITY("b", n_=1); @a = at: READ(); }', "bad-entity", "'n_' cannot be the name of a generic in VHDL", "n_", ""),
     ('public x() { m: c() @(0); }\nc(): @(at) { ENTITY("b", axes=1); @a = at: READ(); }', "argument-twice", "axes is given by the design", "axes=1", ""),

@@ -75,9 +75,11 @@ constexpr uint8_t BEHIND_DEVICE = 3;
 // Up to this width, memory is one array; above, a table of the words that were written.
 constexpr size_t MOST_DIRECT_BITS = 20;
 
-// So many cycles without a byte and without a bus access mean that the gateway has nothing left to do, and half as many
-// more as the longest frame has characters: of a `GS` it stores an address a cycle, which has two digits at least.
+// So many cycles without a byte and without a bus access mean that the gateway has nothing left to do. Behind a long
+// frame it is half as many as that has characters, and some: of a `GS` an address is stored in each cycle, and has two
+// digits at least. Behind all others more would have the gateway's time run ahead of that of a program.
 constexpr uint64_t QUIET_CYCLES = 96;
+constexpr uint64_t QUIET_CYCLES_BEHIND_A_FRAME = 32;
 
 // So many of them a waveform shows.
 constexpr uint64_t SHOWN_QUIET_CYCLES = 24;
@@ -586,7 +588,7 @@ private:
 		bool asked;
 	};
 
-	bool is_quiet() const { return quiet_ >= QUIET_CYCLES + longest_frame_ / 2; }
+	bool is_quiet() const { return quiet_ >= std::max(QUIET_CYCLES, QUIET_CYCLES_BEHIND_A_FRAME + longest_frame_ / 2); }
 
 	void forget_when_quiet() {
 		if (is_quiet())
