@@ -38,7 +38,7 @@ _COMPILERS = ("c++", "g++", "clang++")
 # Of what compilers offer, -O3 makes the quickest gateware: twice that of -O2.
 _OPTIONS = ("-O3", "-std=c++14", "-shared", "-fPIC")
 _WATCHED = (
-    'exec 3<&0; (read -r _ <&3; kill -9 0) >/dev/null 2>&1 & exec 3<&-; "$@" </dev/null; status=$?; kill $!; exit $status'
+    'exec 3<&0; (read _ <&3; kill -9 0) >/dev/null 2>&1 & exec 3<&-; "$@" </dev/null; status=$?; kill $!; exit $status'
 )
 """Runs a command for `sh`, and kills the process group as soon as nobody can write to its input any more: a program
 that a signal ends has no time to do so. The shell needs no program for it, as PATH may have none."""
