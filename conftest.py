@@ -96,7 +96,7 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Producer) -> LoadSco
 
 
 @pytest.hookimpl(optionalhook=True)
-def pytest_xdist_auto_num_workers(config: pytest.Config) -> int:  # noqa: ARG001
+def pytest_xdist_auto_num_workers() -> int:
     """Return how many processes `--numprocesses auto` has: one more than processors, since many tests wait."""
     return (os.cpu_count() or 1) + 1
 

@@ -172,9 +172,8 @@ def published_groups(robot: Robot, poll_hz: float | None = None) -> list[Publish
     Raises:
         ArgumentError: where it has neither.
     """
-    sampled = sampled_groups(robot, poll_hz, is_needed=False)
-    if not any(isinstance(proxy, Writable) for proxy in robot.signals):
-        sampled = sampled_groups(robot, poll_hz)
+    is_needed = not any(isinstance(proxy, Writable) for proxy in robot.signals)
+    sampled = sampled_groups(robot, poll_hz, is_needed=is_needed)
     several = sum(group.model is not None and bool(group.model.joints) for _, group in sampled) > 1
     names = topic_names(robot.interface)
     found = []

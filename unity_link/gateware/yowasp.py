@@ -5,6 +5,7 @@ A warning is an error, unless its caller explains it.
 
 from __future__ import annotations
 
+import contextlib
 import re
 import shutil
 import subprocess
@@ -129,7 +130,8 @@ def _watch(tool: str, process: subprocess.Popen[bytes], printed: TextIO) -> None
             heard = time.monotonic()
         elif time.monotonic() - heard > _SILENT_S:
             raise EndlessError(f"{tool} was stopped: it has said nothing for {_SILENT_S:g} s")
-        time.sleep(_LOOK_S)
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.wait(_LOOK_S)
 
 
 def _judge(tool: str, status: int, lines: Sequence[str], last_words: Sequence[str], explained: str) -> None:

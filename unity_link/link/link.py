@@ -171,7 +171,7 @@ class Link(OfLink, Connection):
                         await self._fence(leaving=True)
                 # A program that closes its link in the block knows that it gives up what is under way.
                 if not self._closed_by_program:
-                    await self._raise_errors(lambda poster: True)  # noqa: ARG005
+                    await self._raise_errors(lambda _: True)
         finally:
             await self.aclose()
 

@@ -310,11 +310,10 @@ class _LoopSpinner:
 
 def _caller_of(loop: asyncio.AbstractEventLoop) -> Callable[[], asyncio.Task[Any] | None]:
     """Return what returns the task that runs in a loop."""
-    if sys.version_info < (3, 12):
-        # There `current_task` is written in Python, and takes a tenth of the time of a post.
-        return functools.partial(asyncio.tasks._current_tasks.get, loop)  # type: ignore[attr-defined]  # noqa: SLF001
-    else:  # noqa: RET505  (or mypy takes it for unreachable)
+    if sys.version_info >= (3, 12):
         return functools.partial(asyncio.current_task, loop)
+    # `current_task` is written in Python there, and takes a tenth of the time of a post.
+    return functools.partial(asyncio.tasks._current_tasks.get, loop)  # type: ignore[attr-defined]  # noqa: SLF001
 
 
 def _time_of(loop: asyncio.AbstractEventLoop) -> float:

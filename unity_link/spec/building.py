@@ -54,6 +54,11 @@ class Where(NamedTuple):
     given: Mapping[str, SignalPlace] = {}
     """Places of the arguments that its parameters are given, by the names of these."""
 
+    def path_of(self, name: str, index: int | None) -> str:
+        """Return the path of a member, or of one of a row or an array."""
+        item = str(name) if index is None else f"{name}[{index}]"
+        return f"{self.path}.{item}" if self.path else item
+
 
 class Builder:
     """Builds the signals and modules of one interface.
@@ -127,7 +132,7 @@ class Builder:
         if address.value is None or parts is None:
             return None
         bound, name = parts.arguments, str(node.name)
-        path = ".".join(filter(None, (where.path, name if index is None else f"{name}[{index}]")))
+        path = where.path_of(name, index)
         fifo: Bound | None = bound.get("FIFO")
         groups = self._groups(evaluator, bound, parts.places)
         signal = Signal(

@@ -143,10 +143,6 @@ class Contents:
         note = (span, "the first one is here", source.line(span.line))
         self._context.reporter.error(source, member.name.place, "name-twice", message, notes=[note])
 
-    def _path(self, name: str, index: int | None) -> str:
-        item = str(name) if index is None else f"{name}[{index}]"
-        return f"{self._where.path}.{item}" if self._where.path else item
-
     def _signals(self, member: SignalDeclaration, module: int | None, base: int) -> Iterator[Signal]:
         """Build a signal, or all of a row."""
         if member.count is None:
@@ -201,7 +197,7 @@ class Contents:
     def _place_named_module(self, member: Placement, module: int | None, base: int, index: int | None) -> None:
         assert member.name is not None
         scope = self._where.scope if index is None else {**self._where.scope, INDEX_NAME: index}
-        path = self._path(member.name, index)
+        path = self._where.path_of(member.name, index)
         number, start = self._builder.module(self._source, member, scope, module, base, path)
         self.modules.append(number)
         if member.members is not None:
@@ -242,7 +238,7 @@ class Contents:
             self.parts.append(
                 ComponentArray(
                     name=str(member.name),
-                    path=self._path(member.name, None),
+                    path=self._where.path_of(member.name, None),
                     items=tuple(items),
                     doc="\n".join(member.doc),
                     span=self._context.span(self._source, member),
@@ -323,7 +319,8 @@ class Contents:
         chain = (*self._where.chain, str(node.name))
         folder = None if core is None else core.folder
         stands = {name: SignalPlace(self._source, place) for name, (_, place) in values.items()}
-        where = Where(self._path(member.name, index), addresses, inner, module, base, chain, pins, folder, stands)
+        path = self._where.path_of(member.name, index)
+        where = Where(path, addresses, inner, module, base, chain, pins, folder, stands)
         component = put_component(self._builder, declared, where, str(member.name), index, given)
         if not index:
             self._warn_of_no_lease(member, component)

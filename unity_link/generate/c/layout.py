@@ -96,7 +96,7 @@ class SignalMember(NamedTuple):
     @property
     def declaration(self) -> str:
         """Declaration as a member of a structure."""
-        return f"{self.type.signal} {self.name}{_brackets(self.size)};"
+        return f"{self.type.signal} {self.name}{brackets(self.size)};"
 
 
 class PartMember(NamedTuple):
@@ -111,7 +111,7 @@ class PartMember(NamedTuple):
     @property
     def declaration(self) -> str:
         """Declaration as a member of a structure."""
-        return f"{self.type} {self.name}{_brackets(self.size)};"
+        return f"{self.type} {self.name}{brackets(self.size)};"
 
 
 class PartType(NamedTuple):
@@ -187,7 +187,7 @@ class GroupType(NamedTuple):
         return all(member.signal.access.writes for member in self.members)
 
 
-def _brackets(number: int | None) -> str:
+def brackets(number: int | None) -> str:
     """Write an index or a size behind a name; nothing where there is none."""
     return "" if number is None else f"[{number}]"
 
@@ -379,10 +379,10 @@ class Layout:
     def _express(self, component: ComponentSpec, expression: str) -> None:
         names = self.member_names(component)
         for signal in component.signals:
-            self.expressions[signal.path] = f"{expression}.{names[signal.name]}{_brackets(signal.index)}"
+            self.expressions[signal.path] = f"{expression}.{names[signal.name]}{brackets(signal.index)}"
         for part in component.parts:
             for item in part.items if isinstance(part, ComponentArray) else (part,):
-                self._express(item, f"{expression}.{names[part.name]}{_brackets(item.index)}")
+                self._express(item, f"{expression}.{names[part.name]}{brackets(item.index)}")
 
     # Groups
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from unity_link.generate.c.layout import brackets
 from unity_link.generate.c.names import number
 from unity_link.quoting import c_string
 from unity_link.spec.kinds import KindName
@@ -28,8 +29,7 @@ def _component(layout: Layout, component: ComponentSpec, indent: str) -> Iterato
         # C has neither empty structures nor empty initializers.
         yield f"{indent}.empty = 0,"
     for signal in component.signals:
-        index = "" if signal.index is None else f"[{signal.index}]"
-        yield f"{indent}.{names[signal.name]}{index}.signal = {signal_initializer(layout, signal)},"
+        yield f"{indent}.{names[signal.name]}{brackets(signal.index)}.signal = {signal_initializer(layout, signal)},"
     for part in component.parts:
         yield f"{indent}.{names[part.name]} = {{"
         yield from _part(layout, part, f"{indent}    ")

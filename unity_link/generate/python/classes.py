@@ -189,7 +189,8 @@ class _Maker:
 
     def _members(self, uses: list[ComponentSpec]) -> Iterator[Iterable[Attribute]]:
         first = uses[0]
-        yield (self._signal([signal for use in uses for signal in use.rows[name]]) for name in first.rows)
+        places = zip(*(use.rows.values() for use in uses), strict=True)
+        yield (self._signal([signal for row in rows for signal in row]) for rows in places)
         yield (self._part(part) for part in first.parts)
         yield self._modules(first)
 
