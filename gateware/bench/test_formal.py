@@ -28,6 +28,8 @@ FAULTS = {
     "a full dual-clock FIFO takes more": ("ul_fifo_async", "push", "in_valid"),
     "a pointer crosses in binary": ("ul_fifo_async", "write_gray", "write_at"),
     "a body does not wait for its reader": ("ul_datalink_rx", "advance", "1'b1"),
+    "a frame with a wrong check is good": ("ul_mac_rx", r"n\d+_o(?= = crc == )", "1'b1"),
+    "a frame is good that is too short": ("ul_mac_rx", r"n\d+_o(?= = \$unsigned\(length\) < )", "1'b0"),
     "a frame does not wait for its reader": ("ul_datalink_tx", "advance", "1'b1"),
     "a request comes into a sample": ("ul_bus_master", "grant", "request & ~(sample & ~exclusive) & (state == 0)"),
     "the bus does not rest after a time-out": (

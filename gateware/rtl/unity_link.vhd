@@ -13,11 +13,13 @@ library ieee;
 
 library work;
   use work.ul_math_pkg.all;
+  use work.ul_ethernet_pkg.all;
   use work.unity_link_pkg.all;
 
 entity unity_link is
   generic (
-    -- "fifo", "uart", "ft245", "ft245_sync": the medium; "ft245" is the asynchronous FIFO.
+    -- "fifo", "uart", "ft245", "ft245_sync", "rmii", "mii", "rgmii": the medium; "ft245" is the asynchronous FIFO, the
+    -- last three are Ethernet at 100 Mb/s.
     physical : string := "uart";
     -- 1 to clock_hz / 4: bits a second, for "uart".
     baud : positive := 1_000_000;
@@ -71,6 +73,12 @@ entity unity_link is
     node : integer := -1;
     -- Whether only one side may send at a time: groups then publish only when GP asks.
     half_duplex : boolean := false;
+    -- 48 bits, for Ethernet: the address of the MAC, of one station.
+    mac_address : std_logic_vector(47 downto 0) := x"02554C000001";
+    -- 32 bits, for Ethernet: the address of IP.
+    ip_address : std_logic_vector(31 downto 0) := x"C0A80164";
+    -- 1 to 65535, for Ethernet: the port of UDP.
+    udp_port : positive := 21_845;
     -- 0 to 15: with half_duplex, bits for which uart_de is '1' before the first start bit, and behind the last stop
     -- bit.
     driver_lead : natural := 1;
@@ -117,6 +125,24 @@ entity unity_link is
     ft_oe_n : out   std_logic;
     -- SIWU#: send at once. Clock: ft_clkout.
     ft_siwu_n : out   std_logic;
+    -- For Ethernet: REF_CLK of RMII, RX_CLK of MII, RXC of RGMII.
+    phy_rx_clk : in    std_logic := '0';
+    -- RXD; of RMII the lower two. Clock: phy_rx_clk.
+    phy_rxd : in    std_logic_vector(3 downto 0) := (others => '0');
+    -- CRS_DV, RX_DV or RX_CTL. Clock: phy_rx_clk.
+    phy_rx_dv : in    std_logic := '0';
+    -- RX_ER of RMII and MII. Clock: phy_rx_clk.
+    phy_rx_er : in    std_logic := '0';
+    -- REF_CLK of RMII, TX_CLK of MII; for RGMII a clock of 50 MHz.
+    phy_tx_clk : in    std_logic := '0';
+    -- TXD; of RMII the lower two. Clock: phy_tx_clk.
+    phy_txd : out   std_logic_vector(3 downto 0);
+    -- TX_EN or TX_CTL. Clock: phy_tx_clk.
+    phy_tx_en : out   std_logic;
+    -- TXC of RGMII. Clock: phy_tx_clk.
+    phy_txc : out   std_logic;
+    -- For Ethernet: datagrams that were dropped because they did not fit, modulo 65,536.
+    phy_dropped : out   unsigned(15 downto 0);
     -- A byte in, for "fifo": it has moved at the edge at which in_valid and in_ready are both '1'.
     in_data : in    std_logic_vector(7 downto 0) := (others => '0');
     -- With a byte: some before it were lost.
@@ -197,6 +223,44 @@ end entity unity_link;
 
 architecture rtl of unity_link is
 
+  constant is_ethernet : boolean := physical = "rmii" or physical = "mii" or physical = "rgmii";
+
+  -- Most bytes of frames in a datagram, beside its header.
+  constant largest_frame : positive := largest_datagram - 18 - crc_bits / 4;
+
+  -- Of an answer or a sample, and of a request: nothing else is as long as blocks, samples and Q.
+  function longest_frame return positive is
+
+    constant word  : positive := digits_of(data_bits);
+    constant q     : positive := 76;
+    variable bytes : positive := maximum(2 + maximum(id_digits, digits_of(address_bits) + 2) + word * block_words, q);
+
+  begin
+
+    if groups > 0 then
+      bytes := maximum(bytes, 13 + word * group_words);
+    end if;
+    bytes := maximum(bytes + crc_bits / 4, longest_request(
+                                                           data_bits, address_bits, id_digits, crc_bits, block_words,
+                                                           groups, group_words, masked_write
+                                                         ));
+    return bytes + 2;
+
+  end function longest_frame;
+
+  constant longest_answer : positive := longest_frame;
+
+  -- Room for bytes in the medium: its ring, without what stands before frames in a datagram.
+  function room_of_medium return natural is
+  begin
+
+    if is_ethernet then
+      return 1792;
+    end if;
+    return 0;
+
+  end function room_of_medium;
+
   -- Whether the medium stops the host when this side is full.
   constant medium_waits : boolean := flow_control or physical = "ft245" or physical = "ft245_sync";
 
@@ -208,6 +272,9 @@ architecture rtl of unity_link is
   signal tx_valid : std_logic;
   signal tx_ready : std_logic;
   signal flush    : std_logic;
+  signal active   : std_logic;
+  signal now      : std_logic_vector(63 downto 0);
+  signal ticks    : std_logic_vector(31 downto 0);
 
   signal bus_request    : std_logic;
   signal bus_write      : std_logic;
@@ -222,8 +289,24 @@ architecture rtl of unity_link is
 
 begin
 
-  assert physical = "fifo" or physical = "uart" or physical = "ft245" or physical = "ft245_sync"
-    report "unity_link: physical is """ & physical & """, expected ""fifo"", ""uart"", ""ft245"" or ""ft245_sync"""
+  assert physical = "fifo" or physical = "uart" or physical = "ft245" or physical = "ft245_sync" or is_ethernet
+    report "unity_link: physical is """ & physical & """, expected ""fifo"", ""uart"", ""ft245"", ""ft245_sync"", "
+           & """rmii"", ""mii"" or ""rgmii"""
+    severity failure;
+
+  assert not is_ethernet or (node < 0 and not half_duplex)
+    report "unity_link: physical is """ & physical & """ with node or half_duplex, expected neither: each has an address"
+    severity failure;
+
+  assert not is_ethernet or longest_answer <= largest_frame
+    report "unity_link: with block_words " & integer'image(block_words) & ", groups " & integer'image(groups)
+           & " and group_words " & integer'image(group_words) & " a frame has up to " & integer'image(longest_answer)
+           & " bytes, expected at most " & integer'image(largest_frame) & ", which a datagram holds: take fewer words"
+    severity failure;
+
+  assert not is_ethernet or clock_hz >= 25_000_000
+    report "unity_link: physical is """ & physical & """ with clock_hz " & integer'image(clock_hz)
+           & ", expected at least 25000000"
     severity failure;
 
   assert bus_standard = "wishbone" or bus_standard = "axi4_lite"
@@ -247,6 +330,7 @@ begin
       base_frequency_millihertz => base_frequency_millihertz,
       rx_fifo_depth             => rx_fifo_depth,
       tx_fifo_depth             => tx_fifo_depth,
+      medium_bytes              => room_of_medium,
       bus_timeout               => bus_timeout,
       bus_pipelined             => bus_standard = "wishbone" and wb_pipelined,
       masked_write              => masked_write,
@@ -271,6 +355,7 @@ begin
       tx_valid       => tx_valid,
       tx_ready       => tx_ready,
       flush          => flush,
+      active         => active,
       trigger        => trigger,
       bus_request    => bus_request,
       bus_write      => bus_write,
@@ -285,8 +370,11 @@ begin
       sample_strobe  => sample_strobe,
       sample_access  => sample_access,
       base_tick      => base_tick,
-      timestamp      => timestamp
+      timestamp      => now
     );
+
+  timestamp <= now;
+  ticks     <= now(31 downto 0);
 
   with_wishbone : if bus_standard = "wishbone" generate
 
@@ -528,5 +616,51 @@ begin
     ft_siwu_n   <= '1';
 
   end generate without_ft245;
+
+  with_ethernet : if is_ethernet generate
+
+    ethernet_inst : entity work.ul_ethernet
+      generic map (
+        interface      => physical,
+        mac_address    => mac_address,
+        ip_address     => ip_address,
+        udp_port       => udp_port,
+        crc_bits       => crc_bits,
+        crc_polynomial => crc_polynomial
+      )
+      port map (
+        clk        => clk,
+        rst        => rst,
+        phy_rx_clk => phy_rx_clk,
+        phy_rxd    => phy_rxd,
+        phy_rx_dv  => phy_rx_dv,
+        phy_rx_er  => phy_rx_er,
+        phy_tx_clk => phy_tx_clk,
+        phy_txd    => phy_txd,
+        phy_tx_en  => phy_tx_en,
+        phy_txc    => phy_txc,
+        rx_data    => rx_data,
+        rx_valid   => rx_valid,
+        rx_ready   => rx_ready,
+        tx_data    => tx_data,
+        tx_valid   => tx_valid,
+        tx_ready   => tx_ready,
+        active     => active,
+        cycles     => ticks,
+        dropped    => phy_dropped
+      );
+
+    rx_lost <= '0';
+
+  end generate with_ethernet;
+
+  without_ethernet : if not is_ethernet generate
+
+    phy_txd     <= (others => '0');
+    phy_tx_en   <= '0';
+    phy_txc     <= '0';
+    phy_dropped <= (others => '0');
+
+  end generate without_ethernet;
 
 end architecture rtl;

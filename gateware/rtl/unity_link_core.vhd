@@ -13,8 +13,8 @@
 -- The bus-independent interface: while `bus_request` is '1', address, write and data stand still until the rising edge
 -- at which `bus_done` is '1' (which may be the first one: no wait states). `bus_error` and `bus_read_data` count at
 -- that edge. `bus_request` is taken back for at least one cycle between accesses, and without `bus_done` when the
--- access timed out: it is over then, whatever the bus does, and nothing is asked of the bus for `bus_timeout` cycles, so
--- that a late answer meets no other access. `bus_lock` stays '1' over all accesses that belong to one atomic
+-- access timed out: it is over then, whatever the bus does, and nothing is asked of the bus for `bus_timeout` cycles,
+-- so that a late answer meets no other access. `bus_lock` stays '1' over all accesses that belong to one atomic
 -- transaction. `sample_strobe` is '1' for the cycle of which a group's sample tells: modules latch their values at its
 -- end, and the words that are read while `sample_access` is '1' are what they had then.
 
@@ -57,6 +57,8 @@ entity unity_link_core is
     -- Powers of two, 2 to 32768: bytes that wait for the gateway, and those that wait for the medium.
     rx_fifo_depth : positive := 256;
     tx_fifo_depth : positive := 256;
+    -- 0 to 32767: bytes that wait in the medium before rx_fifo_depth; Q tells their sum.
+    medium_bytes : natural := 0;
     -- At least 1: cycles after which a bus access that is not answered ends with error 05; the bus then rests as long.
     bus_timeout : positive := 1024;
     -- Whether the bus may take an access before it has answered the one before: bus_ahead and bus_next.
@@ -103,6 +105,8 @@ entity unity_link_core is
     tx_ready : in    std_logic;
     -- '1' for one cycle: send what was given so far at once.
     flush : out   std_logic;
+    -- A byte, a request or an answer is somewhere in the core.
+    active : out   std_logic;
     -- A rising edge makes the group of that number due; high and low for two cycles at least. Clock: none.
     trigger : in    std_logic_vector(maximum(groups, 1) - 1 downto 0) := (others => '0');
     -- An access is asked for; the next three stand still until it is done. '0' for a cycle at least between accesses.
@@ -189,7 +193,7 @@ architecture rtl of unity_link_core is
 
     return x"02" & digits(data_bits, 8) & digits(address_bits, 8) & digits(id_digits, 8) & digits(crc_bits, 8)
            & crc_polynomial & digits(block_words, 8) & digits(groups, 16) & digits(group_words, 8)
-           & digits(base_frequency_millihertz, 40) & digits(clock_hz, 32) & digits(rx_fifo_depth, 16)
+           & digits(base_frequency_millihertz, 40) & digits(clock_hz, 32) & digits(rx_fifo_depth + medium_bytes, 16)
            & digits(tx_fifo_depth, 16) & features & build_id;
 
   end function q_answer;
@@ -307,7 +311,7 @@ architecture rtl of unity_link_core is
   signal decoder_busy  : std_logic;
   signal writer_busy   : std_logic;
   signal sending_busy  : std_logic;
-  signal active        : std_logic;
+  signal is_active     : std_logic;
 
 begin
 
@@ -835,8 +839,9 @@ begin
   tx_data   <= tx_entry(7 downto 0);
   tx_valid  <= tx_waits;
   tx_leaves <= tx_waits and tx_ready;
-  active    <= fifo_out_valid or character_valid or datalink_busy or decoder_busy or hold or writer_busy or sending_busy
+  is_active <= fifo_out_valid or character_valid or datalink_busy or decoder_busy or hold or writer_busy or sending_busy
                or tx_waits;
+  active    <= is_active;
 
   with_send_immediate : if send_immediate generate
 
@@ -846,7 +851,7 @@ begin
         rst    => rst,
         left   => tx_leaves,
         mark   => tx_entry(9 downto 8),
-        active => active,
+        active => is_active,
         flush  => flush
       );
 

@@ -22,8 +22,8 @@ _BITS = re.compile(r"^ *(\w+_crossing) : entity work\.ul_synchroniser$", re.MULT
 _RESETS = re.compile(r"^ *(\w+) : entity work\.ul_reset_synchroniser$", re.MULTILINE)
 _FIFO = "ul_fifo_async"
 _POINTERS = ("write", "read")
-_FIFOS = "*ft245_sync*fifo*"
-"""Finds the instances of it, and none of a FIFO with one clock, which `unity_link` has beside them."""
+_FIFOS = ("*ft245_sync*fifo*", "*mac_inst*fifo*")
+"""Find the instances of it, and none of a FIFO with one clock, which `unity_link` has beside them."""
 _PADS = {"ul_ft245_async": ("receive_flag", "transmit_flag")}
 """Registers at pins of an entity that meet what comes from no clock."""
 _BOUND_NS = 10
@@ -116,7 +116,7 @@ def _sdc(tool: _Tool) -> str:
             "",
             f"{tool.comment} Gray pointers, and the memory of a FIFO where it is one of LUTs.",
             *(bound.format(registers(f"*{way}_gray*"), registers(f"*{way}_crossing/meta*")) for way in _POINTERS),
-            bound.format(registers(f"{_FIFOS}memory*"), registers(f"{_FIFOS}out_data*")),
+            *(bound.format(registers(f"{fifo}memory*"), registers(f"{fifo}out_data*")) for fifo in _FIFOS),
             "",
             f"{tool.comment} One bit each, and resets, which begin at any instant.",
             *(f"set_false_path -to {registers(f'*{label}/meta*')}" for label in (*_all(0), *_all(1))),
@@ -200,7 +200,7 @@ def _lpf() -> str:
                 f'MAXDELAY FROM CELL "*{way}_gray*" TO CELL "*{way}_crossing/meta*" {_BOUND_NS} NS;'
                 for way in _POINTERS
             ),
-            f'MAXDELAY FROM CELL "{_FIFOS}memory*" TO CELL "{_FIFOS}out_data*" {_BOUND_NS} NS;',
+            *(f'MAXDELAY FROM CELL "{fifo}memory*" TO CELL "{fifo}out_data*" {_BOUND_NS} NS;' for fifo in _FIFOS),
             *(f'BLOCK PATH TO CELL "*{label}/meta*";' for label in (*_all(0), *_all(1))),
             *(f'BLOCK PATH TO CELL "*{entity[3:]}*{label}*";' for entity, labels in _PADS.items() for label in labels),
         ),

@@ -80,6 +80,7 @@ PROOFS = [
     Proof("ul_fifo_async", {"width": 2, "depth": 4}, cover_steps=24, two_clocks=True),
     Proof("ul_datalink_rx", {"crc_bits": 8, "longest": 3}, cover_steps=20, induction_steps=6),
     Proof("ul_datalink_tx", {"crc_bits": 8}),
+    Proof("ul_mac_rx", {"lanes": 4, "shortest": 6, "longest": 8}, cover_steps=57, induction_steps=2),
     *(
         Proof(
             "ul_bus_master",

@@ -169,6 +169,7 @@ CONFIGURATIONS = {
     "uart": Configuration("unity_link", {"physical": "uart"}),
     "ft245": Configuration("unity_link", {"physical": "ft245"}),
     "ft245_sync": Configuration("unity_link", {"physical": "ft245_sync"}),
+    "rmii": Configuration("unity_link", {"physical": "rmii", "block_words": 160}, devices=("ecp5",)),
     "minimal_uart": Configuration("unity_link", {"physical": "uart", **_MINIMAL}),
     "wide": Configuration(
         "unity_link_fifo",
@@ -247,8 +248,9 @@ class Result:
 
     @property
     def slowest(self) -> float:
-        """Fmax of the core's clock: the one that is no pin of the FT245."""
-        own = [mhz for clock, mhz in self.fmax.items() if "fifo_clk" not in clock and "clkout" not in clock]
+        """Fmax of the core's clock: the one that is no pin of an FT245 or a PHY."""
+        theirs = ("fifo_clk", "clkout", "phy_")
+        own = [mhz for clock, mhz in self.fmax.items() if not any(name in clock for name in theirs)]
         return min(own or self.fmax.values())
 
 

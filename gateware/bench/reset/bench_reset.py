@@ -14,7 +14,7 @@ from cocotb.utils import get_sim_time
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
 
-_CLOCKS = ("clk", "in_clk", "out_clk", "clkout", "ft_clkout")
+_CLOCKS = ("clk", "in_clk", "out_clk", "clkout", "ft_clkout", "phy_rx_clk", "phy_tx_clk")
 _RESETS = ("rst", "in_rst", "out_rst")
 _CYCLES = 30
 _CROSSING = 4

@@ -17,13 +17,18 @@ if TYPE_CHECKING:
 # What a block RAM shows before anything was written into it: nobody looks, because nothing is valid.
 MEMORY_OUTPUTS = {
     "ul_fifo_async": ["out_data"],
+    "ul_answer_ring": ["out_data"],
+    "ul_ethernet": ["rx_data"],
     "ul_ft245_sync": ["rx_data"],
+    "ul_mac": ["rx_data", "rx_end"],
+    "ul_record_ring": ["out_data"],
     "ul_schedule": ["stage_data"],
     "ul_subscription_manager": ["access_address"],
     "ul_word_ring": ["read_data"],
 }
 CONFIGURATIONS = [
     *(("unity_link", {"physical": medium}) for medium in ("fifo", "uart", "ft245", "ft245_sync")),
+    *(("unity_link", {"physical": medium, "block_words": 160}) for medium in ("rmii", "mii", "rgmii")),
     ("unity_link", {"groups": 0}),
     ("unity_link_core", {"checked_frames": False}),
 ]

@@ -17,6 +17,7 @@ set_output_delay -clock ft_clkout -min 0 [get_ports {ft_rd_n ft_wr_n ft_oe_n ft_
 set_max_delay -from [get_cells {*write_gray*}] -to [get_cells {*write_crossing/meta*}] 10
 set_max_delay -from [get_cells {*read_gray*}] -to [get_cells {*read_crossing/meta*}] 10
 set_max_delay -from [get_cells {*ft245_sync*fifo*memory*}] -to [get_cells {*ft245_sync*fifo*out_data*}] 10
+set_max_delay -from [get_cells {*mac_inst*fifo*memory*}] -to [get_cells {*mac_inst*fifo*out_data*}] 10
 
 # One bit each, and resets, which begin at any instant.
 set_false_path -to [get_cells {*trigger_crossing/meta*}]
@@ -24,6 +25,9 @@ set_false_path -to [get_cells {*up_crossing/meta*}]
 set_false_path -to [get_cells {*question_crossing/meta*}]
 set_false_path -to [get_cells {*answer_crossing/meta*}]
 set_false_path -to [get_cells {*driving_crossing/meta*}]
+set_false_path -to [get_cells {*rx_up_crossing/meta*}]
+set_false_path -to [get_cells {*tx_up_crossing/meta*}]
+set_false_path -to [get_cells {*carrier_crossing/meta*}]
 set_false_path -to [get_cells {*rx_crossing/meta*}]
 set_false_path -to [get_cells {*cts_crossing/meta*}]
 set_false_path -to [get_cells {*pins_crossing/meta*}]
@@ -31,5 +35,7 @@ set_false_path -to [get_cells {*estop_crossing/meta*}]
 set_false_path -to [get_cells {*chip_reset/meta*}]
 set_false_path -to [get_cells {*chip_quiet/meta*}]
 set_false_path -to [get_cells {*chip_quiet_data/meta*}]
+set_false_path -to [get_cells {*rx_reset/meta*}]
+set_false_path -to [get_cells {*tx_reset/meta*}]
 set_false_path -to [get_cells {*ft245_async*receive_flag*}]
 set_false_path -to [get_cells {*ft245_async*transmit_flag*}]

@@ -18,6 +18,7 @@ set_output_delay -clock ft_clkout -min 0 [get_ports {ft_rd_n ft_wr_n ft_oe_n ft_
 set_max_delay -from [get_regs {*write_gray*}] -to [get_regs {*write_crossing/meta*}] 10
 set_max_delay -from [get_regs {*read_gray*}] -to [get_regs {*read_crossing/meta*}] 10
 set_max_delay -from [get_regs {*ft245_sync*fifo*memory*}] -to [get_regs {*ft245_sync*fifo*out_data*}] 10
+set_max_delay -from [get_regs {*mac_inst*fifo*memory*}] -to [get_regs {*mac_inst*fifo*out_data*}] 10
 
 // One bit each, and resets, which begin at any instant.
 set_false_path -to [get_regs {*trigger_crossing/meta*}]
@@ -25,6 +26,9 @@ set_false_path -to [get_regs {*up_crossing/meta*}]
 set_false_path -to [get_regs {*question_crossing/meta*}]
 set_false_path -to [get_regs {*answer_crossing/meta*}]
 set_false_path -to [get_regs {*driving_crossing/meta*}]
+set_false_path -to [get_regs {*rx_up_crossing/meta*}]
+set_false_path -to [get_regs {*tx_up_crossing/meta*}]
+set_false_path -to [get_regs {*carrier_crossing/meta*}]
 set_false_path -to [get_regs {*rx_crossing/meta*}]
 set_false_path -to [get_regs {*cts_crossing/meta*}]
 set_false_path -to [get_regs {*pins_crossing/meta*}]
@@ -32,5 +36,7 @@ set_false_path -to [get_regs {*estop_crossing/meta*}]
 set_false_path -to [get_regs {*chip_reset/meta*}]
 set_false_path -to [get_regs {*chip_quiet/meta*}]
 set_false_path -to [get_regs {*chip_quiet_data/meta*}]
+set_false_path -to [get_regs {*rx_reset/meta*}]
+set_false_path -to [get_regs {*tx_reset/meta*}]
 set_false_path -to [get_regs {*ft245_async*receive_flag*}]
 set_false_path -to [get_regs {*ft245_async*transmit_flag*}]

@@ -34,10 +34,10 @@ if {[get_collection_size $memory] && [get_collection_size $taken]} {
 }
 
 # One bit each, and resets, which begin at any instant.
-foreach crossing {trigger_crossing up_crossing question_crossing answer_crossing driving_crossing rx_crossing cts_crossing pins_crossing estop_crossing} {
+foreach crossing {trigger_crossing up_crossing question_crossing answer_crossing driving_crossing rx_up_crossing tx_up_crossing carrier_crossing rx_crossing cts_crossing pins_crossing estop_crossing} {
     set_false_path -to [get_registers -nowarn "*${crossing}|meta*"]
 }
-foreach crossing {chip_reset chip_quiet chip_quiet_data} {
+foreach crossing {chip_reset chip_quiet chip_quiet_data rx_reset tx_reset} {
     set_false_path -to [get_pins -nowarn -compatibility_mode "*${crossing}|meta*|clrn"]
 }
 set_false_path -to [get_registers -nowarn "*ul_ft245_async*|*receive_flag|*"]

@@ -1,0 +1,211 @@
+"""Frames of Ethernet as bytes, and a PHY at 100 Mb/s at the pins of the gateware: RMII, MII or RGMII.
+
+The PHY gives frames symbol by symbol, whole or with what lines and hosts do to them, and takes frames from the pins: it
+checks preamble, delimiter, gap and CRC of each. Names of the pins are those of `ul_mac` and of `unity_link`.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import zlib
+from typing import TYPE_CHECKING
+
+import cocotb
+from cocotb.clock import Clock
+from cocotb.queue import Queue
+from cocotb.triggers import Event, FallingEdge, RisingEdge, SimTimeoutError, with_timeout
+from cocotb.utils import get_sim_time
+
+if TYPE_CHECKING:
+    from cocotb.handle import SimHandleBase
+
+SHORTEST = 60
+"""Bytes of the shortest frame without its check."""
+BYTE_NS = 80
+_PREAMBLE = b"\x55" * 7 + b"\xd5"
+_GAP_NS = 12 * BYTE_NS
+
+
+def check_of(body: bytes) -> bytes:
+    """Return the four bytes of the check of a frame, as they are sent."""
+    return zlib.crc32(body).to_bytes(4, "little")
+
+
+def with_check(body: bytes) -> bytes:
+    """Return a frame with padding and check."""
+    padded = body.ljust(SHORTEST, b"\0")
+    return padded + check_of(padded)
+
+
+def symbols_of(data: bytes, lanes: int) -> list[int]:
+    """Return the symbols in which bytes go over so many lines."""
+    return [byte >> place & (1 << lanes) - 1 for byte in data for place in range(0, 8, lanes)]
+
+
+def bytes_of(symbols: list[int], lanes: int) -> bytes:
+    """Return the bytes that whole groups of symbols are."""
+    each = 8 // lanes
+    groups = (symbols[at : at + each] for at in range(0, len(symbols) - each + 1, each))
+    return bytes(sum(symbol << lanes * place for place, symbol in enumerate(group)) for group in groups)
+
+
+@dataclasses.dataclass(frozen=True)
+class Sent:
+    """A frame on its way to the gateware, and what happens to it."""
+
+    data: bytes
+    """Bytes behind the delimiter, the check among them."""
+    preamble: int | None = None
+    """Symbols of the preamble, the delimiter's own left out; None: as many as IEEE 802.3 has."""
+    toggling: int = 0
+    """Nibbles at the end of which CRS_DV falls with the first symbol, RMII alone."""
+    dribble: int = 0
+    """Symbols behind the last byte."""
+    error_at: int | None = None
+    """Symbol behind the delimiter in which the PHY says that it saw an error."""
+    delimited: bool = True
+    """False if the delimiter is missing."""
+    gap: int = 12
+    """Bytes of silence behind it."""
+
+
+class Phy:
+    """A PHY at the pins; what it found wrong in frames of the gateware has raised in the simulation.
+
+    Args:
+        dut: has the pins.
+        interface: "rmii", "mii" or "rgmii".
+    """
+
+    def __init__(self, dut: SimHandleBase, interface: str) -> None:
+        self.received: list[bytes] = []
+        """Frames of the gateware, without preamble and check."""
+        self.ended_ns: list[float] = []
+        """Time at which each of them had ended."""
+        self.began_ns: list[float] = []
+        """Time at which the preamble of each frame to the gateware began."""
+        self._dut, self._interface = dut, interface
+        self._lanes = 2 if interface == "rmii" else 4
+        self._waiting: Queue[tuple[Sent, Event]] = Queue()
+        self._came = Event()
+        dut.phy_rxd.value = dut.phy_rx_dv.value = dut.phy_rx_er.value = 0
+        self._tasks = [
+            cocotb.start_soon(task)
+            for task in (*self._clocks(), self._give(), self._take(RisingEdge), *self._other_edge())
+        ]
+
+    def _clocks(self) -> list[object]:
+        period = 20 if self._interface == "rmii" else 40
+        tx_period = 40 if self._interface == "mii" else 20
+        return [
+            Clock(self._dut.phy_rx_clk, period, unit="ns").start(),
+            Clock(self._dut.phy_tx_clk, tx_period, unit="ns").start(start_high=self._interface != "mii"),
+        ]
+
+    def _other_edge(self) -> list[object]:
+        return [self._compare_edges()] if self._interface == "rgmii" else []
+
+    # To the gateware
+
+    async def send(self, *frames: bytes | Sent) -> None:
+        """Send frames; returns behind the gap of the last one."""
+        done = Event()
+        for frame in frames:
+            done = Event()
+            self._waiting.put_nowait((frame if isinstance(frame, Sent) else Sent(with_check(frame)), done))
+        await done.wait()
+
+    async def _give(self) -> None:
+        while True:
+            frame, done = await self._waiting.get()
+            await self._edge()
+            self.began_ns.append(get_sim_time("ns"))
+            for symbol, valid, error in self._line(frame):
+                await self._put(symbol, valid, error)
+            for _ in range(frame.gap * 8 // self._lanes):
+                await self._put(0, 0, 0)
+            done.set()
+
+    async def _edge(self) -> None:
+        """Wait until the pins may change."""
+        await (FallingEdge if self._interface == "rgmii" else RisingEdge)(self._dut.phy_rx_clk)
+
+    async def _put(self, symbol: int, valid: int, error: int) -> None:
+        self._dut.phy_rxd.value, self._dut.phy_rx_dv.value = symbol, valid
+        if self._interface == "rgmii":
+            await RisingEdge(self._dut.phy_rx_clk)
+            self._dut.phy_rx_dv.value = valid ^ error
+        else:
+            self._dut.phy_rx_er.value = error
+        await self._edge()
+
+    def _line(self, frame: Sent) -> list[tuple[int, int, int]]:
+        """Return symbol, validity and error for each symbol's time."""
+        head = symbols_of(_PREAMBLE, self._lanes)
+        own = 1 if self._lanes == 4 else 4
+        preamble = len(head) - own if frame.preamble is None else frame.preamble
+        start = [head[0]] * preamble + head[-own:]
+        if not frame.delimited:
+            start[-1] = head[0]
+        data = symbols_of(frame.data, self._lanes) + [0] * frame.dribble
+        line = [[symbol, 1, 0] for symbol in [*start, *data]]
+        if self._interface == "rmii":
+            line[:0] = [[0, 1, 0]] * 3
+            for nibble in range(frame.toggling):
+                line[-2 * nibble - 2][1] = 0
+        if frame.error_at is not None:
+            line[len(start) + frame.error_at][2] = 1
+        return [(symbol, valid, error) for symbol, valid, error in line]
+
+    # From the gateware
+
+    async def wait_for(self, count: int, most_us: int = 2000) -> list[bytes]:
+        """Wait until so many frames came, and return all.
+
+        Raises:
+            AssertionError: if they have not come within `most_us` of the simulation.
+        """
+        while len(self.received) < count:
+            self._came.clear()
+            try:
+                await with_timeout(self._came.wait(), most_us, "us")
+            except SimTimeoutError as error:
+                raise AssertionError(f"{len(self.received)} frames received, expected {count}") from error
+        return self.received
+
+    def _symbol_clock(self) -> object:
+        return self._dut.phy_txc if self._interface == "rgmii" else self._dut.phy_tx_clk
+
+    async def _take(self, edge: type) -> None:
+        clock, silent_since = self._symbol_clock(), -1e9
+        while True:
+            await RisingEdge(self._dut.phy_tx_en)
+            symbols: list[int] = []
+            await edge(clock)
+            began = get_sim_time("ns")
+            assert began - silent_since >= _GAP_NS, f"a gap of {began - silent_since} ns, expected {_GAP_NS} or more"
+            while self._dut.phy_tx_en.value == 1:
+                symbols.append(int(self._dut.phy_txd.value))
+                await edge(clock)
+            silent_since = get_sim_time("ns")
+            self._end(symbols, silent_since)
+
+    def _end(self, symbols: list[int], now_ns: float) -> None:
+        assert len(symbols) % (8 // self._lanes) == 0, "a frame ends within a byte"
+        data = bytes_of(symbols, self._lanes)
+        assert data.startswith(_PREAMBLE), f"a frame begins with {data[:8].hex()}"
+        frame = data.removeprefix(_PREAMBLE)
+        assert len(frame) <= SHORTEST + 4 or len(frame) <= 1518
+        self.spoilt = frame[-4:] != check_of(frame[:-4])
+        self.received.append(frame[:-4])
+        self.ended_ns.append(now_ns)
+        self._came.set()
+
+    async def _compare_edges(self) -> None:
+        """See that what stands at the falling edge of TXC is what stood at the rising one."""
+        pins = (self._dut.phy_txd, self._dut.phy_tx_en)
+        while True:
+            await RisingEdge(self._dut.phy_txc)
+            rising = [pin.value for pin in pins]
+            await FallingEdge(self._dut.phy_txc)
+            assert [pin.value for pin in pins] == rising, "RGMII: data differ between the edges of TXC"

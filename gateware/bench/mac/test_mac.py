@@ -1,0 +1,35 @@
+"""The MAC at each of its interfaces, under several clocks."""
+
+from __future__ import annotations
+
+import pytest
+
+from gateware.bench.runner import BenchError, run_bench
+
+_BENCH = "gateware.bench.mac.bench_mac"
+
+
+@pytest.mark.parametrize(
+    ("interface", "period_ns"),
+    [
+        ("rmii", 20),
+        ("mii", 10),
+        ("rgmii", 17),
+        pytest.param("rmii", 40, marks=pytest.mark.campaign),
+        pytest.param("rmii", 8, marks=pytest.mark.campaign),
+        pytest.param("mii", 40, marks=pytest.mark.campaign),
+        pytest.param("rgmii", 39, marks=pytest.mark.campaign),
+    ],
+)
+def test_mac(interface: str, period_ns: float) -> None:
+    run_bench(
+        "ul_mac",
+        _BENCH,
+        generics={"interface": interface},
+        extra_env={"INTERFACE": interface, "PERIOD_NS": str(period_ns)},
+    )
+
+
+def test_an_interface_that_there_is_not_is_refused() -> None:
+    with pytest.raises(BenchError, match='interface is "sgmii", expected "rmii", "mii" or "rgmii"'):
+        run_bench("ul_mac", _BENCH, generics={"interface": "sgmii"}, extra_env={"INTERFACE": "mii", "PERIOD_NS": "20"})

@@ -1,0 +1,159 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
+-- Gathers what the core sends into datagrams of whole frames, until they can be sent.
+--
+-- The datagram that gathers has `whole` bytes of whole frames, all for one host: the opener of the session, or the one
+-- that asks without. `close` takes it, and the next one gathers; its bytes then come out. The last byte of a frame that
+-- no longer fits, and the first of one that is for the other host, wait until then. A frame that is for nobody is
+-- dropped.
+
+library ieee;
+  use ieee.std_logic_1164.all;
+  use ieee.numeric_std.all;
+
+library work;
+  use work.ul_math_pkg.all;
+  use work.unity_link_pkg.all;
+
+entity ul_answer_ring is
+  generic (
+    -- A power of two: bytes.
+    depth : positive := 2048;
+    -- Most bytes of frames in a datagram.
+    most : positive := 1378
+  );
+  port (
+    clk : in    std_logic;
+    rst : in    std_logic;
+    -- Bytes of the core.
+    in_data  : in    std_logic_vector(7 downto 0);
+    in_valid : in    std_logic;
+    in_ready : out   std_logic;
+    -- There is a session; answers without an ID are for the host that asks.
+    has_session : in    std_logic;
+    asking      : in    std_logic;
+    -- Bytes of the datagram that gathers, and whether it is for the host that asks.
+    whole     : out   unsigned(log2_ceil(depth) - 1 downto 0);
+    to_asking : out   std_logic;
+    close     : in    std_logic;
+    -- There is nothing at all.
+    empty     : out   std_logic;
+    out_data  : out   std_logic_vector(7 downto 0);
+    out_ready : in    std_logic
+  );
+end entity ul_answer_ring;
+
+architecture rtl of ul_answer_ring is
+
+  type memory_t is array (0 to depth - 1) of std_logic_vector(7 downto 0);
+
+  subtype pointer_t is unsigned(log2_ceil(depth) - 1 downto 0);
+
+  signal memory     : memory_t;
+  signal write_at   : pointer_t;
+  signal read_at    : pointer_t;
+  signal gathered   : pointer_t;
+  signal part       : pointer_t;
+  signal full       : std_logic;
+  signal too_many   : std_logic;
+  signal head       : std_logic;
+  signal load       : std_logic;
+  signal line_start : std_logic;
+  signal dropping   : std_logic;
+  signal kept_for   : std_logic;
+  signal of_session : std_logic;
+  signal for_asking : std_logic;
+  signal for_nobody : std_logic;
+  signal is_lf      : std_logic;
+  signal waits      : std_logic;
+  signal take       : std_logic;
+  signal write      : std_logic;
+
+begin
+
+  is_lf <= to_std_logic(in_data = character_lf);
+  -- What has an ID, K and P are of a session.
+  of_session <= to_std_logic(unsigned(in_data) >= x"67" or in_data = x"4B" or in_data = x"50");
+  for_asking <= asking and not (has_session and of_session);
+  for_nobody <= not for_asking and not has_session;
+  waits      <= full or (is_lf and too_many)
+                or (line_start and not for_nobody and to_std_logic(gathered /= 0) and (for_asking xor kept_for));
+  take       <= in_valid and not waits;
+  in_ready   <= not waits;
+  write      <= take and not dropping and not (line_start and for_nobody);
+  load       <= '1' when read_at /= write_at and (head = '0' or out_ready = '1') else
+                '0';
+  whole      <= gathered;
+  to_asking  <= kept_for;
+
+  storage : process (clk) is
+  begin
+
+    if rising_edge(clk) then
+      if write = '1' then
+        memory(to_integer(write_at)) <= in_data;
+      end if;
+      if load = '1' then
+        out_data <= memory(to_integer(read_at));
+      end if;
+    end if;
+
+  end process storage;
+
+  control : process (clk) is
+
+    variable before : pointer_t;
+
+  begin
+
+    if rising_edge(clk) then
+      before := gathered;
+      if close = '1' then
+        before := (others => '0');
+      end if;
+      gathered <= before;
+      if write = '1' then
+        write_at <= write_at + 1;
+        part     <= part + 1;
+        if line_start = '1' then
+          kept_for <= for_asking;
+        end if;
+        if is_lf = '1' then
+          gathered <= before + part + 1;
+          part     <= (others => '0');
+        end if;
+      end if;
+      if take = '1' then
+        line_start <= is_lf;
+        dropping   <= (dropping or (line_start and for_nobody)) and not is_lf;
+      end if;
+      if load = '1' then
+        read_at <= read_at + 1;
+        head    <= '1';
+      elsif out_ready = '1' then
+        head <= '0';
+      end if;
+
+      -- Each a cycle late, so by a byte too early.
+      full     <= to_std_logic(write_at - read_at >= depth - 3);
+      too_many <= to_std_logic(before /= 0 and before + part >= most - 1);
+      empty    <= to_std_logic(gathered = 0 and part = 0 and head = '0' and write_at = read_at);
+
+      if rst = '1' then
+        write_at   <= (others => '0');
+        read_at    <= (others => '0');
+        gathered   <= (others => '0');
+        part       <= (others => '0');
+        full       <= '0';
+        too_many   <= '0';
+        head       <= '0';
+        line_start <= '1';
+        dropping   <= '0';
+        kept_for   <= '0';
+        empty      <= '1';
+      end if;
+    end if;
+
+  end process control;
+
+end architecture rtl;

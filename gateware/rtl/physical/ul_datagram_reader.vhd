@@ -1,0 +1,576 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
+-- Takes the records of `ul_network_rx`, and decides what is done with each: questions and pings are answered, and
+-- datagrams taken or not as docs/protocol.md ("Datagrams") has it: the frames of those that are go to the core.
+--
+-- What is known of hosts stands in a memory of four banks. In three of them are an address of the MAC (slots 0 to 5),
+-- one of IP (6 to 9), a port (10, 11), the digits of a session (16 to 23) and of a count (24 to 31): of the host that
+-- opened the session, with the newest count that was taken; of the one that asked last without a session; and of what
+-- comes in now, the candidate, which has in slots 10 to 17 what a ping brought instead. A datagram that is taken makes
+-- its bank that of the opener, and the opener's that of the next candidate: nothing is copied. The last bank has the
+-- digits of the session on offer. Each byte is compared with the opener's as it comes, and its digits with those on
+-- offer, so all is known with the last one.
+--
+-- All of it happens while the frame comes in; effects wait until it is committed. Those that change to whom answers go
+-- wait, besides, until the core has answered all before: `active` has been '0' for a while. Where samples leave it no
+-- rest, they wait for `patience`, in which every request is answered.
+--
+-- In a datagram without a header, frames that need a session, and `K`, do not reach the core: they are answered by X0A.
+
+library ieee;
+  use ieee.std_logic_1164.all;
+  use ieee.numeric_std.all;
+
+library work;
+  use work.unity_link_pkg.all;
+  use work.ul_crc_pkg.all;
+  use work.ul_ethernet_pkg.all;
+
+entity ul_datagram_reader is
+  generic (
+    crc_bits       : positive                      := 16;
+    crc_polynomial : std_logic_vector(31 downto 0) := x"00001021"
+  );
+  port (
+    clk : in    std_logic;
+    rst : in    std_logic;
+    -- Records, from `ul_record_ring`.
+    in_data  : in    std_logic_vector(7 downto 0);
+    in_valid : in    std_logic;
+    in_ready : out   std_logic;
+    trial    : in    std_logic;
+    undone   : in    std_logic;
+    done     : out   std_logic;
+    -- Frames for the core.
+    out_data  : out   std_logic_vector(7 downto 0);
+    out_valid : out   std_logic;
+    out_ready : in    std_logic;
+    -- The memory of hosts, bank and slot.
+    peer_write : out   std_logic;
+    peer_at    : out   peer_address_t;
+    peer_data  : out   std_logic_vector(7 downto 0);
+    read_at    : out   peer_address_t;
+    read_data  : in    std_logic_vector(7 downto 0);
+    -- Banks of the host that opened the session, and of the one that asks without.
+    opener      : out   bank_t;
+    requester   : out   bank_t;
+    has_session : out   std_logic;
+    -- '1' for one cycle: a session begins.
+    opened : out   std_logic;
+    -- Answers without an ID go to the requester, in plain frames if its first one was.
+    asking       : out   std_logic;
+    asking_plain : out   std_logic;
+    -- What is to be sent beside the answers of the core; `job_done` ends it. `candidate` is its bank.
+    job       : out   job_t;
+    job_plain : out   std_logic;
+    job_bank  : out   bank_t;
+    -- Bytes of the ping that is answered, its IP header among them, and a carry to its check.
+    job_bytes : out   unsigned(10 downto 0);
+    job_carry : out   std_logic;
+    job_done  : in    std_logic;
+    -- The bytes of an echo are taken from the ring by others.
+    echo_taken : in    std_logic;
+    -- Something is on its way out, or in the core.
+    active : in    std_logic;
+    -- Nothing may begin to be sent but jobs, and nothing is being sent.
+    hold  : out   std_logic;
+    still : in    std_logic;
+    -- A number that is never the same twice.
+    cycles : in    std_logic_vector(31 downto 0)
+  );
+end entity ul_datagram_reader;
+
+architecture rtl of ul_datagram_reader is
+
+  constant check_digits : positive := crc_bits / 4;
+  -- Cycles of rest behind which the core surely has nothing more to say, and those that are waited for it.
+  constant rest     : positive := 15;
+  constant patience : positive := 2 ** 17 - 1;
+
+  type state_t is (
+    head, first, digit, check, line_end, decide, peek, refuse, quiet, offer, pass, end_line, answer, drain
+  );
+
+  -- Why it is waited for rest.
+
+  type purpose_t is (to_take, to_open, to_ask);
+
+  signal state     : state_t;
+  signal purpose   : purpose_t;
+  signal phase     : natural range 0 to 2;
+  signal place     : unsigned(5 downto 0);
+  signal left      : unsigned(10 downto 0);
+  signal last_one  : std_logic;
+  signal none_left : std_logic;
+  signal is_arp    : std_logic;
+  signal is_icmp   : std_logic;
+  -- A carry of the check of a ping, one byte further.
+  signal wrap : std_logic;
+  signal was  : std_logic_vector(7 downto 0);
+
+  signal candidate    : bank_t;
+  signal opener_i     : bank_t;
+  signal requester_i  : bank_t;
+  signal in_session   : std_logic;
+  signal has_offer    : std_logic;
+  signal asking_i     : std_logic;
+  signal form_known   : std_logic;
+  signal same_host    : std_logic;
+  signal same_session : std_logic;
+  signal on_offer     : std_logic;
+  signal turned       : std_logic;
+  signal differs      : std_logic;
+  signal greater      : std_logic;
+  signal no_count     : std_logic;
+  signal malformed    : std_logic;
+  signal is_plain     : std_logic;
+  signal headless     : std_logic;
+  signal crc          : std_logic_vector(crc_bits - 1 downto 0);
+  signal rested       : natural range 0 to rest;
+  signal waited       : natural range 0 to patience;
+
+  signal numbers    : std_logic_vector(31 downto 0);
+  signal line_start : std_logic;
+  signal skipping   : std_logic;
+  signal refused    : std_logic;
+  signal forbidden  : std_logic;
+  signal ended      : std_logic;
+  signal is_end     : std_logic;
+  signal take       : std_logic;
+  signal passes     : std_logic;
+
+  function slot_of (number : unsigned(5 downto 0)) return unsigned is
+  begin
+
+    if number <= 5 then
+      return number(4 downto 0);
+    elsif number <= 20 then
+      return resize(number - 3, 5);
+    else
+      return resize(number - 16, 5);
+    end if;
+
+  end function slot_of;
+
+begin
+
+  opener      <= opener_i;
+  requester   <= requester_i;
+  has_session <= in_session;
+  asking      <= asking_i;
+  job_plain   <= is_plain;
+  job_carry   <= wrap;
+  none_left   <= '1' when left = 0 else
+                 '0';
+  last_one    <= '1' when left = 1 else
+                 '0';
+  is_end      <= to_std_logic(in_data = character_lf or in_data = character_cr);
+
+  -- G to Z in small letters, which have an ID, and K.
+  forbidden <= headless and line_start and to_std_logic(unsigned(in_data) >= x"67" or in_data = x"4B");
+  passes    <= in_valid and not none_left and not skipping and not forbidden when state = pass else
+               '0';
+  out_valid <= '1' when passes = '1' or state = end_line else
+               '0';
+  out_data  <= character_lf when state = end_line else
+               in_data;
+
+  with state select take <=
+    in_valid and to_std_logic(phase = 2) when head | digit | check,
+    in_valid and (is_end or to_std_logic(in_data = x"55")) and not none_left when first,
+    in_valid and is_end and not none_left and not trial when peek,
+    in_valid and not none_left when line_end,
+    in_valid and not none_left and (out_ready or skipping or forbidden) when pass,
+    in_valid and not none_left when drain,
+    '0' when others;
+
+  in_ready <= take or echo_taken;
+
+  -- The opener's byte first, then that on offer.
+  read_at(4 downto 0) <= std_logic_vector(slot_of(place));
+  read_at(6 downto 5) <= opener_i when phase = 0 else
+                         offer_bank;
+
+  main : process (clk) is
+
+    variable sum     : unsigned(8 downto 0);
+    variable nibble  : std_logic_vector(3 downto 0);
+    variable matches : boolean;
+
+    procedure spoil is
+    begin
+
+      malformed <= '1';
+      state     <= decide;
+
+    end procedure spoil;
+
+  begin
+
+    if rising_edge(clk) then
+      peer_write <= '0';
+      done       <= '0';
+      opened     <= '0';
+      peer_at    <= candidate & std_logic_vector(slot_of(place));
+      peer_data  <= in_data;
+      nibble     := hex_value(in_data);
+
+      -- Of the record's payload.
+      if take = '1' and state /= head then
+        left <= left - 1;
+      end if;
+      if echo_taken = '1' then
+        left <= left - 1;
+      end if;
+
+      if phase /= 2 then
+        phase <= phase + 1;
+      elsif take = '1' or (state /= head and state /= digit and state /= check) then
+        phase <= 0;
+      end if;
+      was <= read_data;
+      if phase = 2 then
+        was <= was;
+      end if;
+
+      if active = '1' or (state /= quiet) then
+        rested <= 0;
+      elsif rested /= rest then
+        rested <= rested + 1;
+      end if;
+      if state /= quiet then
+        waited <= 0;
+      elsif waited /= patience then
+        waited <= waited + 1;
+      end if;
+
+      case state is
+
+        when head =>
+          if take = '1' then
+            place      <= place + 1;
+            peer_write <= '1';
+            if place <= 5 or (place >= 9 and place <= 14) then
+              same_host <= same_host and to_std_logic(was = in_data);
+            end if;
+
+            case to_integer(place) is
+
+              when 6 =>
+                peer_write        <= '0';
+                left(10 downto 8) <= unsigned(in_data(2 downto 0));
+
+              when 7 =>
+                peer_write       <= '0';
+                left(7 downto 0) <= unsigned(in_data);
+
+              when 8 =>
+                peer_write <= '0';
+                is_arp     <= in_data(0);
+                is_icmp    <= in_data(1);
+                job_bytes  <= left;
+                left       <= left - 28;
+
+              when 12 =>
+                if is_arp = '1' then
+                  left  <= (others => '0');
+                  state <= decide;
+                end if;
+
+              -- The reply to a ping differs from it by 0800 in its first word, so its check by as much the other way.
+              when 15 =>
+                sum       := resize(unsigned(in_data), 9) + 8;
+                peer_data <= std_logic_vector(sum(7 downto 0));
+                wrap      <= sum(8);
+
+              when 16 =>
+                sum       := resize(unsigned(in_data), 9) + unsigned'(0 => wrap);
+                peer_data <= std_logic_vector(sum(7 downto 0));
+                wrap      <= sum(8);
+
+              when 20 =>
+                state <= first;
+                if is_icmp = '1' then
+                  state <= decide;
+                end if;
+
+              when others =>
+                null;
+
+            end case;
+
+          end if;
+
+        when first =>
+          place <= to_unsigned(32, place'length);
+          crc   <= crc_after((crc'range => '0'), x"55", crc_polynomial);
+          if none_left = '1' then
+            spoil;
+          elsif in_valid = '1' and is_end = '0' then
+            phase <= 0;
+            if in_data = x"55" then
+              state <= digit;
+            else
+              headless <= '1';
+              state    <= decide;
+            end if;
+          end if;
+
+        when digit =>
+          if none_left = '1' then
+            spoil;
+          elsif take = '1' then
+            peer_write <= '1';
+            peer_data  <= x"0" & nibble;
+            place      <= place + 1;
+            crc        <= crc_after(crc, in_data, crc_polynomial);
+            if is_hex(in_data) = '0' then
+              spoil;
+            end if;
+            if place(3) = '0' then
+              same_session <= same_session and to_std_logic(was(3 downto 0) = nibble);
+              on_offer     <= on_offer and to_std_logic(read_data(3 downto 0) = nibble);
+            else
+              no_count <= no_count and to_std_logic(nibble = x"0");
+              -- The highest bit tells which half of the circle each is in; the others, which is ahead.
+              if place(2 downto 0) = 0 then
+                turned  <= nibble(3) xor was(3);
+                differs <= to_std_logic(nibble(2 downto 0) /= was(2 downto 0));
+                greater <= to_std_logic(unsigned(nibble(2 downto 0)) > unsigned(was(2 downto 0)));
+              elsif differs = '0' then
+                differs <= to_std_logic(nibble /= was(3 downto 0));
+                greater <= to_std_logic(unsigned(nibble) > unsigned(was(3 downto 0)));
+              end if;
+            end if;
+            if place = 47 then
+              place <= (others => '0');
+              state <= check;
+            end if;
+          end if;
+
+        when check =>
+          if none_left = '1' then
+            spoil;
+          elsif take = '1' then
+            place   <= place + 1;
+            crc     <= crc(crc'high - 4 downto 0) & "0000";
+            matches := is_hex(in_data) = '1' and nibble = crc(crc'high downto crc'high - 3);
+            if in_data = character_cr and place = 0 then
+              is_plain <= '1';
+              state    <= decide;
+            elsif not matches then
+              spoil;
+            elsif place = check_digits - 1 then
+              state <= line_end;
+            end if;
+          end if;
+
+        when line_end =>
+          if none_left = '1' then
+            spoil;
+          elsif in_valid = '1' then
+            state <= decide;
+            if in_data /= character_lf then
+              malformed <= '1';
+            end if;
+          end if;
+
+        when decide =>
+          line_start <= '1';
+          ended      <= '1';
+          skipping   <= '0';
+          refused    <= '0';
+          purpose    <= to_take;
+          job_bank   <= candidate;
+          if trial = '0' then
+            state <= drain;
+            if is_arp = '1' then
+              job   <= job_arp;
+              state <= answer;
+            elsif is_icmp = '1' then
+              job   <= job_echo;
+              state <= answer;
+            elsif malformed = '1' then
+              state <= drain;
+            elsif headless = '1' then
+              purpose <= to_ask;
+              state   <= quiet;
+            elsif no_count = '1' then
+              state <= drain;
+            elsif (in_session and same_session and same_host) = '1' then
+              if (differs and (greater xor turned)) = '1' then
+                candidate <= opener_i;
+                opener_i  <= candidate;
+                state     <= pass;
+                if asking_i = '1' then
+                  state <= quiet;
+                end if;
+              end if;
+            elsif (has_offer and on_offer) = '1' then
+              state <= peek;
+            else
+              state <= refuse;
+            end if;
+          end if;
+
+        when peek =>
+          if none_left = '1' then
+            state <= refuse;
+          elsif in_valid = '1' and is_end = '0' then
+            state   <= refuse;
+            purpose <= to_open;
+            if in_data = x"4B" then
+              state <= quiet;
+            end if;
+          end if;
+
+        when refuse =>
+          job      <= job_refuse;
+          job_bank <= candidate;
+          state    <= answer;
+
+        when quiet =>
+          if still = '1' and (rested = rest or waited = patience) then
+            asking_i <= '0';
+            state    <= pass;
+            if purpose = to_open then
+              -- Who had the session is told.
+              candidate  <= opener_i;
+              opener_i   <= candidate;
+              has_offer  <= '0';
+              in_session <= '1';
+              opened     <= '1';
+              if in_session = '1' then
+                job      <= job_refuse;
+                job_bank <= opener_i;
+                is_plain <= '0';
+                state    <= answer;
+              end if;
+            elsif purpose = to_ask then
+              candidate    <= requester_i;
+              requester_i  <= candidate;
+              asking_i     <= '1';
+              asking_plain <= '0';
+              form_known   <= '0';
+              if has_offer = '0' then
+                numbers <= cycles(31 downto 1) & '1';
+                place   <= to_unsigned(32, place'length);
+                state   <= offer;
+              end if;
+            end if;
+          end if;
+
+        when offer =>
+          has_offer  <= '1';
+          numbers    <= numbers(27 downto 0) & "0000";
+          peer_write <= '1';
+          peer_at    <= offer_bank & std_logic_vector(slot_of(place));
+          peer_data  <= x"0" & numbers(31 downto 28);
+          place      <= place + 1;
+          if place = 39 then
+            state <= pass;
+          end if;
+
+        when pass =>
+          if take = '1' then
+            line_start <= is_end;
+            ended      <= to_std_logic(in_data = character_lf) or forbidden or skipping;
+            skipping   <= (skipping or forbidden) and not is_end;
+            refused    <= refused or forbidden;
+            if (headless and is_end and not line_start and not form_known) = '1' then
+              form_known   <= '1';
+              asking_plain <= to_std_logic(in_data = character_cr);
+            end if;
+          elsif none_left = '1' then
+            state <= end_line;
+            if ended = '1' then
+              state <= drain;
+              if refused = '1' then
+                job      <= job_refuse_offer;
+                job_bank <= requester_i;
+                is_plain <= asking_plain;
+                state    <= answer;
+              end if;
+            end if;
+          end if;
+
+        when end_line =>
+          if out_ready = '1' then
+            ended <= '1';
+            state <= pass;
+          end if;
+
+        when answer =>
+          if job_done = '1' then
+            job   <= job_none;
+            state <= drain;
+            if purpose = to_open then
+              state <= pass;
+            end if;
+          end if;
+
+        when drain =>
+          job <= job_none;
+          if none_left = '1' then
+            done  <= '1';
+            state <= head;
+          end if;
+
+      end case;
+
+      if (state = drain and none_left = '1') or undone = '1' or rst = '1' then
+        state        <= head;
+        phase        <= 0;
+        place        <= (others => '0');
+        is_arp       <= '0';
+        is_icmp      <= '0';
+        wrap         <= '0';
+        same_host    <= '1';
+        same_session <= '1';
+        on_offer     <= '1';
+        no_count     <= '1';
+        malformed    <= '0';
+        headless     <= '0';
+        is_plain     <= '0';
+        purpose      <= to_take;
+      end if;
+
+      if rst = '1' then
+        candidate    <= "00";
+        opener_i     <= "01";
+        requester_i  <= "10";
+        left         <= (others => '0');
+        was          <= (others => '0');
+        in_session   <= '0';
+        has_offer    <= '0';
+        asking_i     <= '0';
+        asking_plain <= '0';
+        form_known   <= '0';
+        turned       <= '0';
+        differs      <= '0';
+        greater      <= '0';
+        crc          <= (others => '0');
+        rested       <= 0;
+        waited       <= 0;
+        numbers      <= (others => '0');
+        line_start   <= '1';
+        skipping     <= '0';
+        refused      <= '0';
+        ended        <= '1';
+        job          <= job_none;
+        job_bank     <= "00";
+        job_bytes    <= (others => '0');
+        peer_write   <= '0';
+        peer_at      <= (others => '0');
+        peer_data    <= (others => '0');
+        done         <= '0';
+        opened       <= '0';
+      end if;
+    end if;
+
+  end process main;
+
+  hold <= '1' when state = quiet and waited = patience else
+          '0';
+
+end architecture rtl;

@@ -1,0 +1,512 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
+-- Makes the frames that a gateway sends on Ethernet, byte by byte: answers to questions for its address and to pings,
+-- refusals (X0A), and datagrams of what the core has sent, each with its header.
+--
+-- A datagram is begun as soon as there is a whole frame for it, and takes all that have come until its length is sent.
+-- What comes meanwhile gathers for the next. Its check of UDP is 0, as that of the frame and of ours cover it.
+
+library ieee;
+  use ieee.std_logic_1164.all;
+  use ieee.numeric_std.all;
+
+library work;
+  use work.unity_link_pkg.all;
+  use work.ul_crc_pkg.all;
+  use work.ul_ethernet_pkg.all;
+
+entity ul_datagram_writer is
+  generic (
+    mac_address    : std_logic_vector(47 downto 0) := x"02554C000001";
+    ip_address     : std_logic_vector(31 downto 0) := x"C0A80164";
+    udp_port       : positive                      := 21_845;
+    crc_bits       : positive                      := 16;
+    crc_polynomial : std_logic_vector(31 downto 0) := x"00001021"
+  );
+  port (
+    clk : in    std_logic;
+    rst : in    std_logic;
+    -- As `ul_datagram_reader` has them.
+    job          : in    job_t;
+    job_plain    : in    std_logic;
+    job_bank     : in    bank_t;
+    job_bytes    : in    unsigned(10 downto 0);
+    job_carry    : in    std_logic;
+    job_done     : out   std_logic;
+    echo_data    : in    std_logic_vector(7 downto 0);
+    echo_valid   : in    std_logic;
+    echo_taken   : out   std_logic;
+    opener       : in    bank_t;
+    requester    : in    bank_t;
+    opened       : in    std_logic;
+    asking_plain : in    std_logic;
+    hold         : in    std_logic;
+    still        : out   std_logic;
+    read_at      : out   peer_address_t;
+    read_data    : in    std_logic_vector(7 downto 0);
+    -- As `ul_answer_ring` has them.
+    whole        : in    unsigned(10 downto 0);
+    to_asking    : in    std_logic;
+    close        : out   std_logic;
+    answer_data  : in    std_logic_vector(7 downto 0);
+    answer_taken : out   std_logic;
+    -- Bytes of frames, as `ul_mac` takes them.
+    out_data  : out   std_logic_vector(7 downto 0);
+    out_last  : out   std_logic;
+    out_valid : out   std_logic;
+    out_ready : in    std_logic
+  );
+end entity ul_datagram_writer;
+
+architecture rtl of ul_datagram_writer is
+
+  constant check_digits : positive := crc_bits / 4;
+  -- Bytes of IP and UDP, of our header without its end, and of that whole, and of X0A.
+  constant header_bytes    : positive := 28;
+  constant text_bytes      : positive := 17;
+  constant header_plain    : positive := text_bytes + 2;
+  constant header_checked  : positive := text_bytes + check_digits + 1;
+  constant refusal_plain   : positive := 5;
+  constant refusal_checked : positive := 3 + check_digits + 1;
+
+  type state_t is (idle, head, sum_up, text, ends, payload);
+
+  constant port_bits : std_logic_vector(15 downto 0) := std_logic_vector(to_unsigned(udp_port, 16));
+
+  -- The words of an IP header that are always the same, in ones' complement: version, flags, time to live, our address.
+  function always (protocol : natural) return unsigned is
+
+    variable sum : natural;
+
+  begin
+
+    sum := 16#4500# + 16#4000# + 16#4000# + protocol + to_integer(unsigned(ip_address(31 downto 16)))
+           + to_integer(unsigned(ip_address(15 downto 0)));
+
+    while sum > 65535 loop
+
+      sum := sum mod 65536 + sum / 65536;
+
+    end loop;
+
+    return to_unsigned(sum, 16);
+
+  end function always;
+
+  signal state   : state_t;
+  signal phase   : std_logic;
+  signal place   : unsigned(5 downto 0);
+  signal kind    : job_t;
+  signal bank    : bank_t;
+  signal plain   : std_logic;
+  signal offered : std_logic;
+  -- X0A has begun, behind the header.
+  signal refusal  : std_logic;
+  signal refuses  : std_logic;
+  signal total    : unsigned(10 downto 0);
+  signal overhead : natural range 0 to 127;
+  signal left     : unsigned(10 downto 0);
+  signal count    : unsigned(31 downto 0);
+  signal crc      : std_logic_vector(crc_bits - 1 downto 0);
+  signal covered  : std_logic;
+  signal sum      : unsigned(15 downto 0);
+  signal carry    : std_logic;
+  signal summed   : std_logic;
+  signal free     : std_logic;
+  signal valid    : std_logic;
+  signal byte     : std_logic_vector(7 downto 0);
+  signal produced : std_logic;
+  signal finishes : std_logic;
+
+begin
+
+  out_data  <= byte;
+  out_valid <= valid;
+  -- The register of the byte that is sent next can be written.
+  free       <= not valid or out_ready;
+  produced   <= free and phase when state = head or state = text or state = ends else
+                '0';
+  still      <= to_std_logic(state = idle) and not valid;
+  close      <= to_std_logic(state = head and kind = job_none and place = 16) and not phase;
+  refuses    <= to_std_logic(kind = job_refuse or kind = job_refuse_offer);
+  echo_taken <= free and echo_valid when state = payload and kind = job_echo else
+                '0';
+
+  answer_taken <= free when state = payload and kind = job_none else
+                  '0';
+
+  -- What is in a datagram beside frames, of IP on.
+  overhead <= header_bytes + header_plain when plain = '1' and refuses = '0' else
+              header_bytes + header_checked when refuses = '0' else
+              header_bytes + header_plain + refusal_plain when plain = '1' else
+              header_bytes + header_checked + refusal_checked;
+
+  addresses : process (state, place, kind, bank, offered) is
+
+    variable slot : unsigned(4 downto 0);
+
+  begin
+
+    slot    := place(4 downto 0);
+    read_at <= bank & std_logic_vector(slot);
+    if state = text then
+      slot := resize(place + 15, 5);
+    elsif kind /= job_arp then
+      if (place >= 30 and place <= 33) or (kind = job_echo and place >= 36) then
+        slot := resize(place - 24, 5);
+      elsif place >= 36 then
+        slot := resize(place - 26, 5);
+      end if;
+    end if;
+    read_at <= bank & std_logic_vector(slot);
+    if state = text and offered = '1' then
+      read_at <= offer_bank & std_logic_vector(slot);
+    end if;
+
+  end process addresses;
+
+  main : process (clk) is
+
+    variable index : natural range 0 to 63;
+    variable term  : unsigned(16 downto 0);
+    variable adds  : std_logic;
+    variable last  : std_logic;
+
+  begin
+
+    if rising_edge(clk) then
+      index    := to_integer(place);
+      adds     := '0';
+      last     := '0';
+      term     := (others => '0');
+      covered  <= '0';
+      job_done <= '0';
+      phase    <= not phase or not (produced or to_std_logic(state = sum_up));
+      if out_ready = '1' then
+        valid <= '0';
+      end if;
+      if produced = '1' then
+        valid <= '1';
+        place <= place + 1;
+      end if;
+      if covered = '1' then
+        crc <= crc_after(crc, byte, crc_polynomial);
+      end if;
+
+      case state is
+
+        when idle =>
+          place   <= (others => '0');
+          phase   <= '0';
+          refusal <= '0';
+          summed  <= '0';
+          carry   <= '0';
+          sum     <= always(17);
+          if job = job_echo then
+            sum <= always(1);
+          end if;
+          if job /= job_none and job_done = '0' then
+            kind    <= job;
+            bank    <= job_bank;
+            plain   <= job_plain;
+            offered <= to_std_logic(job = job_refuse_offer);
+            state   <= head;
+          elsif whole /= 0 and job = job_none and hold = '0' then
+            kind    <= job_none;
+            bank    <= opener;
+            plain   <= to_asking and asking_plain;
+            offered <= to_asking;
+            state   <= head;
+            if to_asking = '1' then
+              bank <= requester;
+            else
+              count <= count + 1;
+              if count = x"FFFFFFFF" then
+                count <= to_unsigned(1, count'length);
+              end if;
+            end if;
+          end if;
+
+        when head =>
+          if phase = '0' and kind /= job_arp then
+            if place = 16 then
+              left  <= whole;
+              total <= whole + overhead;
+              if refuses = '1' then
+                total <= to_unsigned(overhead, total'length);
+              elsif kind = job_echo then
+                left  <= job_bytes - header_bytes;
+                total <= job_bytes;
+              end if;
+            elsif place = 17 then
+              adds := '1';
+              term := resize(total, 17);
+            elsif place = 18 then
+              total <= total - 20;
+            elsif place = 24 and summed = '0' then
+              state <= sum_up;
+              place <= to_unsigned(30, place'length);
+              phase <= '0';
+            end if;
+          end if;
+
+          byte <= x"00";
+
+          case index is
+
+            when 0 to 5 =>
+              byte <= read_data;
+
+            when 6 to 11 =>
+              byte <= octet(mac_address, index - 6);
+
+            when 12 =>
+              byte <= x"08";
+
+            when others =>
+              if kind = job_arp then
+
+                case index is
+
+                  when 13 =>
+                    byte <= x"06";
+
+                  when 15 =>
+                    byte <= x"01";
+
+                  when 16 =>
+                    byte <= x"08";
+
+                  when 18 =>
+                    byte <= x"06";
+
+                  when 19 =>
+                    byte <= x"04";
+
+                  when 21 =>
+                    byte <= x"02";
+
+                  when 22 to 27 =>
+                    byte <= octet(mac_address, index - 22);
+
+                  when 28 to 31 =>
+                    byte <= octet(ip_address, index - 28);
+
+                  when 32 to 41 =>
+                    byte <= read_data;
+
+                  when others =>
+                    null;
+
+                end case;
+
+              else
+
+                case index is
+
+                  when 14 =>
+                    byte <= x"45";
+
+                  when 16 | 38 =>
+                    byte(2 downto 0) <= std_logic_vector(total(10 downto 8));
+                    if index = 38 and kind = job_echo then
+                      byte <= read_data;
+                    end if;
+
+                  when 17 | 39 =>
+                    byte <= std_logic_vector(total(7 downto 0));
+                    if index = 39 and kind = job_echo then
+                      byte <= read_data;
+                    end if;
+
+                  when 20 | 22 =>
+                    byte <= x"40";
+
+                  when 23 =>
+                    byte <= x"11";
+                    if kind = job_echo then
+                      byte <= x"01";
+                    end if;
+
+                  when 24 =>
+                    byte <= not std_logic_vector(sum(15 downto 8));
+
+                  when 25 =>
+                    byte <= not std_logic_vector(sum(7 downto 0));
+
+                  when 26 to 29 =>
+                    byte <= octet(ip_address, index - 26);
+
+                  when 30 to 33 =>
+                    byte <= read_data;
+
+                  when 34 | 35 =>
+                    if kind /= job_echo then
+                      byte <= octet(port_bits, index - 34);
+                    end if;
+
+                  when 36 =>
+                    byte <= read_data;
+                    if kind = job_echo then
+                      byte <= std_logic_vector(unsigned(read_data) + unsigned'(0 => job_carry));
+                    end if;
+
+                  when 37 =>
+                    byte <= read_data;
+
+                  when 40 | 41 =>
+                    if kind = job_echo then
+                      byte <= read_data;
+                    end if;
+
+                  when others =>
+                    null;
+
+                end case;
+
+              end if;
+
+          end case;
+
+          if produced = '1' and place = 41 then
+            place <= (others => '0');
+            crc   <= (others => '0');
+            state <= text;
+            if kind = job_echo then
+              state <= payload;
+            end if;
+            last := to_std_logic(kind = job_arp or (kind = job_echo and left = 0));
+          end if;
+
+        when sum_up =>
+          if phase = '1' then
+            adds  := '1';
+            place <= place + 1;
+            if place >= 34 then
+              -- The carries.
+              term := (others => '0');
+            elsif place(0) = '0' then
+              term := shift_left(resize(unsigned(read_data), 17), 8);
+            else
+              term := resize(unsigned(read_data), 17);
+            end if;
+            if place = 35 then
+              summed <= '1';
+              place  <= to_unsigned(24, place'length);
+              state  <= head;
+            end if;
+          end if;
+
+        when text =>
+          if refusal = '1' then
+            byte <= x"30";
+            if place = 0 then
+              byte <= x"58";
+            elsif place = 2 then
+              byte <= x"41";
+            end if;
+          elsif place = 0 then
+            byte <= x"55";
+          elsif place <= 8 then
+            byte <= hex_character(read_data(3 downto 0));
+          elsif offered = '1' or refuses = '1' then
+            byte <= x"30";
+          else
+            byte <= hex_character(std_logic_vector(count(31 downto 28)));
+          end if;
+          if produced = '1' then
+            covered <= '1';
+            if place > 8 then
+              count <= rotate_left(count, 4);
+            end if;
+            if place = text_bytes - 1 or (refusal = '1' and place = 2) then
+              place <= (others => '0');
+              state <= ends;
+            end if;
+          end if;
+
+        when ends =>
+          if plain = '1' and place = 0 then
+            byte <= character_cr;
+          elsif plain = '1' or place = check_digits then
+            byte <= character_lf;
+          else
+            byte <= hex_character(crc(crc'high downto crc'high - 3));
+          end if;
+          if produced = '1' then
+            crc <= crc(crc'high - 4 downto 0) & "0000";
+            if (plain = '1' and place = 1) or (plain = '0' and place = check_digits) then
+              place <= (others => '0');
+              state <= payload;
+              if refuses = '1' and refusal = '0' then
+                refusal <= '1';
+                crc     <= (others => '0');
+                state   <= text;
+              end if;
+              last := refuses and refusal;
+            end if;
+          end if;
+
+        when payload =>
+          if free = '1' and (kind = job_none or echo_valid = '1') then
+            valid <= '1';
+            byte  <= answer_data;
+            if kind = job_echo then
+              byte <= echo_data;
+            end if;
+            left <= left - 1;
+            last := to_std_logic(left = 1);
+          end if;
+
+      end case;
+
+      if adds = '1' then
+        term  := ('0' & sum) + term + unsigned'(0 => carry);
+        sum   <= term(15 downto 0);
+        carry <= term(16);
+      end if;
+      if produced = '1' or state = payload then
+        if free = '1' then
+          out_last <= last;
+        end if;
+      end if;
+      if last = '1' then
+        state    <= idle;
+        job_done <= to_std_logic(kind /= job_none);
+      end if;
+      -- No byte changes before it is taken.
+      if free = '0' then
+        byte <= byte;
+      end if;
+
+      if opened = '1' then
+        count <= (others => '0');
+      end if;
+
+      if rst = '1' then
+        state    <= idle;
+        phase    <= '0';
+        place    <= (others => '0');
+        kind     <= job_none;
+        bank     <= "00";
+        plain    <= '0';
+        offered  <= '0';
+        refusal  <= '0';
+        total    <= (others => '0');
+        left     <= (others => '0');
+        count    <= (others => '0');
+        crc      <= (others => '0');
+        covered  <= '0';
+        sum      <= (others => '0');
+        carry    <= '0';
+        summed   <= '0';
+        valid    <= '0';
+        byte     <= (others => '0');
+        job_done <= '0';
+        out_last <= '0';
+      end if;
+    end if;
+
+  end process main;
+
+end architecture rtl;

@@ -1,0 +1,346 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
+-- Physical layer: Ethernet at 100 Mb/s by RMII, MII or RGMII, with what stands between a PHY and the frames of a
+-- gateway: MAC, ARP, ping, UDP, and the sessions of docs/protocol.md, "Datagrams".
+--
+-- Frames come in and go on to the core while nothing is wrong with them (`ul_mac`, `ul_network_rx`), each datagram
+-- whole or not at all (`ul_record_ring`), if it is of the session or asks without one (`ul_datagram_reader`). What the
+-- core sends gathers in datagrams (`ul_answer_ring`, `ul_datagram_writer`). A datagram that does not fit is dropped and
+-- counted. The host that opened the session is the only one that is answered in it.
+
+library ieee;
+  use ieee.std_logic_1164.all;
+  use ieee.numeric_std.all;
+
+library work;
+  use work.ul_ethernet_pkg.all;
+
+entity ul_ethernet is
+  generic (
+    -- "rmii", "mii", "rgmii": the pins of the PHY.
+    interface : string := "rmii";
+    -- 48 bits, an address of one station: this gateway's.
+    mac_address : std_logic_vector(47 downto 0) := x"02554C000001";
+    -- 32 bits: that of IP.
+    ip_address : std_logic_vector(31 downto 0) := x"C0A80164";
+    -- 1 to 65535: the port of UDP.
+    udp_port : positive := 21_845;
+    -- 8, 16, 32: bits of a frame's CRC.
+    crc_bits : positive := 16;
+    -- As `unity_link` has it.
+    crc_polynomial : std_logic_vector(31 downto 0) := x"00001021"
+  );
+  port (
+    -- The core's clock, at least 25 MHz: rising edges count.
+    clk : in    std_logic;
+    -- Synchronous, active high, for one cycle or more.
+    rst : in    std_logic;
+    -- REF_CLK, RX_CLK or RXC.
+    phy_rx_clk : in    std_logic;
+    -- RXD; of RMII the lower two. Clock: phy_rx_clk.
+    phy_rxd : in    std_logic_vector(3 downto 0);
+    -- CRS_DV, RX_DV or RX_CTL. Clock: phy_rx_clk.
+    phy_rx_dv : in    std_logic;
+    -- RX_ER of RMII and MII. Clock: phy_rx_clk.
+    phy_rx_er : in    std_logic;
+    -- REF_CLK, TX_CLK, or for RGMII a clock of 50 MHz.
+    phy_tx_clk : in    std_logic;
+    -- TXD; of RMII the lower two. Clock: phy_tx_clk.
+    phy_txd : out   std_logic_vector(3 downto 0);
+    -- TX_EN or TX_CTL. Clock: phy_tx_clk.
+    phy_tx_en : out   std_logic;
+    -- TXC of RGMII. Clock: phy_tx_clk.
+    phy_txc : out   std_logic;
+    -- A byte for the core: it has moved at the edge at which rx_valid and rx_ready are both '1'.
+    rx_data : out   std_logic_vector(7 downto 0);
+    -- A byte stands at rx_data.
+    rx_valid : out   std_logic;
+    -- The core takes a byte.
+    rx_ready : in    std_logic;
+    -- A byte of the core.
+    tx_data : in    std_logic_vector(7 downto 0);
+    -- A byte stands at tx_data.
+    tx_valid : in    std_logic;
+    -- This layer takes a byte.
+    tx_ready : out   std_logic;
+    -- Something is in the core that may be answered.
+    active : in    std_logic;
+    -- Cycles since the reset, its lower half.
+    cycles : in    std_logic_vector(31 downto 0);
+    -- Datagrams and questions that were dropped because they did not fit, modulo 65,536.
+    dropped : out   unsigned(15 downto 0)
+  );
+end entity ul_ethernet;
+
+architecture rtl of ul_ethernet is
+
+  constant ring_bytes   : positive := 2048;
+  constant header_bytes : positive := 17 + crc_bits / 4 + 1;
+
+  type memory_t is array (0 to 127) of std_logic_vector(7 downto 0);
+
+  signal frame_data  : std_logic_vector(7 downto 0);
+  signal frame_end   : std_logic;
+  signal frame_valid : std_logic;
+
+  signal write      : std_logic;
+  signal write_data : std_logic_vector(7 downto 0);
+  signal commit     : std_logic;
+  signal rollback   : std_logic;
+  signal full       : std_logic;
+  signal drops      : std_logic;
+  signal lost       : unsigned(15 downto 0);
+
+  signal record_data  : std_logic_vector(7 downto 0);
+  signal record_valid : std_logic;
+  signal record_ready : std_logic;
+  signal trial        : std_logic;
+  signal undone       : std_logic;
+  signal done         : std_logic;
+
+  signal peers        : memory_t;
+  signal peer_write   : std_logic;
+  signal peer_at      : peer_address_t;
+  signal peer_data    : std_logic_vector(7 downto 0);
+  signal reader_at    : peer_address_t;
+  signal reader_data  : std_logic_vector(7 downto 0);
+  signal writer_at    : peer_address_t;
+  signal writer_data  : std_logic_vector(7 downto 0);
+  signal opener       : bank_t;
+  signal requester    : bank_t;
+  signal has_session  : std_logic;
+  signal opened       : std_logic;
+  signal asking       : std_logic;
+  signal asking_plain : std_logic;
+
+  signal job        : job_t;
+  signal job_plain  : std_logic;
+  signal job_bank   : bank_t;
+  signal job_bytes  : unsigned(10 downto 0);
+  signal job_carry  : std_logic;
+  signal job_done   : std_logic;
+  signal echo_taken : std_logic;
+  signal hold       : std_logic;
+  signal still      : std_logic;
+  signal under_way  : std_logic;
+
+  signal whole        : unsigned(10 downto 0);
+  signal to_asking    : std_logic;
+  signal close        : std_logic;
+  signal empty        : std_logic;
+  signal answer_data  : std_logic_vector(7 downto 0);
+  signal answer_taken : std_logic;
+
+  signal sent_data  : std_logic_vector(7 downto 0);
+  signal sent_last  : std_logic;
+  signal sent_valid : std_logic;
+  signal sent_ready : std_logic;
+
+begin
+
+  assert mac_address(40) = '0'
+    report "ul_ethernet: mac_address is a group's, expected one with bit 40 at '0'"
+    severity failure;
+
+  assert udp_port <= 65535
+    report "ul_ethernet: udp_port is " & integer'image(udp_port) & ", expected 1 to 65535"
+    severity failure;
+
+  mac_inst : entity work.ul_mac
+    generic map (
+      interface => interface
+    )
+    port map (
+      clk        => clk,
+      rst        => rst,
+      phy_rx_clk => phy_rx_clk,
+      phy_rxd    => phy_rxd,
+      phy_rx_dv  => phy_rx_dv,
+      phy_rx_er  => phy_rx_er,
+      phy_tx_clk => phy_tx_clk,
+      phy_txd    => phy_txd,
+      phy_tx_en  => phy_tx_en,
+      phy_txc    => phy_txc,
+      rx_data    => frame_data,
+      rx_end     => frame_end,
+      rx_valid   => frame_valid,
+      rx_ready   => '1',
+      tx_data    => sent_data,
+      tx_last    => sent_last,
+      tx_valid   => sent_valid,
+      tx_ready   => sent_ready
+    );
+
+  network_rx_inst : entity work.ul_network_rx
+    generic map (
+      mac_address => mac_address,
+      ip_address  => ip_address,
+      udp_port    => udp_port
+    )
+    port map (
+      clk        => clk,
+      rst        => rst,
+      in_data    => frame_data,
+      in_end     => frame_end,
+      in_valid   => frame_valid,
+      write      => write,
+      write_data => write_data,
+      commit     => commit,
+      rollback   => rollback,
+      full       => full,
+      dropped    => drops
+    );
+
+  count_dropped : process (clk) is
+  begin
+
+    if rising_edge(clk) then
+      if drops = '1' then
+        lost <= lost + 1;
+      end if;
+      if rst = '1' then
+        lost <= (others => '0');
+      end if;
+    end if;
+
+  end process count_dropped;
+
+  dropped <= lost;
+
+  record_ring_inst : entity work.ul_record_ring
+    generic map (
+      depth => ring_bytes
+    )
+    port map (
+      clk        => clk,
+      rst        => rst,
+      write      => write,
+      write_data => write_data,
+      commit     => commit,
+      rollback   => rollback,
+      full       => full,
+      out_data   => record_data,
+      out_valid  => record_valid,
+      out_ready  => record_ready,
+      trial      => trial,
+      undone     => undone,
+      done       => done
+    );
+
+  hosts : process (clk) is
+  begin
+
+    if rising_edge(clk) then
+      if peer_write = '1' then
+        peers(to_integer(unsigned(peer_at))) <= peer_data;
+      end if;
+      reader_data <= peers(to_integer(unsigned(reader_at)));
+      writer_data <= peers(to_integer(unsigned(writer_at)));
+    end if;
+
+  end process hosts;
+
+  under_way <= active or not empty;
+
+  datagram_reader_inst : entity work.ul_datagram_reader
+    generic map (
+      crc_bits       => crc_bits,
+      crc_polynomial => crc_polynomial
+    )
+    port map (
+      clk          => clk,
+      rst          => rst,
+      in_data      => record_data,
+      in_valid     => record_valid,
+      in_ready     => record_ready,
+      trial        => trial,
+      undone       => undone,
+      done         => done,
+      out_data     => rx_data,
+      out_valid    => rx_valid,
+      out_ready    => rx_ready,
+      peer_write   => peer_write,
+      peer_at      => peer_at,
+      peer_data    => peer_data,
+      read_at      => reader_at,
+      read_data    => reader_data,
+      opener       => opener,
+      requester    => requester,
+      has_session  => has_session,
+      opened       => opened,
+      asking       => asking,
+      asking_plain => asking_plain,
+      job          => job,
+      job_plain    => job_plain,
+      job_bank     => job_bank,
+      job_bytes    => job_bytes,
+      job_carry    => job_carry,
+      job_done     => job_done,
+      echo_taken   => echo_taken,
+      active       => under_way,
+      hold         => hold,
+      still        => still,
+      cycles       => cycles
+    );
+
+  answer_ring_inst : entity work.ul_answer_ring
+    generic map (
+      depth => ring_bytes,
+      most  => largest_datagram - header_bytes
+    )
+    port map (
+      clk         => clk,
+      rst         => rst,
+      in_data     => tx_data,
+      in_valid    => tx_valid,
+      in_ready    => tx_ready,
+      has_session => has_session,
+      asking      => asking,
+      whole       => whole,
+      to_asking   => to_asking,
+      close       => close,
+      empty       => empty,
+      out_data    => answer_data,
+      out_ready   => answer_taken
+    );
+
+  datagram_writer_inst : entity work.ul_datagram_writer
+    generic map (
+      mac_address    => mac_address,
+      ip_address     => ip_address,
+      udp_port       => udp_port,
+      crc_bits       => crc_bits,
+      crc_polynomial => crc_polynomial
+    )
+    port map (
+      clk          => clk,
+      rst          => rst,
+      job          => job,
+      job_plain    => job_plain,
+      job_bank     => job_bank,
+      job_bytes    => job_bytes,
+      job_carry    => job_carry,
+      job_done     => job_done,
+      echo_data    => record_data,
+      echo_valid   => record_valid,
+      echo_taken   => echo_taken,
+      opener       => opener,
+      requester    => requester,
+      opened       => opened,
+      asking_plain => asking_plain,
+      hold         => hold,
+      still        => still,
+      read_at      => writer_at,
+      read_data    => writer_data,
+      whole        => whole,
+      to_asking    => to_asking,
+      close        => close,
+      answer_data  => answer_data,
+      answer_taken => answer_taken,
+      out_data     => sent_data,
+      out_last     => sent_last,
+      out_valid    => sent_valid,
+      out_ready    => sent_ready
+    );
+
+end architecture rtl;

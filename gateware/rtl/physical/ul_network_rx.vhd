@@ -1,0 +1,269 @@
+-- SPDX-License-Identifier: BSD-3-Clause
+--
+-- Picks from the frames of a MAC what is for this gateway: questions for its address (ARP), pings (ICMP echo requests),
+-- and datagrams (UDP) for its port. All else leaves no trace: other addresses and multicasts, tags, other protocols and
+-- ports, fragments and options of IP, what is shorter than it says, a wrong check of the header, a frame that is not
+-- good.
+--
+-- What is for it goes on as a record: address of the MAC (6 bytes), length of the IP datagram (2), kind (1: bit 0 ARP,
+-- bit 1 ICMP), address of IP (4); of all but ARP the header of 8 bytes behind that of IP, and what it carries. Bytes
+-- are written as they come, on trial: `commit` says that the frame was good, `rollback` that it is to be forgotten.
+--
+-- The check of UDP is not looked at: that of the frame covers it.
+
+library ieee;
+  use ieee.std_logic_1164.all;
+  use ieee.numeric_std.all;
+
+library work;
+  use work.ul_ethernet_pkg.all;
+  use work.unity_link_pkg.all;
+
+entity ul_network_rx is
+  generic (
+    -- 48 bits: this gateway's address.
+    mac_address : std_logic_vector(47 downto 0) := x"02554C000001";
+    -- 32 bits: that of IP.
+    ip_address : std_logic_vector(31 downto 0) := x"C0A80164";
+    -- 1 to 65535: the port of UDP.
+    udp_port : positive := 21_845
+  );
+  port (
+    clk : in    std_logic;
+    rst : in    std_logic;
+    -- A byte of a frame, or its verdict, as `ul_mac` has them; each is taken at once.
+    in_data  : in    std_logic_vector(7 downto 0);
+    in_end   : in    std_logic;
+    in_valid : in    std_logic;
+    -- The record.
+    write      : out   std_logic;
+    write_data : out   std_logic_vector(7 downto 0);
+    commit     : out   std_logic;
+    rollback   : out   std_logic;
+    -- There is no room for another byte.
+    full : in    std_logic;
+    -- '1' for one cycle: a good frame for this gateway is dropped, as there was no room.
+    dropped : out   std_logic
+  );
+end entity ul_network_rx;
+
+architecture rtl of ul_network_rx is
+
+  constant header : positive := 42;
+
+  -- Of the byte that comes: its place in the frame, at most `header`.
+  signal place : unsigned(5 downto 0);
+  -- So far it can be for this gateway.
+  signal wanted  : std_logic;
+  signal to_me   : std_logic;
+  signal to_all  : std_logic;
+  signal is_arp  : std_logic;
+  signal is_icmp : std_logic;
+  -- Bytes of the IP datagram behind the one that came, and all there are of it.
+  signal remaining : unsigned(10 downto 0);
+  signal udp_bytes : unsigned(10 downto 0);
+  signal complete  : std_logic;
+  signal overflow  : std_logic;
+  signal sum       : unsigned(15 downto 0);
+  signal carry     : std_logic;
+
+  constant port_bits : std_logic_vector(15 downto 0) := std_logic_vector(to_unsigned(udp_port, 16));
+
+begin
+
+  main : process (clk) is
+
+    variable index  : natural range 0 to 63;
+    variable keep   : std_logic;
+    variable is_udp : std_logic;
+    variable term   : unsigned(16 downto 0);
+
+    procedure expect (condition : boolean) is
+    begin
+
+      if not condition then
+        wanted <= '0';
+      end if;
+
+    end procedure expect;
+
+  begin
+
+    if rising_edge(clk) then
+      index      := to_integer(place);
+      is_udp     := not is_arp and not is_icmp;
+      keep       := '0';
+      write      <= '0';
+      commit     <= '0';
+      rollback   <= '0';
+      dropped    <= '0';
+      write_data <= in_data;
+
+      if (in_valid and not in_end) = '1' then
+        if index /= header then
+          place <= place + 1;
+        end if;
+
+        case index is
+
+          when 0 to 5 =>
+            to_all <= to_all and to_std_logic(in_data = x"FF");
+            to_me  <= to_me and to_std_logic(in_data = octet(mac_address, index));
+
+          when 6 to 11 =>
+            keep := '1';
+            expect((to_me or to_all) = '1');
+
+          when 12 =>
+            expect(in_data = x"08");
+
+          when 13 =>
+            is_arp <= in_data(1);
+            expect(in_data = x"06" or (in_data = x"00" and to_me = '1'));
+
+          when 14 =>
+            expect((is_arp = '1' and in_data = x"00") or (is_arp = '0' and in_data = x"45"));
+
+          when 15 =>
+            expect(is_arp = '0' or in_data = x"01");
+
+          when 16 =>
+            keep                   := '1';
+            remaining(10 downto 8) <= unsigned(in_data(2 downto 0));
+            expect((is_arp = '1' and in_data = x"08") or (is_arp = '0' and unsigned(in_data(7 downto 3)) = 0));
+
+          when 17 =>
+            keep                  := '1';
+            remaining(7 downto 0) <= unsigned(in_data);
+            expect(is_arp = '0' or in_data = x"00");
+
+          when 18 =>
+            udp_bytes <= remaining - 20;
+            expect(is_arp = '0' or in_data = x"06");
+
+          when 19 =>
+            expect(is_arp = '0' or in_data = x"04");
+
+          when 20 =>
+            expect(unsigned(in_data(5 downto 0)) = 0);
+
+          when 21 =>
+            expect((is_arp = '1' and in_data = x"01") or (is_arp = '0' and in_data = x"00"));
+
+          when 23 =>
+            is_icmp <= not is_arp and in_data(0) and not in_data(4);
+            expect(is_arp = '1' or in_data = x"01" or in_data = x"11");
+
+          when 25 =>
+            keep       := '1';
+            write_data <= "000000" & is_icmp & is_arp;
+
+          when 26 to 29 =>
+            keep := not is_arp or to_std_logic(index >= 28);
+
+          when 30 | 31 =>
+            keep := is_arp;
+            expect(is_arp = '1' or in_data = octet(ip_address, index - 30));
+
+          when 32 | 33 =>
+            expect(is_arp = '1' or in_data = octet(ip_address, index - 30));
+
+          when 34 =>
+            keep := not is_arp;
+            expect(is_icmp = '0' or in_data = x"08");
+            expect(is_arp = '1' or (sum = x"FFFF" and carry = '0') or (sum = x"FFFE" and carry = '1'));
+
+          when 35 =>
+            keep := not is_arp;
+            expect(is_icmp = '0' or in_data = x"00");
+
+          when 36 | 37 =>
+            keep := not is_arp;
+            expect(is_udp = '0' or in_data = octet(port_bits, index - 36));
+
+          when 38 =>
+            keep := not is_arp;
+            expect(is_arp = '0' or in_data = octet(ip_address, 0));
+            expect(is_udp = '0' or unsigned(in_data) = udp_bytes(10 downto 8));
+
+          when 39 =>
+            keep := not is_arp;
+            expect(is_arp = '0' or in_data = octet(ip_address, 1));
+            expect(is_udp = '0' or unsigned(in_data) = udp_bytes(7 downto 0));
+
+          when 40 | 41 =>
+            keep := not is_arp;
+            expect(is_arp = '0' or in_data = octet(ip_address, index - 38));
+
+          when 42 =>
+            keep := not is_arp and not complete;
+
+          when others =>
+            null;
+
+        end case;
+
+        -- The IP datagram has ended; one that ends within the headers is none.
+        if index >= 18 and complete = '0' and is_arp = '0' then
+          remaining <= remaining - 1;
+          if remaining = 5 then
+            complete <= '1';
+            expect(index >= 41);
+          end if;
+        end if;
+        if index = 41 and is_arp = '1' then
+          complete <= '1';
+        end if;
+
+        -- In ones' complement, a byte in its half of the word.
+        if index >= 14 and index <= 33 then
+          term := resize(unsigned(in_data), 17);
+          if index mod 2 = 0 then
+            term := shift_left(term, 8);
+          end if;
+          term  := ('0' & sum) + term + unsigned'(0 => carry);
+          sum   <= term(15 downto 0);
+          carry <= term(16);
+        end if;
+
+        if (keep and wanted) = '1' then
+          write <= not full and not overflow;
+          if full = '1' then
+            overflow <= '1';
+          end if;
+        end if;
+      end if;
+
+      if (in_valid and in_end) = '1' then
+        commit   <= in_data(0) and wanted and complete and not overflow;
+        rollback <= not (in_data(0) and wanted and complete and not overflow);
+        dropped  <= in_data(0) and wanted and complete and overflow;
+      end if;
+
+      if (in_valid and in_end) = '1' or rst = '1' then
+        place    <= (others => '0');
+        wanted   <= '1';
+        to_me    <= '1';
+        to_all   <= '1';
+        is_arp   <= '0';
+        is_icmp  <= '0';
+        complete <= '0';
+        overflow <= '0';
+        sum      <= (others => '0');
+        carry    <= '0';
+      end if;
+
+      if rst = '1' then
+        remaining  <= (others => '0');
+        udp_bytes  <= (others => '0');
+        write      <= '0';
+        write_data <= (others => '0');
+        commit     <= '0';
+        rollback   <= '1';
+        dropped    <= '0';
+      end if;
+    end if;
+
+  end process main;
+
+end architecture rtl;
