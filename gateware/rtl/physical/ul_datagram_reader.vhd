@@ -417,10 +417,10 @@ begin
           if none_left = '1' then
             state <= refuse;
           elsif in_valid = '1' and is_end = '0' then
-            state   <= refuse;
-            purpose <= to_open;
+            state <= refuse;
             if in_data = x"4B" then
-              state <= quiet;
+              purpose <= to_open;
+              state   <= quiet;
             end if;
           end if;
 
