@@ -1,0 +1,124 @@
+"""A host on the cable of a `Wire`: frames of ARP, ICMP and UDP, and the headers of docs/protocol.md, "Datagrams"."""
+
+from __future__ import annotations
+
+import struct
+
+from gateware.bench.network.wire import GATEWAY_IP, GATEWAY_MAC, GATEWAY_PORT, Taken, Wire
+from unity_link.protocol.crc import Crc
+from unity_link.protocol.frames import Framing
+
+HOST_MAC = bytes.fromhex("0200000000aa")
+HOST_IP = bytes((192, 168, 1, 5))
+HEADERS = 42
+"""Bytes before what UDP carries, and before the data of a ping."""
+_FRAMING = Framing(Crc())
+
+
+def sum_of(data: bytes) -> int:
+    """Return the check of IP and ICMP over bytes: 0 over those that have a right one."""
+    total = sum(struct.unpack(f"!{(len(data) + 1) // 2}H", data + bytes(len(data) % 2)))
+    while total >> 16:
+        total = (total & 0xFFFF) + (total >> 16)
+    return 0xFFFF ^ total
+
+
+def ethernet(kind: int, payload: bytes, to: bytes = GATEWAY_MAC) -> bytes:
+    """Return a frame without padding and check."""
+    return to + HOST_MAC + struct.pack("!H", kind) + payload
+
+
+def ip(
+    protocol: int,
+    payload: bytes,
+    *,
+    to: bytes = GATEWAY_IP,
+    origin: bytes = HOST_IP,
+    fragment: int = 0x4000,
+    length: int | None = None,
+    options: bytes = b"",
+    wrong: int = 0,
+) -> bytes:
+    """Return a datagram of IP in a frame."""
+    size = 20 + len(options) + len(payload)
+    head = struct.pack(
+        "!BBHHHBBH4s4s",
+        *(0x45 + len(options) // 4, 0, size if length is None else length, 7, fragment, 64, protocol, 0),
+        *(origin, to),
+    )
+    head += options
+    check = sum_of(head) ^ wrong
+    return ethernet(0x0800, head[:10] + struct.pack("!H", check) + head[12:] + payload)
+
+
+def udp(data: bytes, *, port: int = 4000, to_port: int = GATEWAY_PORT, length: int | None = None) -> bytes:
+    """Return a datagram of UDP in a frame."""
+    size = 8 + len(data) if length is None else length
+    return ip(17, struct.pack("!HHHH", port, to_port, size, 0) + data)
+
+
+def ping(data: bytes, number: int = 1, *, kind: int = 8) -> bytes:
+    """Return an echo request in a frame."""
+    head = struct.pack("!BBHHH", kind, 0, 0, 0x1234, number)
+    check = sum_of(head + data)
+    return ip(1, head[:2] + struct.pack("!H", check) + head[4:] + data)
+
+
+def question(address: bytes = GATEWAY_IP, *, to: bytes = b"\xff" * 6, operation: int = 1) -> bytes:
+    """Return an ARP request in a frame."""
+    head = struct.pack("!HHBBH", 1, 0x0800, 6, 4, operation)
+    return ethernet(0x0806, head + HOST_MAC + HOST_IP + bytes(6) + address, to)
+
+
+def checked(*bodies: bytes) -> bytes:
+    """Return checked frames."""
+    return b"".join(map(_FRAMING.checked, bodies))
+
+
+class Host:
+    """A host with a session, or without one yet.
+
+    Args:
+        wire: leads to the gateway.
+        port: its own.
+    """
+
+    def __init__(self, wire: Wire, port: int = 4000) -> None:
+        self.wire, self.port = wire, port
+        self.session = b""
+        self.count = 0
+
+    def datagram(self, frames: bytes, count: int | None = None, session: bytes | None = None) -> bytes:
+        """Return a frame with a datagram of the session, by default the next one."""
+        if count is None:
+            self.count = count = self.count + 1
+        header = b"U%s%08X" % (self.session if session is None else session, count)
+        return udp(checked(header) + frames, port=self.port)
+
+    def ask(self, frame: bytes, cycles: int = 20_000) -> bytes:
+        """Send a frame; returns what the datagram that answers carries, nothing without one."""
+        return b"".join(carried(taken) for taken in self.wire.ask(frame, cycles))
+
+    def open(self, number: int = 0x5A0) -> None:
+        """Ask what is on offer, and open it."""
+        offer = self.ask(udp(b"Q\r", port=self.port))
+        self.session, self.count = offer[1:9], 0
+        answer = self.ask(self.datagram(checked(b"K%03X" % number)))
+        assert answer == checked(b"U%s00000001" % self.session, b"K%03X" % number)
+
+
+def carried(taken: Taken) -> bytes:
+    """Return what a frame of the gateway carries in UDP; its heads are right.
+
+    Raises:
+        AssertionError: where they are not.
+    """
+    body = taken.body
+    assert taken.sound
+    assert body[:14] == HOST_MAC + GATEWAY_MAC + b"\x08\0"
+    assert sum_of(body[14:34]) == 0
+    total, size = (int.from_bytes(body[at : at + 2], "big") for at in (16, 38))
+    assert (total, body[23], body[26:34]) == (size + 20, 17, GATEWAY_IP + HOST_IP)
+    assert int.from_bytes(body[34:36], "big") == GATEWAY_PORT
+    assert size <= 1408
+    return body[HEADERS : 14 + total]

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A gateway with RMII, compiled, at a cable: frames go in and come out symbol by symbol, and its bus is a memory. One clock of
+// 50 MHz is that of the core and of the PHY.
+//
+// UL_MODEL names the C++ of `unity_link` with physical = "rmii".
+
+#include <cstdint>
+#include <cstring>
+#include <deque>
+#include <vector>
+
+#include UL_MODEL
+
+namespace {
+
+struct Symbol {
+	uint8_t data;
+	bool valid;
+	bool error;
+};
+
+struct Frame {
+	uint64_t began;
+	uint64_t ended;
+	std::vector<uint8_t> symbols;
+};
+
+struct Wire {
+	cxxrtl_design::p_unity__link top;
+	std::deque<Symbol> towards;
+	std::deque<Frame> back;
+	std::vector<uint8_t> symbols;
+	uint64_t cycle = 0;
+	uint64_t began = 0;
+	uint64_t sent_until = 0;
+	uint64_t writes = 0;
+	uint32_t last_address = 0;
+	uint32_t last_word = 0;
+	uint32_t memory[256] = {};
+	std::vector<uint64_t> log;
+
+	Wire() {
+		reset();
+	}
+
+	void reset() {
+		top.p_rst.set<bool>(true);
+		for (int i = 0; i < 10; i++)
+			tick();
+		top.p_rst.set<bool>(false);
+		for (int i = 0; i < 30; i++)
+			tick();
+	}
+
+	void tick() {
+		Symbol now{0, false, false};
+		if (!towards.empty()) {
+			now = towards.front();
+			towards.pop_front();
+		}
+		top.p_phy__rxd.set<uint8_t>(now.data);
+		top.p_phy__rx__dv.set<bool>(now.valid);
+		top.p_phy__rx__er.set<bool>(now.error);
+		bool strobe = top.p_wb__cyc.get<bool>() && top.p_wb__stb.get<bool>();
+		uint32_t address = top.p_wb__adr.get<uint32_t>() & 255;
+		top.p_wb__ack.set<bool>(strobe);
+		top.p_wb__dat__i.set<uint32_t>(memory[address]);
+		if (strobe && top.p_wb__we.get<bool>()) {
+			last_address = address;
+			last_word = memory[address] = top.p_wb__dat__o.get<uint32_t>();
+			log.push_back(uint64_t(last_address) << 32 | last_word);
+			writes++;
+		}
+		set_clocks(false);
+		top.step();
+		set_clocks(true);
+		top.step();
+		top.step();
+		cycle++;
+		if (top.p_phy__tx__en.get<bool>()) {
+			if (symbols.empty())
+				began = cycle;
+			symbols.push_back(top.p_phy__txd.get<uint8_t>() & 3);
+		} else if (!symbols.empty()) {
+			back.push_back({began, cycle, symbols});
+			symbols.clear();
+		}
+	}
+
+	void set_clocks(bool up) {
+		top.p_clk.set<bool>(up);
+		top.p_phy__rx__clk.set<bool>(up);
+		top.p_phy__tx__clk.set<bool>(up);
+	}
+};
+
+}  // namespace
+
+extern "C" {
+
+Wire *ul_wire() {
+	return new Wire;
+}
+
+void ul_free(Wire *wire) {
+	delete wire;
+}
+
+void ul_reset(Wire *wire) {
+	wire->reset();
+}
+
+// Symbols for the PHY: bits 0 and 1, valid in bit 2, error in bit 3.
+void ul_put(Wire *wire, const uint8_t *symbols, size_t count) {
+	for (size_t i = 0; i < count; i++)
+		wire->towards.push_back({uint8_t(symbols[i] & 3), bool(symbols[i] & 4), bool(symbols[i] & 8)});
+}
+
+uint64_t ul_waiting(Wire *wire) {
+	return wire->towards.size();
+}
+
+// Run until so many cycles have passed, or as many frames wait; returns the cycle.
+uint64_t ul_run(Wire *wire, uint64_t cycles, uint64_t frames) {
+	for (uint64_t i = 0; i < cycles && wire->back.size() < frames; i++)
+		wire->tick();
+	return wire->cycle;
+}
+
+// The symbols of the oldest frame that was sent, if there is one; when it began and had ended.
+size_t ul_get(Wire *wire, uint8_t *symbols, size_t most, uint64_t *began, uint64_t *ended) {
+	if (wire->back.empty())
+		return 0;
+	Frame &frame = wire->back.front();
+	size_t count = frame.symbols.size() < most ? frame.symbols.size() : most;
+	std::memcpy(symbols, frame.symbols.data(), count);
+	*began = frame.began;
+	*ended = frame.ended;
+	wire->back.pop_front();
+	return count;
+}
+
+uint64_t ul_writes(Wire *wire) {
+	return wire->log.size();
+}
+
+// A write to the bus by its number: the address in the upper half, the word in the lower.
+uint64_t ul_write(Wire *wire, uint64_t number) {
+	return wire->log[number];
+}
+
+void ul_poke(Wire *wire, uint32_t address, uint32_t word) {
+	wire->memory[address & 255] = word;
+}
+
+uint32_t ul_dropped(Wire *wire) {
+	return wire->top.p_phy__dropped.get<uint32_t>();
+}
+
+}

