@@ -12,6 +12,7 @@ from gateware.bench.network.host import (
     HOST_IP,
     HOST_MAC,
     Host,
+    carried,
     checked,
     ethernet,
     ip,
@@ -119,6 +120,43 @@ def test_a_write_is_not_made_by_a_frame(spoilt: object) -> None:
 # Sessions
 
 
+def test_the_table_of_datagrams_holds() -> None:
+    wire = Wire()
+    host, other = Host(wire), Host(wire, 4001)
+    wire.poke(0x0A, 0x12345678)
+    host.open()
+    read = checked(b"r5A00A")
+    answer = checked(b"r5A012345678")
+    assert host.ask(host.datagram(read)) == checked(b"U%s00000002" % host.session) + answer
+    # Late, doubled, without a count, damaged, malformed.
+    for count in (2, 1, 0, 0x80000002):
+        assert host.ask(host.datagram(read, count), 4000) == b""
+    for data in (b"U%s00000009" % host.session + b"0000\n" + read, b"U%s0000009\n" % host.session + read, b"U"):
+        assert host.ask(udp(data), 4000) == b""
+    # From elsewhere, and of another session.
+    other.session = host.session
+    assert other.ask(other.datagram(read, 3)) == checked(b"U%s00000000" % host.session, b"X0A")
+    assert host.ask(host.datagram(read, 3, b"00000001")) == checked(b"U0000000100000000", b"X0A")
+    # Without a header, in the form of the first frame.
+    answer = other.ask(udp(b"R0A\r", port=4001))
+    offer = answer[1:9]
+    assert answer == b"U%s00000000\r\nR0A12345678\r\n" % offer
+    assert other.ask(udp(checked(b"R0A"), port=4001)) == checked(b"U%s00000000" % offer, b"R0A12345678")
+    assert other.ask(udp(checked(b"w0000A00000005"), port=4001)) == checked(b"U%s00000000" % offer, b"X0A")
+    assert other.ask(udp(b"K000\r", port=4001)) == b"U%s00000000\r\nX0A\r\n" % offer
+    # The session goes on, by the newest count; a frame ends with its datagram.
+    assert host.ask(host.datagram(checked(b"r5A10A")[:-1], 0x7FFFFFFF)).endswith(checked(b"r5A112345678"))
+    # On offer, but no K; then the other one opens it, and the first is told.
+    other.session = offer
+    assert other.ask(other.datagram(read, 1)) == checked(b"U%s00000000" % offer, b"X0A")
+    wire.put(other.datagram(checked(b"K111"), 2))
+    wire.run(60_000, 2)
+    told = [carried(taken) for taken in wire.take()]
+    assert told == [checked(b"U%s00000000" % host.session, b"X0A"), checked(b"U%s00000001" % offer, b"K111")]
+    assert host.ask(host.datagram(read, 0x80000001)) == checked(b"U%s00000000" % host.session, b"X0A")
+    assert (0x0A, 5) not in wire.writes()
+
+
 def test_after_a_reset_there_is_another_session() -> None:
     wire = Wire()
     host = Host(wire)
@@ -155,3 +193,92 @@ def test_a_word_is_read_within_sixteen_microseconds() -> None:
         (taken,) = wire.ask(frame)
         # Two symbols before the preamble are the PHY's.
         assert (taken.ended - began - 2) * 1e6 / CLOCK_HZ <= most_us
+
+
+def test_ten_megabytes_a_second_go_in_and_out() -> None:
+    wire = Wire()
+    host = Host(wire)
+    host.open()
+    write = [checked(b"ws%03X0A%08X" % (0x5A0 + number & 0xFFF, number)) for number in range(1200)]
+    each = 1378 // len(write[0])
+    began = wire.run(0)
+    for at in range(0, len(write), each):
+        wire.put(host.datagram(b"".join(write[at : at + each])))
+    wire.run(wire.waiting())
+    seconds = (wire.run(0) - began) / CLOCK_HZ
+    wire.run(30_000)
+    assert [word for _, word in wire.writes()] == [*range(1200)]
+    assert sum(map(len, write)) / seconds > 10e6
+    wire.take()
+    reads = b"".join(checked(b"RM0080") for _ in range(40))
+    wire.put(host.datagram(reads))
+    wire.run(10_000_000, 1)
+    wire.run(400_000)
+    taken = wire.take()
+    data = [carried(frame) for frame in taken]
+    answer = checked(b"RM0080" + b"".join(b"%08X" % (1199 if place == 10 else 0) for place in range(128)))
+    assert b"".join(one[22:] for one in data) == answer * 40
+    seconds = (taken[-2].ended - taken[0].ended) / CLOCK_HZ
+    assert sum(map(len, data[1:-1])) / seconds > 10e6
+
+
+def test_what_does_not_fit_is_dropped_whole_and_counted() -> None:
+    wire = Wire()
+    host = Host(wire)
+    host.open()
+    for number in range(40):
+        frames = [checked(b"RM0080")] * 40 + [checked(b"WS0B%08X" % number)]
+        wire.put(host.datagram(b"".join(frames)))
+    wire.run(2_000_000)
+    taken = [carried(frame) for frame in wire.take()]
+    executed = len([word for _, word in wire.writes()])
+    assert 0 < executed < 40
+    assert wire.dropped() == 40 - executed
+    assert sum(one.count(b"RM0080") for one in taken) == 40 * executed
+    assert host.ask(host.datagram(checked(b"h5A0"))).endswith(checked(b"h5A0"))
+
+
+# In a campaign
+
+
+@pytest.mark.parametrize("frames", [2000, pytest.param(1_000_000, marks=pytest.mark.campaign)])
+def test_nothing_wrong_reaches_the_core_and_all_is_done_once(frames: int) -> None:
+    wire, rng = Wire(), random.Random(frames)
+    host = Host(wire)
+    host.open(0)
+    late: list[bytes] = []
+    done = sent = answered = 0
+    foreign = [*FOREIGN.values()]
+    while sent < frames:
+        frame = host.datagram(checked(b"w%03X0A%08X" % (done & 0xFFF, done)))
+        good = with_check(frame)
+        lines = []
+        chance = rng.random()
+        if chance < 0.08:
+            late.append(good)
+        elif chance < 0.2:
+            lines.append(LINES[rng.choice([*LINES])](good, rng))
+        elif chance < 0.3:
+            lines += [line_of(good)] * 2
+        elif chance >= 0.38:
+            lines.append(line_of(good, preamble=rng.randrange(2, 40), toggling=rng.randrange(6)))
+        if rng.random() < 0.2:
+            lines.insert(rng.randrange(len(lines) + 1), line_of(with_check(rng.choice(foreign))))
+        if late and rng.random() < 0.1:
+            lines.append(line_of(late.pop(rng.randrange(len(late)))))
+        for line in lines:
+            wire.put_line(line)
+        sent += max(len(lines), 1)
+        wire.run(wire.waiting() + 800)
+        answers = b"".join(carried(taken)[22:] for taken in wire.take())
+        if checked(b"w%03X" % (done & 0xFFF)) in answers:
+            done += 1
+            answered += 1
+    # The last one may be under way.
+    wire.run(5000)
+    writes = [word for _, word in wire.writes()]
+    assert writes in ([*range(done)], [*range(done + 1)])
+    assert answered > frames // 4
+    assert host.ask(host.datagram(checked(b"h%03X" % (len(writes) & 0xFFF)))).endswith(
+        checked(b"h%03X" % (len(writes) & 0xFFF))
+    )
