@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 SHORTEST = 60
 """Bytes of the shortest frame without its check."""
 BYTE_NS = 80
-_PREAMBLE = b"\x55" * 7 + b"\xd5"
+PREAMBLE = b"\x55" * 7 + b"\xd5"
 _GAP_NS = 12 * BYTE_NS
 
 
@@ -141,7 +141,7 @@ class Phy:
 
     def _line(self, frame: Sent) -> list[tuple[int, int, int]]:
         """Return symbol, validity and error for each symbol's time."""
-        head = symbols_of(_PREAMBLE, self._lanes)
+        head = symbols_of(PREAMBLE, self._lanes)
         own = 1 if self._lanes == 4 else 4
         preamble = len(head) - own if frame.preamble is None else frame.preamble
         start = [head[0]] * preamble + head[-own:]
@@ -193,8 +193,8 @@ class Phy:
     def _end(self, symbols: list[int], now_ns: float) -> None:
         assert len(symbols) % (8 // self._lanes) == 0, "a frame ends within a byte"
         data = bytes_of(symbols, self._lanes)
-        assert data.startswith(_PREAMBLE), f"a frame begins with {data[:8].hex()}"
-        frame = data.removeprefix(_PREAMBLE)
+        assert data.startswith(PREAMBLE), f"a frame begins with {data[:8].hex()}"
+        frame = data.removeprefix(PREAMBLE)
         assert len(frame) <= SHORTEST + 4 or len(frame) <= 1518
         self.spoilt = frame[-4:] != check_of(frame[:-4])
         self.received.append(frame[:-4])

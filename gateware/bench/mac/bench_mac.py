@@ -27,7 +27,7 @@ class Bench:
 
     def __init__(self, dut: SimHandleBase) -> None:
         self.frames: list[tuple[bytes, bool]] = []
-        """What came out, and the verdict on it."""
+        """Frames that came out, and the verdict on each."""
         self._dut = dut
         self._phy: Phy | None = None
 

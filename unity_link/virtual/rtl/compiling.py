@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from unity_link.virtual.rtl.configurations import Configuration
 
 _HERE = Path(__file__).parent
-_RUNTIME = _HERE / "cxxrtl_runtime"
+RUNTIME = _HERE / "cxxrtl_runtime"
 _SHIM = _HERE / "shim.cc"
 _COMPILERS = ("c++", "g++", "clang++")
 # Of what compilers offer, -O3 makes the quickest gateware: twice that of -O2.
@@ -90,7 +90,7 @@ class _Plan(msgspec.Struct, frozen=True):
         version = subprocess.run([*chosen, "--version"], check=False, capture_output=True).stdout  # noqa: S603
         named = (version, *(option.encode() for option in _OPTIONS), configuration.digest.encode())
         digest = hashlib.sha256(b"\0".join(named))
-        for part in (_SHIM, *sorted(_RUNTIME.rglob("*.h"))):
+        for part in (_SHIM, *sorted(RUNTIME.rglob("*.h"))):
             digest.update(part.read_bytes())
         return cls(chosen, configuration, cache_folder() / f"{configuration.name}-{digest.hexdigest()[:16]}.so")
 
@@ -108,7 +108,7 @@ class _Plan(msgspec.Struct, frozen=True):
                 built, model = Path(scratch, self.library.name), Path(scratch, "model.cc")
                 model.write_bytes(text)
                 named = f'-DUL_MODEL="{model}"'
-                yield [*self.compiler, *_OPTIONS, f"-I{_RUNTIME}", named, str(_SHIM), "-o", str(built)]
+                yield [*self.compiler, *_OPTIONS, f"-I{RUNTIME}", named, str(_SHIM), "-o", str(built)]
                 built.replace(self.library)
         except OSError as error:
             raise _not_kept(self.library.parent, error) from error

@@ -69,7 +69,7 @@ _FORM = f"{_COMMENT_LINES.pattern} {_REGISTERS} {_REGISTERS_OF_GROUPS} {_SIGNALS
 
 # `splitnets -driver` cuts buses into the parts that are driven together: without it CXXRTL sees feedback where there is
 # none. Registers keep their enables and resets as logic (`-nodffe -nosdff`): inferred, they bring feedback back.
-_PASSES = (
+PASSES = (
     "hierarchy -top {top}; proc; flatten; opt_expr; opt_clean; opt -nodffe -nosdff; wreduce; peepopt; opt_clean; "
     "opt -nodffe -nosdff; memory_collect; splitnets -driver; opt_clean -purge; write_cxxrtl -O6 -g0 {out}"
 )
@@ -98,7 +98,7 @@ def origin(generics: Mapping[str, int], design: Design | None = None) -> str:
     given = [f"{key}={value}" for key, value in sorted(generics.items())]
     texts = () if design is None else tuple(text for _, text in design.sources)
     gateware = (source.read_bytes() for source in sources_for(TOP, texts))
-    return hash_of([TOP, _PASSES, _FORM, *given, *_parts(design), *gateware])
+    return hash_of([TOP, PASSES, _FORM, *given, *_parts(design), *gateware])
 
 
 def _parts(design: Design | None) -> Iterator[str]:
@@ -132,7 +132,7 @@ def make(name: str, generics: Mapping[str, int], design: Design | None = None) -
         else:
             verilog = to_verilog(top, {}, _written(Path(scratch), design)).read_text()
         Path(scratch, "top.v").write_text(verilog if design is None else _with_choices(verilog))
-        passes = _PASSES.format(top=top, out="model.cc")
+        passes = PASSES.format(top=top, out="model.cc")
         if design is not None:
             Path(scratch, "split.v").write_text(_SPLIT)
             passes = passes.replace("write_cxxrtl", _SPLITTING)
