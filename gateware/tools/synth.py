@@ -205,6 +205,7 @@ CONFIGURATIONS = {
     "ul_uart": Configuration("ul_uart", {"baud": 3_000_000}),
     "ul_ft245_async": Configuration("ul_ft245_async"),
     "ul_ft245_sync": Configuration("ul_ft245_sync"),
+    "ul_mac": Configuration("ul_mac"),
     "ul_wishbone_master": Configuration("ul_wishbone_master", {"pipelined": True}),
     "ul_axi4_lite_master": Configuration("ul_axi4_lite_master"),
     "ul_fifo_sync": Configuration("ul_fifo_sync", {"depth": 256}),

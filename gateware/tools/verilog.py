@@ -65,6 +65,9 @@ RELEASES = {
     "unity_link_ft245_sync": Release(
         "The gateway on an FT245 (synchronous), at 50 MHz.", "unity_link", {"physical": "ft245_sync"}
     ),
+    "unity_link_rmii": Release(
+        "The gateway with an Ethernet port, by RMII, at 50 MHz.", "unity_link", {"physical": "rmii", "block_words": 160}
+    ),
     "unity_link_fifo": Release("The gateway on a stream of bytes, for any other medium.", "unity_link_fifo", {}),
 }
 

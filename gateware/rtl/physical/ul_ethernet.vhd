@@ -25,9 +25,8 @@ entity ul_ethernet is
     ip_address : std_logic_vector(31 downto 0) := x"C0A80164";
     -- 1 to 65535: the port of UDP.
     udp_port : positive := 21_845;
-    -- 8, 16, 32: bits of a frame's CRC.
-    crc_bits : positive := 16;
-    -- As `unity_link` has it.
+    -- As of unity_link_core.
+    crc_bits       : positive                      := 16;
     crc_polynomial : std_logic_vector(31 downto 0) := x"00001021"
   );
   port (
