@@ -11,14 +11,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
+from anyio.from_thread import start_blocking_portal
 
 import unity_link
 from support.recorded_bus import WRITTEN, gateway_of_short_laps
-from unity_link import ConnectError, LinkLostError, blocking
+from unity_link import ArgumentError, ConnectError, LinkLostError, blocking
 from unity_link.errors import Outcome, UnsupportedError
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.crc import Crc
-from unity_link.protocol.frames import Framing
+from unity_link.protocol.frames import LARGEST_DATAGRAM, Framing
 from unity_link.transport import open_medium, parse_url
 from unity_link.transport.stream import Stream
 from unity_link.transport.udp import LARGE, MOST_TOGETHER, RECEIVE_BUFFER, DatagramAdapter
@@ -39,17 +40,18 @@ class Recording(Straying[Any]):
 
     def __init__(self) -> None:
         super().__init__()
-        self._passed: list[Any] = []
+        self.passed: list[Any] = []
+        """Datagrams, each with its client."""
         self._again: list[Any] = []
 
     def carry(self, datagram: Any) -> list[Any]:
         arriving, self._again = [datagram, *self._again], []
-        self._passed.append(datagram)
+        self.passed.append(datagram)
         return arriving
 
     def replay(self) -> None:
         """Replay all that has passed, behind the next datagram."""
-        self._again = list(self._passed)
+        self._again = list(self.passed)
 
 
 def has_ipv6() -> bool:
@@ -321,6 +323,63 @@ async def test_the_answers_to_long_blocks_may_wait_at_the_socket_as_far_as_the_s
     assert room == 2 * min(RECEIVE_BUFFER, SYSTEM_LIMIT)
     transport.abort()
     await asyncio.sleep(0)
+
+
+@pytest.mark.asyncio
+async def test_blocks_are_split_so_that_no_datagram_goes_in_fragments() -> None:
+    gateway = VirtualGateway()
+    async with recorded(gateway) as (url, towards, back), unity_link.connect(url) as link:
+        assert link.gateway.block_words == 255
+        await link.write_block(0, range(256))
+        assert (await link.read_block(0, 256)).tolist() == [*range(256)]
+        await link.write_queue(0, range(400))
+    for passed in (towards, back):
+        longest = max(len(datagram) for datagram, _ in passed.passed)
+        assert LARGEST_DATAGRAM - 50 < longest <= LARGEST_DATAGRAM
+
+
+@pytest.mark.parametrize("options", ["interface=lo", "ttl=1", "interface=lo&ttl=255"])
+def test_interface_and_ttl_may_be_chosen(options: str) -> None:
+    with start_blocking_portal() as portal:
+        serving = portal.wrap_async_context_manager(serve_udp(VirtualGateway()))
+        with serving as url, blocking.connect(f"{url}?{options}") as link:
+            link.write(1, 7)
+            assert link.read(1) == 7
+
+
+@pytest.mark.asyncio
+async def test_the_socket_has_the_interface_and_the_ttl_of_the_url() -> None:
+    transport = await open_medium(parse_url("udp://127.0.0.1:7001?interface=lo&ttl=3"), Stream())
+    assert isinstance(transport, DatagramAdapter)
+    assert transport._socket is not None
+    assert transport._socket.getsockopt(socket.IPPROTO_IP, socket.IP_TTL) == 3
+    assert transport._socket.getsockopt(socket.SOL_SOCKET, socket.SO_BINDTODEVICE, 16).rstrip(b"\0") == b"lo"
+    transport.abort()
+    await asyncio.sleep(0)
+
+
+@pytest.mark.parametrize(
+    ("options", "error", "message"),
+    [
+        ("interface=eth77", ConnectError, r"there is no network interface eth77; there are .*\blo\b"),
+        ("interface=", ArgumentError, "names no network interface"),
+        ("ttl=0", ArgumentError, "ttl=0 in .* is not from 1 to 255"),
+        ("ttl=256", ArgumentError, "ttl=256 in .* is not from 1 to 255"),
+        ("ttl=far", ArgumentError, "ttl=far in .* is not a whole number"),
+    ],
+)
+def test_an_interface_or_ttl_that_cannot_be_is_one_clear_error(
+    options: str, error: type[Exception], message: str
+) -> None:
+    with pytest.raises(error, match=message):
+        blocking.connect(f"udp://127.0.0.1:7001?{options}")
+
+
+@pytest.mark.asyncio
+async def test_a_system_without_a_choice_of_interfaces_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delattr(socket, "SO_BINDTODEVICE")
+    with pytest.raises(ConnectError, match="interface=lo is only had on Linux"):
+        await unity_link.connect("udp://127.0.0.1:7001?interface=lo")
 
 
 class Passing:

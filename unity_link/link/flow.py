@@ -43,6 +43,7 @@ class Flow:
         self.session = session
         self.codec: Codec
         """The messages of the gateway, once it has said what it is."""
+        self._longest_frame = math.inf
         self.stream: Stream | None = None
         """Stream of the connection, None while there is none."""
         self.seat: Seat | None = None
@@ -155,6 +156,11 @@ class Flow:
     # Streams
 
     @property
+    def block_words(self) -> int:
+        """Most words of a block: as many as the gateway takes, and as its medium carries without cutting a frame."""
+        return self.codec.info.block_words_in(self._longest_frame)
+
+    @property
     def bytes_sent(self) -> int:
         """Bytes sent on all connections."""
         return self._bytes_before[0] + (0 if self.stream is None else self.stream.bytes_sent)
@@ -167,6 +173,7 @@ class Flow:
     def attach(self, stream: Stream) -> None:
         """Begin with a stream that is connected."""
         self.stream = stream
+        self._longest_frame = stream.longest_frame
         stream.receiver, stream.on_pause = self, self._pause
         seat = self.seat = stream.seat
         if seat is not None:

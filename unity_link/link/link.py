@@ -356,8 +356,8 @@ class Link(OfLink, Connection):
     async def read_block(self, address: int, count: int) -> Words:
         """Read `count` consecutive words from `address` on.
 
-        The gateway reads at most ``gateway.block_words`` words in one atomic bus transaction; a longer block is read in
-        several, each atomic, in the order of the addresses.
+        The gateway reads at most ``gateway.block_words`` words in one atomic bus transaction, over UDP at most as many
+        as a datagram holds; a longer block is read in several, each atomic, in the order of the addresses.
 
         Returns:
             The words, shape (count,), as the smallest unsigned type that holds one.
@@ -376,7 +376,7 @@ class Link(OfLink, Connection):
         return await self._read_words("RQ", where, size, step=0)
 
     async def write_block(self, address: int, values: ArrayLike) -> None:
-        """Write consecutive words from `address` on, each ``gateway.block_words`` of them in one atomic transaction."""
+        """Write consecutive words from `address` on, in atomic transactions as large as those of `read_block`."""
         words = self._words(values)
         where, _ = self._whole_block(address, len(words))
         await self._write_words("WM", where, words, step=1)
@@ -556,8 +556,9 @@ class Link(OfLink, Connection):
         arrays = protocol.arrays
         codec, info = self._flow.codec, self.gateway
         requests: list[Request] = []
-        for start in range(0, count, info.block_words):
-            part = min(info.block_words, count - start)
+        most = self._flow.block_words
+        for start in range(0, count, most):
+            part = min(most, count - start)
             fields = codec.fields(command, address + step * start, part)
             requests.append(Request(codec, command, fields, part * info.data_digits))
         return arrays.joined(await self._all(requests))
@@ -582,7 +583,7 @@ class Link(OfLink, Connection):
         return waiter, request.cancel
 
     async def _write_words(self, command: str, address: int, words: Words, step: int) -> None:
-        codec, most = self._flow.codec, self.gateway.block_words
+        codec, most = self._flow.codec, self._flow.block_words
         await self._all(
             [
                 Request(codec, command, codec.fields(command, address + step * start, words[start : start + most]), 0)

@@ -34,6 +34,8 @@ _OUTSIDE = 0
 """The count of an offer and of a refusal, which belong to no session."""
 _LAST_COUNT = 0xFFFFFFFF
 _HEADER_SIZE = len("U") + 16
+LONGEST_FRAME = LARGEST_DATAGRAM - 2 * len("ZFF") - _HEADER_SIZE - 8 - len("\n")
+"""Bytes of the longest frame beside which a header has room, with any CRC and on any medium, with its line end."""
 _HEADER = re.compile(rb"[\r\n]*((?:Z[0-9A-F]{2})?U([0-9A-Fa-f]{8})([0-9A-Fa-f]{8}))(?:\r\n?|([0-9A-Fa-f]+)\n)")
 """Groups of a header: the text that its CRC covers, session, count, and the CRC, None in a plain one."""
 _FIRST_FRAME = re.compile(rb"[\r\n]*([^\r\n]*\r?)\n?")

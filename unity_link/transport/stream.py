@@ -89,6 +89,12 @@ class Stream(asyncio.Protocol):
         return math.inf if known is None else float(known)
 
     @property
+    def longest_frame(self) -> float:
+        """Bytes of the longest frame that the medium carries in one piece; infinite where there is none."""
+        known = None if self._transport is None else self._transport.get_extra_info("longest_frame")
+        return math.inf if known is None else float(known)
+
+    @property
     def byte_time(self) -> float | None:
         """Seconds that a byte needs on the wire, None where that is not known."""
         return None if self._transport is None else self._transport.get_extra_info("byte_time")

@@ -1,18 +1,20 @@
 """``udp://host:port``: a gateway on the network. A datagram holds whole frames; the window makes up for lost ones.
 
-Each connection has a socket of its own, and so a port of its own, and one session with the gateway.
+Each connection has a socket of its own, and so a port of its own, and one session with the gateway. ``?interface=eth1``
+has it send and hear by that interface alone, and ``?ttl=1`` pass so many routers less one.
 """
 
 from __future__ import annotations
 
 import asyncio
 import contextlib
+import errno
 import socket
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from unity_link.errors import ConnectError
+from unity_link.errors import ArgumentError, ConnectError
 from unity_link.protocol.constants import QUICK_TIMEOUT
-from unity_link.protocol.datagrams import HostDatagrams
+from unity_link.protocol.datagrams import LONGEST_FRAME, HostDatagrams
 from unity_link.transport.channel import refused_as
 from unity_link.transport.tcp import NAMELESS, address
 
@@ -23,7 +25,8 @@ if TYPE_CHECKING:
     from unity_link.transport import DriverUrl
     from unity_link.transport.channel import Channel
 
-OPTIONS: frozenset[str] = frozenset()
+OPTIONS = frozenset({"interface", "ttl"})
+MOST_TTL = 255
 RECEIVE_BUFFER = 1 << 22
 """Bytes that wait in the system, as far as it allows so many: those of the blocks that are asked for at a time."""
 LARGE = 1024
@@ -41,25 +44,94 @@ MOST_TOGETHER = 64
 async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
     """Open a socket that speaks with one gateway only."""
     host, port = address(url)
+    settings, loop = Settings.of(url), asyncio.get_running_loop()
     with refused(host, port):
-        _, adapter = await asyncio.get_running_loop().create_datagram_endpoint(
-            lambda: DatagramAdapter(protocol, url.node), remote_addr=(host, port)
-        )
+        opened = settings.connected(await loop.getaddrinfo(host, port, type=socket.SOCK_DGRAM))
+        try:
+            _, adapter = await loop.create_datagram_endpoint(lambda: DatagramAdapter(protocol, url.node), sock=opened)
+        except BaseException:
+            opened.close()
+            raise
     return adapter
 
 
 def open_channel(url: DriverUrl, timeout: float | None) -> Channel:  # noqa: ARG001  (nothing is waited for)
     """Open a socket that speaks with one gateway only, without an event loop."""
     host, port = address(url)
+    settings = Settings.of(url)
     with refused(host, port):
-        family, kind, protocol, _, remote = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM)[0]
-        opened = socket.socket(family, kind, protocol)
-        try:
-            opened.connect(remote)
-        except BaseException:
-            opened.close()
-            raise
+        opened = settings.connected(socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM))
     return DatagramChannel(opened, HostDatagrams(url.node))
+
+
+class Settings(NamedTuple):
+    """The options of a URL for its socket."""
+
+    interface: str | None
+    ttl: int | None
+
+    @classmethod
+    def of(cls, url: DriverUrl) -> Settings:
+        """Return those of a URL.
+
+        Raises:
+            ArgumentError: for a TTL that cannot be, or an interface without a name.
+        """
+        interface = url.options.get("interface")
+        if interface == "":
+            raise ArgumentError(f"interface= in {url.text} names no network interface, as eth1 is one")
+        if "ttl" not in url.options:
+            return cls(interface, None)
+        ttl = url.integer("ttl", 0)
+        if not 1 <= ttl <= MOST_TTL:
+            raise ArgumentError(f"ttl={ttl} in {url.text} is not from 1 to {MOST_TTL}")
+        return cls(interface, ttl)
+
+    def connected(self, known: list[tuple[Any, Any, int, str, Any]]) -> socket.socket:
+        """Return a socket for the first of some addresses that one can be connected to.
+
+        Raises:
+            ConnectError: for an interface that is not there, or a system that has no choice of it.
+            OSError: where none can.
+        """
+        refusal: OSError | None = None
+        for family, kind, protocol, _, remote in known:
+            opened = socket.socket(family, kind, protocol)
+            try:
+                opened.setblocking(False)  # noqa: FBT003  (it has no name)
+                self._set(opened, family)
+                opened.connect(remote)
+            except OSError as error:
+                opened.close()
+                refusal = error
+            except BaseException:
+                opened.close()
+                raise
+            else:
+                return opened
+        raise refusal or OSError("it has no address")
+
+    def _set(self, opened: socket.socket, family: int) -> None:
+        """Set what must be set before the system chooses a route."""
+        if self.interface is not None:
+            _bind_to(opened, self.interface)
+        if self.ttl is not None and family == socket.AF_INET6:
+            opened.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_UNICAST_HOPS, self.ttl)
+        elif self.ttl is not None:
+            opened.setsockopt(socket.IPPROTO_IP, socket.IP_TTL, self.ttl)
+
+
+def _bind_to(opened: socket.socket, interface: str) -> None:
+    option = getattr(socket, "SO_BINDTODEVICE", None)
+    if option is None:
+        raise ConnectError(f"interface={interface} is only had on Linux; leave it out, and set a route instead")
+    try:
+        opened.setsockopt(socket.SOL_SOCKET, option, interface.encode())
+    except OSError as error:
+        if error.errno != errno.ENODEV:
+            raise
+        names = ", ".join(name for _, name in socket.if_nameindex())
+        raise ConnectError(f"there is no network interface {interface}; there are {names}") from error
 
 
 def refused(host: str, port: int) -> AbstractContextManager[None]:
@@ -80,6 +152,7 @@ class DatagramChannel:
 
     shortest_timeout = QUICK_TIMEOUT
     longest_try = LONGEST_TRY
+    longest_frame = LONGEST_FRAME
 
     def __init__(self, opened: socket.socket, datagrams: HostDatagrams) -> None:
         _prepare(opened)
@@ -129,7 +202,9 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
     """
 
     def __init__(self, protocol: asyncio.Protocol, node: int | None) -> None:
-        super().__init__({"shortest_timeout": QUICK_TIMEOUT, "longest_try": LONGEST_TRY})
+        super().__init__(
+            {"shortest_timeout": QUICK_TIMEOUT, "longest_try": LONGEST_TRY, "longest_frame": LONGEST_FRAME}
+        )
         self._protocol = protocol
         self._datagrams = HostDatagrams(node)
         self._socket: socket.socket | None = None
