@@ -134,7 +134,7 @@ async def groups_are_sampled_by_the_gateway_in_order(connect: Connect, line: Lin
     with line.gateway() as served:
         async with connect(served.url) as link:
             await link.write_block(0x10, [5, 6])
-            async with link.subscribe([0x10, 0x11], rate_hz=200) as samples:
+            async with link.subscribe([0x10, 0x11], rate_hz=1000) as samples:
                 taken = [await anext(samples) for _ in range(10)]
             place = -1
             for sample in taken:
@@ -160,6 +160,9 @@ async def errors_say_by_their_kind_what_was_wrong_and_leave_others_alone(connect
             with pytest.raises(ArgumentError):
                 await link.write(0x10, 1 << 32)
             assert plain(await link.read_many([0x10, 0x11])) == [1, 3]
+
+
+async def what_a_gateway_was_built_without_is_refused(connect: Connect, line: Line) -> None:
     with line.gateway(features=Feature.FLOW_CONTROL) as served:
         async with connect(served.url) as link:
             with pytest.raises(UnsupportedError):
@@ -214,6 +217,7 @@ BEHAVIOURS: tuple[Behaviour, ...] = (
     batches_have_all_requests_under_way_at_once,
     groups_are_sampled_by_the_gateway_in_order,
     errors_say_by_their_kind_what_was_wrong_and_leave_others_alone,
+    what_a_gateway_was_built_without_is_refused,
     a_reset_is_told_and_nothing_is_executed_by_a_gateway_without_a_session,
     a_lost_line_ends_the_calls,
     each_write_is_executed_exactly_once_and_in_order_on_a_noisy_line,

@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from unity_link.spec.model import Interface
     from unity_link.transport import DriverUrl
 
+_BEARABLE = (None, FaultName.LATENCY, FaultName.LOSS)
+"""Faults of a medium with which a link can be opened."""
 TIMEOUT = 2.5
 """Seconds for a gateway to answer at all."""
 
@@ -54,7 +56,7 @@ async def examine(
         return
     unusable = False
     for finding in await check_medium(parsed):
-        unusable = unusable or finding.fault not in (None, FaultName.LATENCY)
+        unusable = unusable or finding.fault not in _BEARABLE
         yield finding
     if not unusable and not has_bus(parsed):
         async for finding in _check_link(url, parsed, interface, timeout):

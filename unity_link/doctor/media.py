@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from unity_link.doctor.findings import FaultName, Finding
+from unity_link.doctor.network import check_network
 from unity_link.errors import ConnectError
 from unity_link.transport import has_bus, open_bus
 from unity_link.transport.ft232h.chip import UDEV_LINE, UDEV_RULE, find_errno
@@ -59,9 +60,11 @@ def explain_failure(check: str, error: BaseException) -> Finding:
 
 
 async def check_medium(url: DriverUrl) -> list[Finding]:
-    """Return what can be said of a port or a chip; nothing is sent over it."""
+    """Return what can be said of a port, a chip or a network; only to the last something is sent, and does nothing."""
     if url.scheme == "serial":
         return list(_check_port(url))
+    if url.scheme == "udp":
+        return await check_network(url)
     if url.scheme in CHIP_SCHEMES:
         return await asyncio.get_running_loop().run_in_executor(None, lambda: list(_check_chip(url)))
     return [_check_memory(url)] if has_bus(url) else []

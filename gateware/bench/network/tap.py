@@ -83,7 +83,7 @@ def own_network() -> Iterator[None]:
         except PermissionError:
             pytest.skip("no network namespace can be made: run it as root, or behind `unshare --user --map-root-user`")
         try:
-            _ip("link", "set", "lo", "up")
+            run_ip("link", "set", "lo", "up")
             yield
         finally:
             _call("setns", before, _CLONE_NEWNET)
@@ -91,7 +91,12 @@ def own_network() -> Iterator[None]:
         os.close(before)
 
 
-def _ip(*arguments: str) -> None:
+def run_ip(*arguments: str) -> None:
+    """Run the program `ip`.
+
+    Raises:
+        OSError: with what it says where it fails.
+    """
     done = subprocess.run(["ip", *arguments], capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise OSError(f"ip {' '.join(arguments)}: {done.stderr.strip()}")
@@ -107,27 +112,28 @@ def _open_tap() -> int:
 
 
 def _open_veth() -> int:
-    _ip("link", "add", INTERFACE, "type", "veth", "peer", "name", _OTHER_END)
+    run_ip("link", "add", INTERFACE, "type", "veth", "peer", "name", _OTHER_END)
     # What the kernel would say at the gateway's end.
     with contextlib.suppress(OSError):
         Path(f"/proc/sys/net/ipv6/conf/{_OTHER_END}/disable_ipv6").write_text("1")
-    _ip("link", "set", _OTHER_END, "up")
+    run_ip("link", "set", _OTHER_END, "up")
     with socket.socket(socket.AF_PACKET, socket.SOCK_RAW, socket.htons(_ETH_P_ALL)) as opened:
         opened.bind((_OTHER_END, 0))
         return opened.detach()
 
 
 @contextlib.contextmanager
-def _line(kind: str) -> Iterator[int]:
-    line = _open_tap() if kind == "tap" else _open_veth()
+def line(kind: str) -> Iterator[int]:
+    """Give a descriptor for the frames of an interface, `INTERFACE`, in the namespace that this thread is in."""
+    opened = _open_tap() if kind == "tap" else _open_veth()
     try:
-        _ip("address", "add", f"{HOST}/24", "dev", INTERFACE)
-        _ip("link", "set", INTERFACE, "up")
-        yield line
+        run_ip("address", "add", f"{HOST}/24", "dev", INTERFACE)
+        run_ip("link", "set", INTERFACE, "up")
+        yield opened
     finally:
-        os.close(line)
+        os.close(opened)
         if kind == "veth":
-            _ip("link", "delete", INTERFACE)
+            run_ip("link", "delete", INTERFACE)
 
 
 class Plugged:
@@ -223,7 +229,7 @@ def plugged(
     towards: Straying[bytes] | None = None,
     back: Straying[bytes] | None = None,
 ) -> Iterator[Plugged]:
-    """Plug a gateway into a network namespace of its own, in which this thread is meanwhile.
+    """Plug a gateway into the network namespace that this thread is in: that of `own_network`.
 
     Args:
         wire: the gateway; None for one as `Wire` has it.
@@ -232,8 +238,8 @@ def plugged(
         back: what happens to its own; None for nothing.
     """
     made = wire or Wire()
-    with own_network(), _line(kind) as line:
-        gateway = Plugged(made, line, towards or Straying(), back or Straying())
+    with line(kind) as descriptor:
+        gateway = Plugged(made, descriptor, towards or Straying(), back or Straying())
         try:
             yield gateway
         finally:

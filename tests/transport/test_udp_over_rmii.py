@@ -1,0 +1,228 @@
+"""Links by `udp:` to the gateware itself: compiled, behind RMII, at the kernel's own network stack.
+
+The names of the tests have the line that this machine gives: "tap", or "veth" where it has no TAP devices.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import itertools
+import random
+import re
+import socket
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any
+
+import pytest
+import trio
+import uvloop
+
+import unity_link
+from gateware.bench.network.tap import GATEWAY, INTERFACE, LINE, URL, own_network, plugged
+from gateware.bench.network.wire import GATEWAY_PORT
+from support.behaviours import (
+    BEHAVIOURS,
+    REFUSING,
+    SILENT,
+    a_lost_line_ends_the_calls,
+    each_write_is_executed_exactly_once_and_in_order_on_a_noisy_line,
+    errors_say_by_their_kind_what_was_wrong_and_leave_others_alone,
+    what_a_gateway_was_built_without_is_refused,
+    words_are_read_and_written,
+)
+from support.faces import face
+from unity_link import LinkLostError
+from unity_link.errors import Outcome
+from unity_link.virtual.faults import Straying
+from unity_link.virtual.udp_relay import relay_udp
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+
+    from gateware.bench.network.tap import Plugged
+    from support.behaviours import Behaviour
+
+pytestmark = pytest.mark.slow
+FACES = ("asyncio", "uvloop", "trio", "blocking")
+LOST = {"loss": 0.02, "late": 0.03, "double": 0.05}
+"""Chances of a frame on a bad line."""
+EMPTY = {
+    a_lost_line_ends_the_calls: "datagrams have no line; silence ends a link after five seconds",
+    what_a_gateway_was_built_without_is_refused: "it has every feature; those without are built by other benches",
+}
+"""Behaviours that have no test here, and why."""
+IN_MAKE_TEST = {
+    ("blocking", words_are_read_and_written),
+    ("uvloop", words_are_read_and_written),
+    ("trio", errors_say_by_their_kind_what_was_wrong_and_leave_others_alone),
+    ("blocking", each_write_is_executed_exactly_once_and_in_order_on_a_noisy_line),
+}
+"""Cells beside those of asyncio that are no part of a campaign."""
+
+
+class Served:
+    """A gateway at the cable, as the behaviours have it."""
+
+    def __init__(self, plugged: Plugged) -> None:
+        self._plugged = plugged
+        self.url = URL
+        self.gateway = self
+        self.reset = lambda: plugged.call("reset")
+
+    @property
+    def bus_log(self) -> Any:
+        """Return what has reached the bus."""
+        return SimpleNamespace(writes=self._plugged.written())
+
+    @property
+    def most_at_once(self) -> int:
+        """Return the most requests with an ID that came in one datagram."""
+        return max(len(re.findall(rb"\n[g-z]", frame)) for frame in self._plugged.heard)
+
+
+class Line:
+    """The way to gateways of one test: a network namespace."""
+
+    @contextlib.contextmanager
+    def gateway(self, noise: float = 0.0, **_: Any) -> Iterator[Served]:
+        """Plug a gateway in with failing addresses, behind a line that loses, doubles and delays frames."""
+        towards, back = (Straying[bytes](seed, latest=20, **LOST if noise else {}) for seed in (1, 2))
+        with plugged(towards=towards, back=back) as gateway:
+            gateway.call("refuse", REFUSING)
+            gateway.call("refuse", SILENT, silent=True)
+            yield Served(gateway)
+
+
+@pytest.fixture(params=[LINE])
+def network() -> Iterator[None]:
+    """Have this thread in a network namespace of its own."""
+    with own_network():
+        yield
+
+
+@pytest.fixture
+def gateway(network: None) -> Iterator[Plugged]:
+    """Return a gateway at the stack of the kernel."""
+    with plugged() as gateway:
+        yield gateway
+
+
+def _cells() -> Iterator[Any]:
+    for name, behaviour in itertools.product(FACES, BEHAVIOURS):
+        if behaviour not in EMPTY:
+            short = name == "asyncio" or (name, behaviour) in IN_MAKE_TEST
+            marks = [] if short else [pytest.mark.campaign]
+            yield pytest.param(name, behaviour, id=f"{name}-{behaviour.__name__}", marks=marks)
+
+
+@pytest.mark.parametrize(("name", "behaviour"), [*_cells()])
+def test_every_face_does_on_the_gateware_what_a_link_does(
+    name: str, behaviour: Behaviour, network: None, tmp_path: Path
+) -> None:
+    line: Any = Line()
+    connect: Any = unity_link.connect
+    if name == "trio":
+        trio.run(behaviour, connect, line)
+    elif name == "blocking":
+        with face("blocking", tmp_path) as connect:
+            asyncio.run(behaviour(connect, line))
+    else:
+        with asyncio.Runner(loop_factory=uvloop.new_event_loop if name == "uvloop" else None) as runner:
+            runner.run(behaviour(connect, line))
+
+
+async def write_all(link: unity_link.Link, numbers: range, address: int = 0x80) -> None:
+    for number in numbers:
+        await link.post(address, number)
+    await link.fence()
+
+
+@pytest.mark.asyncio
+@pytest.mark.parametrize("rounds", [20, pytest.param(600, marks=pytest.mark.campaign)])
+async def test_over_a_bad_network_all_is_executed_once_in_order_and_answered_right(
+    gateway: Plugged, rounds: int
+) -> None:
+    for address in range(64):
+        gateway.call("poke", address, address)
+    towards, back = (Straying[Any](seed, latest=600, loss=0.02, late=0.03, double=0.1) for seed in (1, 2))
+    numbers = itertools.count()
+    async with relay_udp(URL, towards, back) as relayed, unity_link.connect(relayed, timeout=60) as link:
+        for start in range(rounds):
+            writes = [link.write(0x80, next(numbers)) for _ in range(2)]
+            reads = [link.read((start + place) % 64) for place in range(4)]
+            answers = await asyncio.gather(*writes, *reads)
+            assert answers[2:] == [(start + place) % 64 for place in range(4)]
+    assert gateway.written() == [(0x80, number) for number in range(2 * rounds)]
+
+
+@pytest.mark.asyncio
+async def test_a_second_host_takes_the_gateway_and_the_first_is_told(gateway: Plugged) -> None:
+    async with unity_link.connect(URL) as first:
+        await first.write(1, 6)
+        async with unity_link.connect(URL) as second:
+            with pytest.raises(LinkLostError):
+                await first.write(1, 7)
+            assert await second.read(1) == 6
+    assert gateway.written() == [(1, 6)]
+
+
+@pytest.mark.asyncio
+async def test_a_first_host_that_reconnects_takes_the_gateway_again(gateway: Plugged) -> None:
+    async with unity_link.connect(URL, reconnect=True) as first:
+        await first.write(1, 7)
+        async with unity_link.connect(URL) as second:
+            assert await second.read(1) == 7
+        with contextlib.suppress(LinkLostError):
+            await first.read(1)
+        assert await first.read(1) == 7
+        assert first.statistics.reconnections == 1
+
+
+@pytest.mark.asyncio
+async def test_a_reset_in_the_middle_of_a_session_loses_the_link_and_executes_nothing_twice(gateway: Plugged) -> None:
+    async with unity_link.connect(URL) as link:
+        await write_all(link, range(10))
+        gateway.call("reset")
+        with pytest.raises(LinkLostError) as caught:
+            await link.write_queue(0x80, [10])
+        assert caught.value.outcome is not Outcome.EXECUTED
+    async with unity_link.connect(URL) as again:
+        await again.write_queue(0x80, [11])
+    assert [word for _, word in gateway.written()] == [*range(10), 11]
+
+
+@pytest.mark.asyncio
+async def test_a_gateway_that_stands_still_loses_the_link_in_every_call_that_waits(gateway: Plugged) -> None:
+    async with unity_link.connect(URL) as link:
+        await link.write(0, 1)
+        gateway.pause()
+        calls = [link.read(0), link.write(0, 1), link.read_many(range(64)), link.write_block(0, range(64))]
+        errors = await asyncio.gather(*calls, return_exceptions=True)
+        assert [type(error) for error in errors] == [LinkLostError] * len(calls)
+
+
+@pytest.mark.asyncio
+async def test_a_flood_of_what_is_no_frame_disturbs_no_link(gateway: Plugged) -> None:
+    generator = random.Random(1)
+    async with unity_link.connect(URL) as link:
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as stranger:
+            stranger.connect((GATEWAY, GATEWAY_PORT))
+            for number in range(40):
+                noise = generator.randbytes(generator.randrange(60))
+                stranger.send(generator.choice([noise, b"U" + noise, b"U0000000100000001\r" + noise]))
+                await link.write(1, number)
+                assert await link.read(1) == number
+
+
+@pytest.mark.asyncio
+@pytest.mark.parametrize("options", ["", f"?interface={INTERFACE}&ttl=3"])
+async def test_blocks_go_in_whole_frames_by_the_interface_and_ttl_of_the_url(gateway: Plugged, options: str) -> None:
+    async with unity_link.connect(URL + options) as link:
+        await link.write_block(0, range(224))
+        assert (await link.read_block(0, 224)).tolist() == [*range(224)]
+    datagrams = [frame for frame in gateway.heard if frame[12:14] == b"\x08\0"]
+    assert {frame[22] for frame in datagrams} == {3 if options else 64}
+    assert {frame[20] & 0x3F for frame in datagrams} == {0}
+    assert 1000 < max(map(len, datagrams)) <= 14 + 20 + 8 + 1400

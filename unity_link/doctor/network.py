@@ -1,0 +1,187 @@
+"""The way to a gateway on the network: is there such a station, do datagrams arrive, and do all of them come back.
+
+Some requests of a person, ``H``, are sent, which do nothing and begin no session.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import errno
+import ipaddress
+import select
+import socket
+import struct
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, NamedTuple
+
+from unity_link.doctor.findings import FaultName, Finding
+from unity_link.errors import ConnectError
+from unity_link.transport.tcp import address
+from unity_link.transport.udp import Settings, refused
+
+if TYPE_CHECKING:
+    from unity_link.transport import DriverUrl
+
+QUESTIONS = 100
+"""Datagrams that are asked for an answer, one after the other."""
+FIRST_PATIENCE = 0.6
+"""Seconds that each of the first ones is waited for: a station is looked for before."""
+FIRST_QUESTIONS = 5
+"""Questions without any answer, after which nothing is expected any more."""
+PATIENCE = 0.1
+MOST_LOST = 20
+"""Unanswered questions after which enough is known."""
+_QUESTION = b"H\r"
+_NEIGHBOURS = Path("/proc/net/arp")
+_COMPLETE = 0x2
+"""Linux: flag of a neighbour whose address of the MAC is known."""
+_IP_RECVERR = 11
+_MSG_ERRQUEUE = 0x2000
+_ERROR = struct.Struct("@I4B")
+"""Linux: the beginning of `struct sock_extended_err`: errno, origin, type, code."""
+_OF_ICMP = 2
+_UNREACHABLE = 3
+_PROHIBITED = frozenset({9, 10, 13})
+"""Codes of ICMP by which a firewall says that it is one."""
+_ABSENT_ADVICE = "start what serves the gateway, or correct the port in the URL"
+_FIREWALL_ADVICE = (
+    "let UDP from and to that port pass, at this computer and on the way: sudo nft list ruleset shows its rules"
+)
+
+
+class Heard(NamedTuple):
+    """Result of the questions."""
+
+    asked: int
+    answered: int
+    refusal: str
+    """Sentence of the system or the network, empty where there is none."""
+    fault: FaultName | None
+
+
+async def check_network(url: DriverUrl) -> list[Finding]:
+    """Return what can be said of the way to a gateway; the last finding has a fault where nothing comes back."""
+    return await asyncio.get_running_loop().run_in_executor(None, _check, url)
+
+
+def _check(url: DriverUrl) -> list[Finding]:
+    host, port = address(url)
+    try:
+        with refused(host, port):
+            opened = Settings.of(url).connected(socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM))
+    except ConnectError as error:
+        fault = _by_number(error.__cause__)[1] if isinstance(error.__cause__, OSError) else None
+        advice = _FIREWALL_ADVICE if fault else "look at `ip route`, and at the cable"
+        return [Finding("network", str(error), fault or FaultName.FAILED, advice)]
+    with opened:
+        own, there = opened.getsockname()[0], opened.getpeername()[0]
+        heard = _ask(opened)
+    where = f"{there} from {own}"
+    if heard.answered:
+        mac = neighbour(there)
+        return [Finding("network", where + (f"; the station is {mac}" if mac else "")), judge_loss(heard)]
+    if heard.fault is FaultName.ABSENT:
+        return [Finding("network", f"{there} says that nothing listens at port {port}", heard.fault, _ABSENT_ADVICE)]
+    if heard.fault is FaultName.FIREWALL:
+        return [
+            Finding(
+                "network",
+                f"{heard.refusal}: a firewall drops what goes to port {port} of {there}",
+                heard.fault,
+                _FIREWALL_ADVICE,
+            )
+        ]
+    return [_explain_silence(own, there, port, where)]
+
+
+def _explain_silence(own: str, there: str, port: int, where: str) -> Finding:
+    if ipaddress.ip_address(there.partition("%")[0]).is_loopback:
+        return Finding("network", where)
+    mac = neighbour(there)
+    if mac:
+        return Finding(
+            "network",
+            f"the station {mac} has the address {there}, and answers no datagram at port {port}",
+            FaultName.FIREWALL,
+            "a firewall drops them, at this computer or there, or the port is another one; " + _FIREWALL_ADVICE,
+        )
+    if mac == "":
+        return Finding(
+            "network",
+            f"no station has the address {there} in the network that {own} is in",
+            FaultName.NOBODY,
+            "look at the power, the cable and the lights of the port; unity-link find lists the boards that are there",
+        )
+    return Finding(
+        "network",
+        f"{there} is in no network of this computer, and nothing comes back from there",
+        FaultName.NOBODY,
+        f"give this computer an address in the board's network beside {own}, or the board one in this: "
+        "unity-link find --assign MAC=ADDRESS",
+    )
+
+
+def neighbour(there: str) -> str | None:
+    """Return the address of the MAC of a neighbour; empty where it was looked for in vain, None where it was not."""
+    with contextlib.suppress(OSError):
+        for line in _NEIGHBOURS.read_text().splitlines()[1:]:
+            fields = line.split()
+            if fields[0] == there:
+                return fields[3] if int(fields[2], 16) & _COMPLETE else ""
+    return None
+
+
+def _ask(opened: socket.socket) -> Heard:
+    """Ask again and again, each time when the answer has come or is late."""
+    told = sys.platform == "linux"
+    if told:
+        opened.setsockopt(socket.IPPROTO_IP, _IP_RECVERR, 1)
+    asked = answered = 0
+    refusal, fault = "", None
+    while asked < QUESTIONS and asked - answered < (MOST_LOST if answered else FIRST_QUESTIONS):
+        asked += 1
+        try:
+            opened.send(_QUESTION)
+            if select.select([opened], [], [], PATIENCE if answered else FIRST_PATIENCE)[0]:
+                opened.recv(2048)
+                answered += 1
+        except OSError as error:
+            refusal, fault = _refusal(opened, error) if told else _by_number(error)
+            if fault is not None:
+                break
+    return Heard(asked, answered, refusal, fault)
+
+
+def _refusal(opened: socket.socket, error: OSError) -> tuple[str, FaultName | None]:
+    """Return what an error means, by what came of ICMP where something has."""
+    with contextlib.suppress(OSError):
+        _, ancillary, _, _ = opened.recvmsg(0, 512, _MSG_ERRQUEUE)
+        for _, _, data in ancillary:
+            _, origin, kind, code, _ = _ERROR.unpack_from(data)
+            if origin == _OF_ICMP and kind == _UNREACHABLE and code in _PROHIBITED:
+                return f"ICMP says that it is administratively prohibited (code {code})", FaultName.FIREWALL
+    return _by_number(error)
+
+
+def _by_number(error: OSError) -> tuple[str, FaultName | None]:
+    said = error.strerror or str(error)
+    if error.errno in (errno.EPERM, errno.EACCES):
+        return f"the system refuses to send ({said})", FaultName.FIREWALL
+    return said, FaultName.ABSENT if error.errno == errno.ECONNREFUSED else None
+
+
+def judge_loss(heard: Heard) -> Finding:
+    """Return what it means that some questions were not answered."""
+    lost = heard.asked - heard.answered
+    text = f"{lost} of {heard.asked} datagrams not answered"
+    if lost < 2:
+        return Finding("loss", text)
+    return Finding(
+        "loss",
+        f"{text}: about one in {round(heard.asked / lost)} is lost on the way there or back",
+        FaultName.LOSS,
+        "look at the cable, at the errors that `ip -s link` counts, at a port with half duplex, and at what else is on "
+        "the network; the link repeats what was lost, and is slower for it",
+    )
