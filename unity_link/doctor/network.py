@@ -51,7 +51,7 @@ _FIREWALL_ADVICE = (
 )
 
 
-class Heard(NamedTuple):
+class Questioned(NamedTuple):
     """Result of the questions."""
 
     asked: int
@@ -133,7 +133,7 @@ def neighbour(there: str) -> str | None:
     return None
 
 
-def _ask(opened: socket.socket) -> Heard:
+def _ask(opened: socket.socket) -> Questioned:
     """Ask again and again, each time when the answer has come or is late."""
     told = sys.platform == "linux"
     if told:
@@ -151,7 +151,7 @@ def _ask(opened: socket.socket) -> Heard:
             refusal, fault = _refusal(opened, error) if told else _by_number(error)
             if fault is not None:
                 break
-    return Heard(asked, answered, refusal, fault)
+    return Questioned(asked, answered, refusal, fault)
 
 
 def _refusal(opened: socket.socket, error: OSError) -> tuple[str, FaultName | None]:
@@ -172,7 +172,7 @@ def _by_number(error: OSError) -> tuple[str, FaultName | None]:
     return said, FaultName.ABSENT if error.errno == errno.ECONNREFUSED else None
 
 
-def judge_loss(heard: Heard) -> Finding:
+def judge_loss(heard: Questioned) -> Finding:
     """Return what it means that some questions were not answered."""
     lost = heard.asked - heard.answered
     text = f"{lost} of {heard.asked} datagrams not answered"

@@ -55,7 +55,7 @@ def exchange(words: int = 20) -> None:
 
 def test_the_kernel_finds_the_station_and_its_pings_of_all_sizes_are_answered(gateway: Plugged) -> None:
     for size in (0, 1, 56, 1472):
-        said = ran("ping", "-n", "-c", "3", "-i", "0.2", "-W", "20", "-s", str(size), "-M", "do", GATEWAY)
+        said = ran("ping", "-n", "-c", "3", "-w", "50", "-i", "0.2", "-s", str(size), "-M", "do", GATEWAY)
         assert "3 received" in said
     assert MAC in ran("ip", "neighbour", "show", GATEWAY)
     assert gateway.written() == []
@@ -125,7 +125,7 @@ def test_tcpdump_and_tshark_find_nothing_wrong_with_its_frames(gateway: Plugged,
     path = tmp_path / "seen.pcap"
     with captured(path):
         ran("arping", "-c", "1", "-I", INTERFACE, GATEWAY)
-        ran("ping", "-n", "-c", "2", "-i", "0.2", "-W", "20", GATEWAY)
+        ran("ping", "-n", "-c", "2", "-w", "50", "-i", "0.2", GATEWAY)
         exchange(100)
     said = ran("tcpdump", "-n", "-vv", "-e", "-r", str(path), "ether", "src", MAC)
     assert f"Reply {GATEWAY} is-at {MAC}" in said
