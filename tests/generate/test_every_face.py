@@ -50,7 +50,6 @@ PROGRAMS = ("C", "C++", "Octave")
 MEDIA = ("serial", "tcp", "unix", "udp", "served")
 A_SERVER_TELLS = "the server has a session of its own: it is the one that is told (tests/bridges)"
 EMPTY: dict[tuple[str | None, str, Behaviour | None], str] = {
-    **{(program, "udp", None): "the client in C has no window of datagrams" for program in PROGRAMS},
     (None, "served", a_reset_is_told_and_nothing_is_executed_by_a_gateway_without_a_session): A_SERVER_TELLS,
     (None, "udp", a_lost_line_ends_the_calls): "datagrams have no line; silence ends a link after five seconds",
 }

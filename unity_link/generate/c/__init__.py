@@ -17,7 +17,9 @@ from unity_link.generate.c.layout import Layout
 from unity_link.generate.c.names import number
 from unity_link.generate.c.signals import decoding, describe, examples, initializer, schedule
 from unity_link.protocol.constants import TABLE
+from unity_link.protocol.frames import LARGEST_DATAGRAM
 from unity_link.transport.polling import REMEMBERED_WAITS, SPIN
+from unity_link.transport.udp import RECEIVE_BUFFER
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -34,7 +36,13 @@ FILTERS: dict[str, Callable[..., Any]] = {
     "schedule": schedule,
 }
 RUNTIME = ("unity_link.h", "unity_link.c", "unity_link_posix.c")
-RUNTIME_VALUES = {"constants": TABLE, "SPIN": SPIN, "REMEMBERED_WAITS": REMEMBERED_WAITS}
+RUNTIME_VALUES = {
+    "constants": TABLE,
+    "SPIN": SPIN,
+    "REMEMBERED_WAITS": REMEMBERED_WAITS,
+    "LARGEST_DATAGRAM": LARGEST_DATAGRAM,
+    "RECEIVE_BUFFER": RECEIVE_BUFFER,
+}
 """Constants that the runtime has in common with the host in Python."""
 
 

@@ -118,6 +118,8 @@ static void shut(ul_link *link)
 
 /* Sending */
 
+{% include "runtime/datagrams.c" %}
+
 /* End what is sent together with an empty frame, so that damage to the end of the last one is found. */
 static void end_output(ul_link *link)
 {
@@ -131,7 +133,10 @@ static void flush(ul_link *link)
     double now, stuck_since = now_of(link), until = link->open ? FOR_EVER : link->open_until;
     if (link->loses) end_output(link);
     while (sent < link->send_size && !link->gone) {
-        ptrdiff_t taken = link->transport.send(link->transport.context, link->send + sent, link->send_size - sent);
+        const char *from = link->send + sent;
+        size_t left = link->send_size - sent;
+        ptrdiff_t taken = link->transport.datagrams ? send_datagram(link, from, left)
+                                                    : link->transport.send(link->transport.context, from, left);
         if (taken < 0) {
             lose(link, LINE_GONE);
         } else if (taken > 0) {
@@ -498,6 +503,7 @@ static bool fill(ul_link *link)
     ptrdiff_t come = link->transport.receive(link->transport.context, link->receive + rest, room);
     if (come < 0) lose(link, LINE_GONE);
     if (come <= 0) return false;
+    if (link->transport.datagrams) come = (ptrdiff_t)take_datagram(link, link->receive + rest, (size_t)come);
     link->receive_size += (size_t)come;
     return true;
 }

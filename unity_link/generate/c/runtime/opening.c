@@ -181,7 +181,7 @@ static bool is_possible(ul_link *link)
 static unsigned most_in_frame(const ul_link *link, unsigned words)
 {
     unsigned digits = link->data_digits > link->address_digits ? link->data_digits : link->address_digits;
-    unsigned room = (UL_LONGEST_FRAME - LONGEST_REST) / digits;
+    unsigned room = (unsigned)(longest_frame(link) - LONGEST_REST) / digits;
     return words < room ? words : room;
 }
 

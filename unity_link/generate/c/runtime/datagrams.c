@@ -1,0 +1,129 @@
+/* Datagrams: headers that tell what is late, doubled or of another session (docs/protocol.md, Datagrams). ---------------
+ *
+ * The transport carries datagrams, whole or not at all. Each gets a header behind which whole frames stand; of those that
+ * come, what is not newer is dropped. What is left is a line that keeps the order and may lose frames.
+ */
+
+enum { LARGEST_DATAGRAM = {{ LARGEST_DATAGRAM }}, MOST_HEADER = 32 };
+
+static const char SESSION_OVER[] = "the gateway was reset, or another program has opened a session with it";
+
+/* Bytes of the longest frame that goes in one piece with its header. */
+static size_t longest_frame(const ul_link *link)
+{
+    size_t fits = LARGEST_DATAGRAM - MOST_HEADER;
+    return link->transport.datagrams && fits < UL_LONGEST_FRAME ? fits : UL_LONGEST_FRAME;
+}
+
+static text without_line_ends(text line)
+{
+    while (line.size > 0 && (*line.at == CHECKED_END || *line.at == PLAIN_END)) line = without_first(line, 1);
+    return line;
+}
+
+/* Take the end of a frame off the front, behind what was read of it since `start`: its check and LF, or CR. */
+static bool take_end(const ul_link *link, const char *start, text *rest)
+{
+    text body = {start, (size_t)(rest->at - start)};
+    uint64_t check;
+    if (rest->size > 0 && *rest->at == PLAIN_END) {
+        *rest = without_first(*rest, rest->size > 1 && rest->at[1] == CHECKED_END ? 2 : 1);
+        return true;
+    }
+    if (link->crc_digits == 0 || !take_number(rest, link->crc_digits, &check) || check != check_of(link, body)) return false;
+    if (rest->size == 0 || *rest->at != CHECKED_END) return false;
+    *rest = without_first(*rest, 1);
+    return true;
+}
+
+static bool is_refusal(const ul_link *link, text frames)
+{
+    text rest = frames = without_line_ends(frames);
+    if (!take_prefix(link, &rest) || !starts_with(rest, "X0A")) return false;
+    rest = without_first(rest, 3);
+    return take_end(link, frames.at, &rest);
+}
+
+/* Whether a datagram is newer than all before, which its count tells; 00000000 stands outside. */
+static bool takes_count(ul_link *link, uint32_t count)
+{
+    uint32_t ahead = count - link->taken_datagrams;
+    if (count == 0 || ahead == 0 || ahead > UINT32_MAX >> 1) return false;
+    link->taken_datagrams = count;
+    return true;
+}
+
+/* Whether the frames of a datagram of a session and with a count are for this link. Ends it where its session is over. */
+static bool takes_datagram(ul_link *link, uint32_t session, uint32_t count, text frames)
+{
+    bool refused = count == 0 && is_refusal(link, frames);
+    if (link->session == 0) {
+        if (count != 0 || session == 0 || refused) return false;
+        link->offer = session;
+        return true;
+    }
+    if (session != link->session) return false;
+    if (refused) lose(link, SESSION_OVER);
+    return takes_count(link, count);
+}
+
+/* Leave the frames of a datagram in its place that are for this link, and give how many bytes they are. */
+static size_t take_datagram(ul_link *link, char *at, size_t size)
+{
+    text start = without_line_ends((text){at, size}), frames = start;
+    uint64_t session, count;
+    if (take_prefix(link, &frames) && starts_with(frames, "U")) {
+        frames = without_first(frames, 1);
+        if (!take_number(&frames, 8, &session) || !take_number(&frames, 8, &count)) return 0;
+        if (!take_end(link, start.at, &frames)) return 0;
+        if (!takes_datagram(link, (uint32_t)session, (uint32_t)count, frames)) return 0;
+    } else if (link->session != 0) {
+        return 0;
+    } else {
+        frames = start;     /* a gateway of an earlier version, which says so */
+    }
+    size_t left = frames.size;
+    memmove(at, frames.at, left);
+    /* A frame that was cut at the end of its datagram does not spoil the next. */
+    if (left > 0 && left < size && at[left - 1] != CHECKED_END) at[left++] = CHECKED_END;
+    return left;
+}
+
+/* How many bytes of whole frames go in one datagram: one frame at least. */
+static size_t piece_of(text frames, size_t room)
+{
+    size_t end = 0;
+    for (size_t index = 0; index < frames.size && (index < room || end == 0); index++)
+        if (frames.at[index] == CHECKED_END || frames.at[index] == PLAIN_END) end = index + 1;
+    return end == 0 ? frames.size : end;
+}
+
+/* Whether frames can be sent: the first `K` opens the session that is on offer; without an offer it is as good as lost. */
+static bool opens_session(ul_link *link, text frames)
+{
+    text first = without_line_ends(frames);
+    if (link->session != 0 || !take_prefix(link, &first) || !starts_with(first, "K")) return true;
+    link->session = link->offer;
+    link->sent_datagrams = link->taken_datagrams = 0;
+    return link->session != 0;
+}
+
+/* Send what has room in a datagram, from a place on; as the transport's `send`. */
+static ptrdiff_t send_datagram(ul_link *link, const char *from, size_t size)
+{
+    char datagram[MOST_HEADER + UL_LONGEST_FRAME], *at = datagram;
+    text frames = {from, piece_of((text){from, size}, LARGEST_DATAGRAM - MOST_HEADER)};
+    ptrdiff_t consumed = (ptrdiff_t)frames.size, sent;
+    if (!opens_session(link, frames)) return consumed;
+    uint32_t count = link->sent_datagrams == UINT32_MAX ? 1 : link->sent_datagrams + 1;
+    if (link->session != 0) {
+        frames = without_line_ends(frames);
+        if (frames.size == 0) return consumed;
+        at = put_number(put_text(put_prefix(link, at), "U"), 8, link->session);
+        at = put_check(link, put_number(at, 8, count), datagram);
+    }
+    memcpy(at, frames.at, frames.size);
+    sent = link->transport.send(link->transport.context, datagram, (size_t)(at - datagram) + frames.size);
+    if (sent > 0 && link->session != 0) link->sent_datagrams = count;
+    return sent > 0 ? consumed : sent;
+}
