@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import functools
 import itertools
 import random
 import re
@@ -21,31 +22,39 @@ import uvloop
 import unity_link
 from gateware.bench.network.tap import GATEWAY, INTERFACE, LINE, URL, own_network, plugged
 from gateware.bench.network.wire import GATEWAY_PORT
+from generate.programs import CPP, HERE, C, Driven, compiled, generated, linked
 from support.behaviours import (
     BEHAVIOURS,
     REFUSING,
     SILENT,
     a_lost_line_ends_the_calls,
+    a_reset_is_told_and_nothing_is_executed_by_a_gateway_without_a_session,
+    blocks_are_consecutive_and_queues_one_address,
     each_write_is_executed_exactly_once_and_in_order_on_a_noisy_line,
     errors_say_by_their_kind_what_was_wrong_and_leave_others_alone,
     what_a_gateway_was_built_without_is_refused,
     words_are_read_and_written,
 )
+from support.driven_link import DrivenLink
 from support.faces import face
+from support.spec_examples import FIGURE_1
 from unity_link import LinkLostError
 from unity_link.errors import Outcome
+from unity_link.spec import compile_text
 from unity_link.virtual.faults import Straying
 from unity_link.virtual.udp_relay import relay_udp
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
     from pathlib import Path
 
     from gateware.bench.network.tap import Plugged
     from support.behaviours import Behaviour
 
 pytestmark = pytest.mark.slow
-FACES = ("asyncio", "uvloop", "trio", "blocking")
+FACES = ("asyncio", "uvloop", "trio", "blocking", "C", "C++")
+PROGRAMS = {"C": (C, "driver.c"), "C++": (CPP, "driver.cc")}
+"""Compiler and source of the faces that are programs."""
 LOST = {"loss": 0.02, "late": 0.03, "double": 0.05}
 """Chances of a frame on a bad line."""
 EMPTY = {
@@ -58,6 +67,10 @@ IN_MAKE_TEST = {
     ("uvloop", words_are_read_and_written),
     ("trio", errors_say_by_their_kind_what_was_wrong_and_leave_others_alone),
     ("blocking", each_write_is_executed_exactly_once_and_in_order_on_a_noisy_line),
+    ("C", words_are_read_and_written),
+    ("C", blocks_are_consecutive_and_queues_one_address),
+    ("C", a_reset_is_told_and_nothing_is_executed_by_a_gateway_without_a_session),
+    ("C", each_write_is_executed_exactly_once_and_in_order_on_a_noisy_line),
 }
 """Cells beside those of asyncio that are no part of a campaign."""
 
@@ -109,6 +122,21 @@ def gateway(network: None) -> Iterator[Plugged]:
         yield gateway
 
 
+@pytest.fixture(scope="module")
+def compiled_driver(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
+    """Return what compiles the driver of a face, once."""
+
+    @functools.cache
+    def make(name: str) -> Path:
+        folder = tmp_path_factory.mktemp("driver")
+        generated("cpp", compile_text(FIGURE_1), folder)
+        compiler, source = PROGRAMS[name]
+        objects = compiled(C, [folder / "unity_link.c", folder / "unity_link_posix.c"], folder)
+        return linked(compiler, [*objects, *compiled(compiler, [HERE / source], folder)], folder / "driver")
+
+    return make
+
+
 def _cells() -> Iterator[Any]:
     for name, behaviour in itertools.product(FACES, BEHAVIOURS):
         if behaviour not in EMPTY:
@@ -119,11 +147,15 @@ def _cells() -> Iterator[Any]:
 
 @pytest.mark.parametrize(("name", "behaviour"), [*_cells()])
 def test_every_face_does_on_the_gateware_what_a_link_does(
-    name: str, behaviour: Behaviour, network: None, tmp_path: Path
+    name: str, behaviour: Behaviour, network: None, tmp_path: Path, compiled_driver: Callable[[str], Path]
 ) -> None:
     line: Any = Line()
     connect: Any = unity_link.connect
-    if name == "trio":
+    if name in PROGRAMS:
+        # It is started in the namespace.
+        with Driven(compiled_driver(name)) as program:
+            asyncio.run(behaviour(lambda url: DrivenLink(program, url), line))
+    elif name == "trio":
         trio.run(behaviour, connect, line)
     elif name == "blocking":
         with face("blocking", tmp_path) as connect:
