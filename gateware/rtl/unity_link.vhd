@@ -79,6 +79,8 @@ entity unity_link is
     ip_address : std_logic_vector(31 downto 0) := x"C0A80164";
     -- 1 to 65535, for Ethernet: the port of UDP.
     udp_port : positive := 21_845;
+    -- At most 15 characters of ASCII, for Ethernet: what the gateway is called where it is found.
+    gateway_name : string := "";
     -- 0 to 15: with half_duplex, bits for which uart_de is '1' before the first start bit, and behind the last stop
     -- bit.
     driver_lead : natural := 1;
@@ -625,6 +627,9 @@ begin
         mac_address    => mac_address,
         ip_address     => ip_address,
         udp_port       => udp_port,
+        gateway_name   => gateway_name,
+        build_id       => build_id,
+        fingerprint    => fingerprint,
         crc_bits       => crc_bits,
         crc_polynomial => crc_polynomial
       )

@@ -8,7 +8,7 @@ One file for each family of commands. They parse, show and explain; what they do
 - `arguments` and `words` read and write addresses and values, `wrong_use` says which of them cannot be
 - `signals` has get and set, by names; `completion` tells a shell how an argument may go on,
   `manual` makes the manual page of all commands; `watched` is what `watch` watches
-- `doctor` finds what is slow or wrong
+- `doctor` finds what is slow or wrong, `find` which boards are on the network
 - `info`, `access` (read, write), `watch`, `simulate`, `terminal`, `demo` with `demo_view` are commands
 - `spec` has the commands about specs: check, fmt, show, import; `generate` writes code from one
 - `build` makes bitstreams of boards, `gateware` gives the VHDL away

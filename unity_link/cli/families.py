@@ -23,6 +23,7 @@ FAMILIES = {
     "demo": "demo",
     "info": "info",
     "doctor": "doctor",
+    "find": "find",
     "read": "access",
     "write": "access",
     "get": "signals",

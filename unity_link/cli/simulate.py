@@ -10,7 +10,7 @@ import contextlib
 import os
 import stat
 import sys
-from pathlib import Path  # noqa: TC003  (typer reads it)
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -187,7 +187,7 @@ def simulate(  # noqa: PLR0913  (each is an option)
     if unix is not None:
         ways.append(_serving("unix", gateway, unix))
     if udp is not None:
-        ways.append(_serving("udp", gateway, udp, host))
+        ways.append(_serving("udp", gateway, udp, host, name=Path(wanted.robot).stem))
     if usbip is not None:
         ways.append(_serving_chip(gateway, usbip, host))
     if tcp is not None or not ways:
@@ -207,10 +207,10 @@ def _line(nodes: list[int], baud: int, wanted: Wanted, chances: dict[str, float]
     )
 
 
-def _serving(way: str, gateway: Gateway, *place: Any) -> AbstractAsyncContextManager[str]:
+def _serving(way: str, gateway: Gateway, *place: Any, **options: str) -> AbstractAsyncContextManager[str]:
     from unity_link.virtual import serving
 
-    manager: AbstractAsyncContextManager[str] = getattr(serving, f"serve_{way}")(gateway, *place)
+    manager: AbstractAsyncContextManager[str] = getattr(serving, f"serve_{way}")(gateway, *place, **options)
     return manager
 
 

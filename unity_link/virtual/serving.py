@@ -17,11 +17,14 @@ import asyncio
 import contextlib
 import io
 import os
+import secrets
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from unity_link.errors import ConnectError
-from unity_link.protocol.datagrams import GatewayDatagrams
+from unity_link.protocol import finding
+from unity_link.protocol.configuration import Feature
+from unity_link.protocol.datagrams import NO_SESSION, GatewayDatagrams
 from unity_link.protocol.messages import Codec
 from unity_link.transport.listening import LOOPBACK, checked_host, listen_tcp, listen_unix, port_error, serving, url_of
 from unity_link.virtual.transport import GatewayTransport
@@ -36,6 +39,8 @@ BUSY = b"this gateway serves another client; try again when that has gone\r\n"
 GRACE = 0.1
 """Seconds that a new client waits for the one before to go: hanging up may be heard later than calling again."""
 _LONGEST_REST = 65536
+_VIRTUAL = bytes.fromhex("02554D")
+"""First half of the MAC address of a virtual gateway, of which the rest is random."""
 _TCGETS2, _TERMIOS2_SIZE, _OUTPUT_SPEED = 0x802C542A, 64, 10
 """Linux: how a terminal tells a speed that is none of the old ones; size and place are of `struct termios2`."""
 
@@ -199,9 +204,12 @@ async def serve_unix(gateway: Gateway, path: str | os.PathLike[str]) -> AsyncIte
 class _DatagramClients(asyncio.DatagramProtocol, asyncio.Transport):
     """The clients' side of a datagram socket: a stream towards the gateway, datagrams towards its clients."""
 
-    def __init__(self, counter: ClientCounter, codec: Codec) -> None:
+    def __init__(self, counter: ClientCounter, codec: Codec, name: str) -> None:
         super().__init__()
         self._socket: asyncio.DatagramTransport
+        self._info = codec.info
+        self._name = name
+        self._mac = _VIRTUAL + secrets.token_bytes(3)
         self._datagrams: GatewayDatagrams[Any] = GatewayDatagrams(codec, counter.gateway.write, self._send)
         self._counter = counter
         self._rest = b""
@@ -212,8 +220,22 @@ class _DatagramClients(asyncio.DatagramProtocol, asyncio.Transport):
         self._socket = transport
 
     def datagram_received(self, data: bytes, addr: Any) -> None:
-        if self._reading:
+        if finding.asked(data, self._mac):
+            self._send(finding.answer(self._found()), addr)
+        elif self._reading:
             self._datagrams.take(data, addr)
+
+    def _found(self) -> finding.Found:
+        info = self._info
+        return finding.Found(
+            self._mac,
+            # A socket is reached under the addresses of its machine, and takes no other.
+            finding.NOWHERE,
+            info.build_id,
+            Feature.FINGERPRINT in info.features,
+            self._datagrams.session != NO_SESSION,
+            self._name,
+        )
 
     def error_received(self, exc: Exception) -> None:
         """Ignore that the host does not listen any more: a board would not hear of it."""
@@ -247,15 +269,16 @@ class _DatagramClients(asyncio.DatagramProtocol, asyncio.Transport):
 
 @serving("a gateway")
 async def serve_udp(
-    gateway: Gateway, port: int = 0, host: str = LOOPBACK, *, node: int | None = None
+    gateway: Gateway, port: int = 0, host: str = LOOPBACK, *, node: int | None = None, name: str = ""
 ) -> AsyncIterator[str]:
-    """Serve a gateway on a UDP port; 0 chooses a free one. Gives its URL.
+    """Serve a gateway on a UDP port; 0 chooses a free one. Gives its URL. `unity-link find` finds it.
 
     Args:
         gateway: what is served.
         port: of this machine.
         host: the network address to listen at.
         node: the gateway's number on a shared medium, or None.
+        name: what it is called where it is found.
 
     Raises:
         ConnectError: where the port can't be opened.
@@ -265,7 +288,7 @@ async def serve_udp(
         try:
             codec = Codec(gateway.info, node)
             transport, _ = await loop.create_datagram_endpoint(
-                lambda: _DatagramClients(counter, codec), local_addr=(checked_host(host), port)
+                lambda: _DatagramClients(counter, codec, name), local_addr=(checked_host(host), port)
             )
         except (OSError, OverflowError, UnicodeError) as error:
             raise port_error("UDP", host, port, error) from error

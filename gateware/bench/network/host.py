@@ -10,6 +10,8 @@ from unity_link.protocol.frames import Framing
 
 HOST_MAC = bytes.fromhex("0200000000aa")
 HOST_IP = bytes((192, 168, 1, 5))
+EVERYBODY = b"\xff" * 6
+ALL_STATIONS = bytes((255, 255, 255, 255))
 HEADERS = 42
 """Bytes before what UDP carries, and before the data of a ping."""
 _FRAMING = Framing(Crc())
@@ -57,6 +59,11 @@ def udp(data: bytes, *, port: int = 4000, to_port: int = GATEWAY_PORT, length: i
     return ip(17, struct.pack("!HHHH", port, to_port, size, 0) + data)
 
 
+def to_all(data: bytes, *, to: bytes = ALL_STATIONS, to_port: int = GATEWAY_PORT, station: bytes = EVERYBODY) -> bytes:
+    """Return a datagram of UDP to all stations, in a frame."""
+    return station + ip(17, struct.pack("!HHHH", 4000, to_port, 8 + len(data), 0) + data, to=to)[6:]
+
+
 def ping(data: bytes, number: int = 1, *, kind: int = 8) -> bytes:
     """Return an echo request in a frame."""
     head = struct.pack("!BBHHH", kind, 0, 0, 0x1234, number)
@@ -64,7 +71,7 @@ def ping(data: bytes, number: int = 1, *, kind: int = 8) -> bytes:
     return ip(1, head[:2] + struct.pack("!H", check) + head[4:] + data)
 
 
-def question(address: bytes = GATEWAY_IP, *, to: bytes = b"\xff" * 6, operation: int = 1) -> bytes:
+def question(address: bytes = GATEWAY_IP, *, to: bytes = EVERYBODY, operation: int = 1) -> bytes:
     """Return an ARP request in a frame."""
     head = struct.pack("!HHBBH", 1, 0x0800, 6, 4, operation)
     return ethernet(0x0806, head + HOST_MAC + HOST_IP + bytes(6) + address, to)

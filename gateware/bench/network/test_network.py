@@ -10,6 +10,8 @@ import pytest
 
 from gateware.bench.ethernet import with_check
 from gateware.bench.network.host import (
+    ALL_STATIONS,
+    EVERYBODY,
     HOST_IP,
     HOST_MAC,
     Host,
@@ -20,9 +22,11 @@ from gateware.bench.network.host import (
     ping,
     question,
     sum_of,
+    to_all,
     udp,
 )
-from gateware.bench.network.wire import CLOCK_HZ, GATEWAY_IP, GATEWAY_MAC, Wire, line_of
+from gateware.bench.network.wire import CLOCK_HZ, GATEWAY_IP, GATEWAY_MAC, GATEWAY_PORT, Wire, line_of
+from unity_link.protocol.finding import Found, ask, read_answer
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -181,6 +185,102 @@ def test_counts_go_round() -> None:
         assert host.ask(host.datagram(checked(b"h%03X" % (0x5A0 + place)), count)).endswith(
             checked(b"h%03X" % (0x5A0 + place))
         )
+
+
+# Found and addressed
+
+OTHER_IP = bytes((10, 0, 0, 7))
+
+
+def _find(wire: Wire, frame: bytes) -> tuple[bytes, Found] | None:
+    """Send a frame; returns from which address it is answered, and the answer, None without one."""
+    frames = wire.ask(frame, 6000)
+    if not frames:
+        return None
+    (taken,) = frames
+    body = taken.body
+    assert taken.sound
+    assert body[:14] == HOST_MAC + GATEWAY_MAC + b"\x08\0"
+    assert sum_of(body[14:34]) == 0
+    assert body[30:42] == HOST_IP + struct.pack("!HHHH", GATEWAY_PORT, 4000, 40, 0)
+    assert int.from_bytes(body[16:18], "big") == 60
+    found = read_answer(body[42:74])
+    assert found is not None
+    return body[26:30], found
+
+
+@pytest.mark.parametrize("to", [ALL_STATIONS, bytes((192, 168, 1, 255)), bytes((10, 0, 0, 255))])
+def test_a_question_who_is_there_is_answered_once_for_all_and_for_it_alone(to: bytes) -> None:
+    wire = Wire()
+    lamp = Found(GATEWAY_MAC, GATEWAY_IP, 0x1234ABCD, has_fingerprint=True, session_open=False, name="lamp")
+    for _ in range(3):
+        assert _find(wire, to_all(ask(), to=to)) == (GATEWAY_IP, lamp)
+    Host(wire).open()
+    assert _find(wire, to_all(ask() + bytes(100), to=to)) == (GATEWAY_IP, lamp._replace(session_open=True))
+    assert _find(wire, to_all(ask(bytes.fromhex("02554c000002"), OTHER_IP), to=to)) is None
+
+
+def test_a_gateway_takes_an_address_and_keeps_it_until_its_reset() -> None:
+    wire = Wire()
+    here = Found(GATEWAY_MAC, OTHER_IP, 0x1234ABCD, has_fingerprint=True, session_open=False, name="lamp")
+    assert _find(wire, to_all(ask(GATEWAY_MAC, OTHER_IP))) == (OTHER_IP, here)
+    assert _find(wire, to_all(ask())) == (OTHER_IP, here)
+    assert wire.ask(question(), 4000) == wire.ask(udp(b"Q\r"), 4000) == wire.ask(ping(b"", 1), 4000) == []
+    (taken,) = wire.ask(question(OTHER_IP))
+    assert taken.body[22:32] == GATEWAY_MAC + OTHER_IP
+    (taken,) = wire.ask(ip(17, struct.pack("!HHHH", 4000, GATEWAY_PORT, 12, 0) + b"R0A\r", to=OTHER_IP))
+    assert taken.body[26:34] == OTHER_IP + HOST_IP
+    assert sum_of(taken.body[14:34]) == 0
+    assert taken.body[42:].endswith(b"R0A00000000\r\n")
+    wire.reset()
+    assert _find(wire, to_all(ask())) == (GATEWAY_IP, here._replace(ip=GATEWAY_IP))
+
+
+NO_QUESTIONS = {
+    "one byte short": to_all(ask()[:-1]),
+    "of another mark": to_all(b"U!" + ask()[2:]),
+    "of frames": to_all(b"W0A00000001\r" * 4),
+    "of frames of a session": to_all(checked(b"U0000000000000001") + b"W0A00000001\r" * 4),
+    "to another port": to_all(ask(), to_port=GATEWAY_PORT + 1),
+    "to a group": to_all(ask(), station=bytes.fromhex("01005e000001")),
+    "to it alone": udp(ask()),
+    "a ping": ethernet(0x0800, ping(b"")[14:], EVERYBODY),
+}
+
+
+@pytest.mark.parametrize("frame", NO_QUESTIONS.values(), ids=NO_QUESTIONS)
+def test_what_comes_to_all_and_is_no_question_leaves_no_trace(frame: bytes) -> None:
+    wire = Wire()
+    for _ in range(3):
+        assert wire.ask(frame, 5000) == []
+    assert wire.writes() == []
+    assert Host(wire).ask(udp(b"R0A\r")).endswith(b"R0A00000000\r\n")
+
+
+def test_a_question_with_a_wrong_check_gives_no_address() -> None:
+    wire, rng = Wire(), random.Random(3)
+    good = with_check(to_all(ask(GATEWAY_MAC, OTHER_IP)))
+    for spoilt in LINES.values():
+        wire.put_line(spoilt(good, rng))
+        wire.run(8000 + wire.waiting())
+        assert wire.take() == []
+    found = _find(wire, to_all(ask()))
+    assert found is not None
+    assert found[0] == GATEWAY_IP
+
+
+def test_a_session_goes_on_while_others_are_asked() -> None:
+    wire, rng = Wire(), random.Random(11)
+    host = Host(wire)
+    host.open(0)
+    for number in range(60):
+        for _ in range(rng.randrange(3)):
+            wire.put(rng.choice([to_all(ask()), to_all(ask(bytes(6), OTHER_IP)), question(OTHER_IP)]))
+        wire.put(host.datagram(checked(b"w%03X0A%08X" % (number, number))))
+        wire.run(wire.waiting() + 6000)
+        answers = [taken.body[42:] for taken in wire.take()]
+        assert any(checked(b"w%03X" % number) in one for one in answers)
+    assert [word for _, word in wire.writes()] == [*range(60)]
 
 
 # Rates

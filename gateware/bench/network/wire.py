@@ -21,7 +21,13 @@ if TYPE_CHECKING:
     from collections.abc import Mapping
 
 CLOCK_HZ = 50_000_000
-BASE = {"physical": "rmii", "block_words": 160}
+BASE = {
+    "physical": "rmii",
+    "block_words": 160,
+    "gateway_name": "lamp",
+    "build_id": f"{0x1234ABCD:032b}",
+    "fingerprint": True,
+}
 """Generics of the gateway."""
 GATEWAY_MAC = bytes.fromhex("02554c000001")
 GATEWAY_IP = bytes((192, 168, 1, 100))

@@ -8,8 +8,11 @@
 -- opened the session, with the newest count that was taken; of the one that asked last without a session; and of what
 -- comes in now, the candidate, which has in slots 10 to 17 what a ping brought instead. A datagram that is taken makes
 -- its bank that of the opener, and the opener's that of the next candidate: nothing is copied. The last bank has the
--- digits of the session on offer. Each byte is compared with the opener's as it comes, and its digits with those on
--- offer, so all is known with the last one.
+-- gateway's own addresses, which are written there after the reset, and the digits of the session on offer. Each byte
+-- is compared with the opener's as it comes, and with the own one, so all is known with the last one.
+--
+-- A datagram to all stations can only be a question who is there (docs/protocol.md, "Finding boards"): none of it
+-- reaches the core. It may bring another address of IP.
 --
 -- All of it happens while the frame comes in; effects wait until it is committed. Those that change to whom answers go
 -- wait, besides, until the core has answered all before: `active` has been '0' for a while. Where samples leave it no
@@ -28,6 +31,9 @@ library work;
 
 entity ul_datagram_reader is
   generic (
+    mac_address    : std_logic_vector(47 downto 0) := x"02554C000001";
+    ip_address     : std_logic_vector(31 downto 0) := x"C0A80164";
+    build_id       : std_logic_vector(31 downto 0) := x"00000000";
     crc_bits       : positive                      := 16;
     crc_polynomial : std_logic_vector(31 downto 0) := x"00001021"
   );
@@ -87,8 +93,12 @@ architecture rtl of ul_datagram_reader is
   constant rest     : positive := 15;
   constant patience : positive := 2 ** 17 - 1;
 
+  -- What the own bank holds from the beginning, in both of its halves.
+  constant own : std_logic_vector(127 downto 0) := mac_address & ip_address & build_id & find_mark;
+
   type state_t is (
-    head, first, digit, check, line_end, decide, peek, refuse, quiet, offer, pass, end_line, answer, drain
+    own_slots, head, find, first, digit, check, line_end, decide, peek, refuse, quiet, offer, pass, end_line, answer,
+    drain
   );
 
   -- Why it is waited for rest.
@@ -104,6 +114,10 @@ architecture rtl of ul_datagram_reader is
   signal none_left : std_logic;
   signal is_arp    : std_logic;
   signal is_icmp   : std_logic;
+  signal is_find   : std_logic;
+  -- So far the question who is there is for this gateway alone, or for all.
+  signal is_mine : std_logic;
+  signal is_all  : std_logic;
   -- A carry of the check of a ping, one byte further.
   signal wrap : std_logic;
   signal was  : std_logic_vector(7 downto 0);
@@ -142,12 +156,14 @@ architecture rtl of ul_datagram_reader is
   function slot_of (number : unsigned(5 downto 0)) return unsigned is
   begin
 
-    if number <= 5 then
+    if number <= 5 or number >= 48 then
       return number(4 downto 0);
-    elsif number <= 20 then
+    elsif number <= 12 then
       return resize(number - 3, 5);
+    elsif number <= 24 then
+      return resize(number - 7, 5);
     else
-      return resize(number - 16, 5);
+      return resize(number + 5, 5);
     end if;
 
   end function slot_of;
@@ -176,7 +192,7 @@ begin
                in_data;
 
   with state select take <=
-    in_valid and to_std_logic(phase = 2) when head | digit | check,
+    in_valid and to_std_logic(phase = 2) when head | find | digit | check,
     in_valid and (is_end or to_std_logic(in_data = x"55")) and not none_left when first,
     in_valid and is_end and not none_left and not trial when peek,
     in_valid and not none_left when line_end,
@@ -186,16 +202,17 @@ begin
 
   in_ready <= take or echo_taken;
 
-  -- The opener's byte first, then that on offer.
+  -- The opener's byte first, then the own one.
   read_at(4 downto 0) <= std_logic_vector(slot_of(place));
   read_at(6 downto 5) <= opener_i when phase = 0 else
-                         offer_bank;
+                         own_bank;
 
   main : process (clk) is
 
     variable sum     : unsigned(8 downto 0);
     variable nibble  : std_logic_vector(3 downto 0);
     variable matches : boolean;
+    variable is_own  : std_logic;
 
     procedure spoil is
     begin
@@ -214,6 +231,7 @@ begin
       peer_at    <= candidate & std_logic_vector(slot_of(place));
       peer_data  <= in_data;
       nibble     := hex_value(in_data);
+      is_own     := to_std_logic(read_data = in_data);
 
       -- Of the record's payload.
       if take = '1' and state /= head then
@@ -225,7 +243,7 @@ begin
 
       if phase /= 2 then
         phase <= phase + 1;
-      elsif take = '1' or (state /= head and state /= digit and state /= check) then
+      elsif take = '1' or (state /= head and state /= find and state /= digit and state /= check) then
         phase <= 0;
       end if;
       was <= read_data;
@@ -246,12 +264,26 @@ begin
 
       case state is
 
+        when own_slots =>
+          peer_write <= '1';
+          peer_at    <= own_bank & std_logic_vector(place(4 downto 0));
+          peer_data  <= octet(own, to_integer(place(3 downto 0)));
+          place      <= place + 1;
+          if place = 31 then
+            place <= (others => '0');
+            state <= head;
+          end if;
+
         when head =>
           if take = '1' then
             place      <= place + 1;
             peer_write <= '1';
-            if place <= 5 or (place >= 9 and place <= 14) then
+            if place <= 5 or (place >= 9 and place <= 12) or place = 17 or place = 18 then
               same_host <= same_host and to_std_logic(was = in_data);
+            end if;
+            if place >= 13 and place <= 16 then
+              peer_write <= '0';
+              malformed  <= malformed or not (is_own or is_find);
             end if;
 
             case to_integer(place) is
@@ -268,30 +300,36 @@ begin
                 peer_write <= '0';
                 is_arp     <= in_data(0);
                 is_icmp    <= in_data(1);
+                is_find    <= in_data(2);
                 job_bytes  <= left;
                 left       <= left - 28;
 
-              when 12 =>
+              when 16 =>
                 if is_arp = '1' then
                   left  <= (others => '0');
                   state <= decide;
                 end if;
 
               -- The reply to a ping differs from it by 0800 in its first word, so its check by as much the other way.
-              when 15 =>
+              when 19 =>
                 sum       := resize(unsigned(in_data), 9) + 8;
                 peer_data <= std_logic_vector(sum(7 downto 0));
                 wrap      <= sum(8);
 
-              when 16 =>
+              when 20 =>
                 sum       := resize(unsigned(in_data), 9) + unsigned'(0 => wrap);
                 peer_data <= std_logic_vector(sum(7 downto 0));
                 wrap      <= sum(8);
 
-              when 20 =>
+              when 24 =>
                 state <= first;
                 if is_icmp = '1' then
                   state <= decide;
+                elsif is_find = '1' then
+                  state <= find;
+                  if left < find_bytes then
+                    spoil;
+                  end if;
                 end if;
 
               when others =>
@@ -301,8 +339,31 @@ begin
 
           end if;
 
+        when find =>
+          if take = '1' then
+            place <= place + 1;
+            if place <= 26 then
+              malformed <= malformed or not is_own;
+            elsif place <= 32 then
+              is_mine <= is_mine and is_own;
+              -- An address of a group.
+              if place = 27 then
+                is_all <= in_data(0);
+              elsif place = 32 then
+                state <= decide;
+              end if;
+            else
+              peer_write <= '1';
+              peer_at    <= own_bank & std_logic_vector(slot_of(place));
+              if place = 36 then
+                job   <= job_find;
+                state <= answer;
+              end if;
+            end if;
+          end if;
+
         when first =>
-          place <= to_unsigned(32, place'length);
+          place <= to_unsigned(48, place'length);
           crc   <= crc_after((crc'range => '0'), x"55", crc_polynomial);
           if none_left = '1' then
             spoil;
@@ -342,7 +403,7 @@ begin
                 greater <= to_std_logic(unsigned(nibble) > unsigned(was(3 downto 0)));
               end if;
             end if;
-            if place = 47 then
+            if place = 63 then
               place <= (others => '0');
               state <= check;
             end if;
@@ -384,14 +445,21 @@ begin
           job_bank   <= candidate;
           if trial = '0' then
             state <= drain;
-            if is_arp = '1' then
+            if malformed = '1' then
+              state <= drain;
+            elsif is_arp = '1' then
               job   <= job_arp;
               state <= answer;
             elsif is_icmp = '1' then
               job   <= job_echo;
               state <= answer;
-            elsif malformed = '1' then
-              state <= drain;
+            elsif is_find = '1' then
+              if is_mine = '1' then
+                state <= find;
+              elsif is_all = '1' then
+                job   <= job_find;
+                state <= answer;
+              end if;
             elsif headless = '1' then
               purpose <= to_ask;
               state   <= quiet;
@@ -454,7 +522,7 @@ begin
               form_known   <= '0';
               if has_offer = '0' then
                 numbers <= cycles(31 downto 1) & '1';
-                place   <= to_unsigned(32, place'length);
+                place   <= to_unsigned(48, place'length);
                 state   <= offer;
               end if;
             end if;
@@ -464,10 +532,10 @@ begin
           has_offer  <= '1';
           numbers    <= numbers(27 downto 0) & "0000";
           peer_write <= '1';
-          peer_at    <= offer_bank & std_logic_vector(slot_of(place));
+          peer_at    <= own_bank & std_logic_vector(slot_of(place));
           peer_data  <= x"0" & numbers(31 downto 28);
           place      <= place + 1;
-          if place = 39 then
+          if place = 55 then
             state <= pass;
           end if;
 
@@ -518,12 +586,15 @@ begin
 
       end case;
 
-      if (state = drain and none_left = '1') or undone = '1' or rst = '1' then
+      if (state = drain and none_left = '1') or (undone = '1' and state /= own_slots) or rst = '1' then
         state        <= head;
         phase        <= 0;
         place        <= (others => '0');
         is_arp       <= '0';
         is_icmp      <= '0';
+        is_find      <= '0';
+        is_mine      <= '1';
+        is_all       <= '0';
         wrap         <= '0';
         same_host    <= '1';
         same_session <= '1';
@@ -536,6 +607,7 @@ begin
       end if;
 
       if rst = '1' then
+        state        <= own_slots;
         candidate    <= "00";
         opener_i     <= "01";
         requester_i  <= "10";

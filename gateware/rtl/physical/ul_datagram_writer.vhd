@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Makes the frames that a gateway sends on Ethernet, byte by byte: answers to questions for its address and to pings,
--- refusals (X0A), and datagrams of what the core has sent, each with its header.
+-- Makes the frames that a gateway sends on Ethernet, byte by byte: answers to questions for its address, to pings and to
+-- questions who is there, refusals (X0A), and datagrams of what the core has sent, each with its header.
 --
 -- A datagram is begun as soon as there is a whole frame for it, and takes all that have come until its length is sent.
 -- What comes meanwhile gathers for the next. Its check of UDP is 0, as that of the frame and of ours cover it.
@@ -17,9 +17,9 @@ library work;
 
 entity ul_datagram_writer is
   generic (
-    mac_address    : std_logic_vector(47 downto 0) := x"02554C000001";
-    ip_address     : std_logic_vector(31 downto 0) := x"C0A80164";
     udp_port       : positive                      := 21_845;
+    gateway_name   : string                        := "";
+    fingerprint    : boolean                       := false;
     crc_bits       : positive                      := 16;
     crc_polynomial : std_logic_vector(31 downto 0) := x"00001021"
   );
@@ -38,6 +38,7 @@ entity ul_datagram_writer is
     echo_taken   : out   std_logic;
     opener       : in    bank_t;
     requester    : in    bank_t;
+    has_session  : in    std_logic;
     opened       : in    std_logic;
     asking_plain : in    std_logic;
     hold         : in    std_logic;
@@ -69,29 +70,41 @@ architecture rtl of ul_datagram_writer is
   constant refusal_plain   : positive := 5;
   constant refusal_checked : positive := 3 + check_digits + 1;
 
-  type state_t is (idle, head, sum_up, text, ends, payload);
+  type state_t is (idle, head, text, ends, payload);
 
   constant port_bits : std_logic_vector(15 downto 0) := std_logic_vector(to_unsigned(udp_port, 16));
 
-  -- The words of an IP header that are always the same, in ones' complement: version, flags, time to live, our address.
+  -- The words of an IP header that are always the same, in ones' complement: version, flags, time to live.
   function always (protocol : natural) return unsigned is
+  begin
 
-    variable sum : natural;
+    return to_unsigned(16#4500# + 16#4000# + 16#4000# + protocol, 16);
+
+  end function always;
+
+  -- The end of the answer to a question who is there, by the lower half of a byte's place: features, and the name.
+  function named return std_logic_vector is
+
+    variable bits : std_logic_vector(127 downto 0) := (others => '0');
+    variable code : natural range 0 to 255;
 
   begin
 
-    sum := 16#4500# + 16#4000# + 16#4000# + protocol + to_integer(unsigned(ip_address(31 downto 16)))
-           + to_integer(unsigned(ip_address(15 downto 0)));
+    bits(120) := to_std_logic(fingerprint);
 
-    while sum > 65535 loop
+    for letter in 1 to gateway_name'length loop
 
-      sum := sum mod 65536 + sum / 65536;
+      code := character'pos(gateway_name(letter));
+
+      bits(127 - 8 * letter downto 120 - 8 * letter) := std_logic_vector(to_unsigned(code, 8));
 
     end loop;
 
-    return to_unsigned(sum, 16);
+    return bits;
 
-  end function always;
+  end function named;
+
+  constant facts : std_logic_vector(127 downto 0) := named;
 
   signal state   : state_t;
   signal phase   : std_logic;
@@ -111,7 +124,6 @@ architecture rtl of ul_datagram_writer is
   signal covered  : std_logic;
   signal sum      : unsigned(15 downto 0);
   signal carry    : std_logic;
-  signal summed   : std_logic;
   signal free     : std_logic;
   signal valid    : std_logic;
   signal byte     : std_logic_vector(7 downto 0);
@@ -137,30 +149,48 @@ begin
 
   -- What is in a datagram beside frames, of IP on.
   overhead <= header_bytes + header_plain when plain = '1' and refuses = '0' else
+              header_bytes + find_bytes when kind = job_find else
               header_bytes + header_checked when refuses = '0' else
               header_bytes + header_plain + refusal_plain when plain = '1' else
               header_bytes + header_checked + refusal_checked;
 
   addresses : process (state, place, kind, bank, offered) is
 
-    variable slot : unsigned(4 downto 0);
+    variable slot   : unsigned(4 downto 0);
+    variable is_own : boolean;
 
   begin
 
-    slot    := place(4 downto 0);
-    read_at <= bank & std_logic_vector(slot);
+    slot   := place(4 downto 0);
+    is_own := false;
     if state = text then
-      slot := resize(place + 15, 5);
-    elsif kind /= job_arp then
-      if (place >= 30 and place <= 33) or (kind = job_echo and place >= 36) then
-        slot := resize(place - 24, 5);
-      elsif place >= 36 then
-        slot := resize(place - 26, 5);
+      slot   := resize(place + 15, 5);
+      is_own := offered = '1';
+      if kind = job_find then
+        slot   := resize(place - 2, 5);
+        is_own := true;
       end if;
+    elsif place >= 6 and place <= 15 then
+      slot   := resize(place - 6, 5);
+      is_own := true;
+    elsif place >= 16 and place <= 19 then
+      slot := resize(place - 10, 5);
+    elsif kind = job_arp then
+      if place >= 22 and place <= 31 then
+        slot   := resize(place - 22, 5);
+        is_own := true;
+      end if;
+    elsif place >= 26 and place <= 29 then
+      slot   := resize(place - 20, 5);
+      is_own := true;
+    elsif (place >= 30 and place <= 33) or (kind = job_echo and place >= 36) then
+      slot := resize(place - 24, 5);
+    elsif place >= 36 then
+      slot := resize(place - 26, 5);
     end if;
     read_at <= bank & std_logic_vector(slot);
-    if state = text and offered = '1' then
-      read_at <= offer_bank & std_logic_vector(slot);
+    if is_own then
+      read_at <= own_bank & std_logic_vector(slot);
     end if;
 
   end process addresses;
@@ -181,7 +211,7 @@ begin
       term     := (others => '0');
       covered  <= '0';
       job_done <= '0';
-      phase    <= not phase or not (produced or to_std_logic(state = sum_up));
+      phase    <= not phase or not produced;
       if out_ready = '1' then
         valid <= '0';
       end if;
@@ -199,7 +229,6 @@ begin
           place   <= (others => '0');
           phase   <= '0';
           refusal <= '0';
-          summed  <= '0';
           carry   <= '0';
           sum     <= always(17);
           if job = job_echo then
@@ -232,7 +261,7 @@ begin
             if place = 16 then
               left  <= whole;
               total <= whole + overhead;
-              if refuses = '1' then
+              if refuses = '1' or kind = job_find then
                 total <= to_unsigned(overhead, total'length);
               elsif kind = job_echo then
                 left  <= job_bytes - header_bytes;
@@ -243,10 +272,16 @@ begin
               term := resize(total, 17);
             elsif place = 18 then
               total <= total - 20;
-            elsif place = 24 and summed = '0' then
-              state <= sum_up;
-              place <= to_unsigned(30, place'length);
-              phase <= '0';
+            end if;
+          end if;
+          -- Both addresses of IP go into the sum while bytes are sent that need no memory, then the carries.
+          if produced = '1' and place >= 12 and place <= 21 then
+            adds := '1';
+            if place <= 19 then
+              term := resize(unsigned(read_data), 17);
+              if place(0) = '0' then
+                term := shift_left(term, 8);
+              end if;
             end if;
           end if;
 
@@ -254,11 +289,8 @@ begin
 
           case index is
 
-            when 0 to 5 =>
+            when 0 to 11 =>
               byte <= read_data;
-
-            when 6 to 11 =>
-              byte <= octet(mac_address, index - 6);
 
             when 12 =>
               byte <= x"08";
@@ -286,13 +318,7 @@ begin
                   when 21 =>
                     byte <= x"02";
 
-                  when 22 to 27 =>
-                    byte <= octet(mac_address, index - 22);
-
-                  when 28 to 31 =>
-                    byte <= octet(ip_address, index - 28);
-
-                  when 32 to 41 =>
+                  when 22 to 41 =>
                     byte <= read_data;
 
                   when others =>
@@ -334,10 +360,7 @@ begin
                   when 25 =>
                     byte <= not std_logic_vector(sum(7 downto 0));
 
-                  when 26 to 29 =>
-                    byte <= octet(ip_address, index - 26);
-
-                  when 30 to 33 =>
+                  when 26 to 33 =>
                     byte <= read_data;
 
                   when 34 | 35 =>
@@ -378,27 +401,16 @@ begin
             last := to_std_logic(kind = job_arp or (kind = job_echo and left = 0));
           end if;
 
-        when sum_up =>
-          if phase = '1' then
-            adds  := '1';
-            place <= place + 1;
-            if place >= 34 then
-              -- The carries.
-              term := (others => '0');
-            elsif place(0) = '0' then
-              term := shift_left(resize(unsigned(read_data), 17), 8);
-            else
-              term := resize(unsigned(read_data), 17);
-            end if;
-            if place = 35 then
-              summed <= '1';
-              place  <= to_unsigned(24, place'length);
-              state  <= head;
-            end if;
-          end if;
-
         when text =>
-          if refusal = '1' then
+          if kind = job_find then
+            byte <= read_data;
+            if place(4) = '1' then
+              byte <= octet(facts, to_integer(place(3 downto 0)));
+              if place = 16 then
+                byte(1) <= has_session;
+              end if;
+            end if;
+          elsif refusal = '1' then
             byte <= x"30";
             if place = 0 then
               byte <= x"58";
@@ -414,7 +426,9 @@ begin
           else
             byte <= hex_character(std_logic_vector(count(31 downto 28)));
           end if;
-          if produced = '1' then
+          if produced = '1' and kind = job_find then
+            last := to_std_logic(place = find_bytes - 1);
+          elsif produced = '1' then
             covered <= '1';
             if place > 8 then
               count <= rotate_left(count, 4);
@@ -499,7 +513,6 @@ begin
         covered  <= '0';
         sum      <= (others => '0');
         carry    <= '0';
-        summed   <= '0';
         valid    <= '0';
         byte     <= (others => '0');
         job_done <= '0';

@@ -25,7 +25,11 @@ entity ul_ethernet is
     ip_address : std_logic_vector(31 downto 0) := x"C0A80164";
     -- 1 to 65535: the port of UDP.
     udp_port : positive := 21_845;
+    -- At most 15 characters of ASCII: what the gateway is called where it is found.
+    gateway_name : string := "";
     -- As of unity_link_core.
+    build_id       : std_logic_vector(31 downto 0) := x"00000000";
+    fingerprint    : boolean                       := false;
     crc_bits       : positive                      := 16;
     crc_polynomial : std_logic_vector(31 downto 0) := x"00001021"
   );
@@ -145,6 +149,10 @@ begin
     report "ul_ethernet: udp_port is " & integer'image(udp_port) & ", expected 1 to 65535"
     severity failure;
 
+  assert gateway_name'length < find_bytes / 2
+    report "ul_ethernet: gateway_name has " & integer'image(gateway_name'length) & " characters, expected at most 15"
+    severity failure;
+
   mac_inst : entity work.ul_mac
     generic map (
       interface => interface
@@ -173,7 +181,6 @@ begin
   network_rx_inst : entity work.ul_network_rx
     generic map (
       mac_address => mac_address,
-      ip_address  => ip_address,
       udp_port    => udp_port
     )
     port map (
@@ -243,6 +250,9 @@ begin
 
   datagram_reader_inst : entity work.ul_datagram_reader
     generic map (
+      mac_address    => mac_address,
+      ip_address     => ip_address,
+      build_id       => build_id,
       crc_bits       => crc_bits,
       crc_polynomial => crc_polynomial
     )
@@ -305,9 +315,9 @@ begin
 
   datagram_writer_inst : entity work.ul_datagram_writer
     generic map (
-      mac_address    => mac_address,
-      ip_address     => ip_address,
       udp_port       => udp_port,
+      gateway_name   => gateway_name,
+      fingerprint    => fingerprint,
       crc_bits       => crc_bits,
       crc_polynomial => crc_polynomial
     )
@@ -325,6 +335,7 @@ begin
       echo_taken   => echo_taken,
       opener       => opener,
       requester    => requester,
+      has_session  => has_session,
       opened       => opened,
       asking_plain => asking_plain,
       hold         => hold,

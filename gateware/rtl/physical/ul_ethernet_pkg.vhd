@@ -12,12 +12,19 @@ package ul_ethernet_pkg is
   -- A bank, and one of its 32 slots.
   subtype peer_address_t is std_logic_vector(6 downto 0);
 
-  constant offer_bank : bank_t := "11";
+  -- That of this gateway: address of the MAC (slots 0 to 5), of IP (6 to 9), build identifier (10 to 13), digits of the
+  -- session on offer (16 to 23), mark of a question who is there (30, 31).
+  constant own_bank : bank_t := "11";
 
-  -- What is sent beside the answers of the core: the answer to a question for an address, to a ping, and X0A, under the
-  -- session that is refused or under that on offer.
+  constant find_mark : std_logic_vector(15 downto 0) := x"553F";
 
-  type job_t is (job_none, job_arp, job_echo, job_refuse, job_refuse_offer);
+  -- Bytes of a question who is there, at least, and of the answer.
+  constant find_bytes : positive := 32;
+
+  -- What is sent beside the answers of the core: the answer to a question for an address, to a ping, to a question who
+  -- is there, and X0A, under the session that is refused or under that on offer.
+
+  type job_t is (job_none, job_arp, job_echo, job_find, job_refuse, job_refuse_offer);
 
   -- Most bytes of UDP in a datagram (docs/protocol.md, "Datagrams").
   constant largest_datagram : positive := 1400;

@@ -1,13 +1,14 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Picks from the frames of a MAC what is for this gateway: questions for its address (ARP), pings (ICMP echo requests),
--- and datagrams (UDP) for its port. All else leaves no trace: other addresses and multicasts, tags, other protocols and
--- ports, fragments and options of IP, what is shorter than it says, a wrong check of the header, a frame that is not
--- good.
+-- Picks from the frames of a MAC what may be for this gateway: questions for an address (ARP), pings (ICMP echo
+-- requests), and datagrams (UDP) for its port, those to all stations among them. All else leaves no trace: other
+-- stations and multicasts, tags, other protocols and ports, fragments and options of IP, what is shorter than it says,
+-- a wrong check of the header, a frame that is not good.
 --
--- What is for it goes on as a record: address of the MAC (6 bytes), length of the IP datagram (2), kind (1: bit 0 ARP,
--- bit 1 ICMP), address of IP (4); of all but ARP the header of 8 bytes behind that of IP, and what it carries. Bytes
--- are written as they come, on trial: `commit` says that the frame was good, `rollback` that it is to be forgotten.
+-- It goes on as a record: address of the MAC (6 bytes), length of the IP datagram (2), kind (1: bit 0 ARP, bit 1 ICMP,
+-- bit 2 UDP to all), address of IP (4), that which is asked or sent to (4); of all but ARP the header of 8 bytes behind
+-- that of IP, and what it carries. Bytes are written as they come, on trial: `commit` says that the frame was good,
+-- `rollback` that it is to be forgotten.
 --
 -- The check of UDP is not looked at: that of the frame covers it.
 
@@ -23,8 +24,6 @@ entity ul_network_rx is
   generic (
     -- 48 bits: this gateway's address.
     mac_address : std_logic_vector(47 downto 0) := x"02554C000001";
-    -- 32 bits: that of IP.
-    ip_address : std_logic_vector(31 downto 0) := x"C0A80164";
     -- 1 to 65535: the port of UDP.
     udp_port : positive := 21_845
   );
@@ -119,7 +118,7 @@ begin
 
           when 13 =>
             is_arp <= in_data(1);
-            expect(in_data = x"06" or (in_data = x"00" and to_me = '1'));
+            expect(in_data = x"06" or in_data = x"00");
 
           when 14 =>
             expect((is_arp = '1' and in_data = x"00") or (is_arp = '0' and in_data = x"45"));
@@ -152,21 +151,20 @@ begin
 
           when 23 =>
             is_icmp <= not is_arp and in_data(0) and not in_data(4);
-            expect(is_arp = '1' or in_data = x"01" or in_data = x"11");
+            expect(is_arp = '1' or (in_data = x"01" and to_me = '1') or in_data = x"11");
 
           when 25 =>
             keep       := '1';
-            write_data <= "000000" & is_icmp & is_arp;
+            write_data <= "00000" & (to_all and is_udp) & is_icmp & is_arp;
 
           when 26 to 29 =>
             keep := not is_arp or to_std_logic(index >= 28);
 
           when 30 | 31 =>
-            keep := is_arp;
-            expect(is_arp = '1' or in_data = octet(ip_address, index - 30));
+            keep := '1';
 
           when 32 | 33 =>
-            expect(is_arp = '1' or in_data = octet(ip_address, index - 30));
+            keep := not is_arp;
 
           when 34 =>
             keep := not is_arp;
@@ -182,18 +180,15 @@ begin
             expect(is_udp = '0' or in_data = octet(port_bits, index - 36));
 
           when 38 =>
-            keep := not is_arp;
-            expect(is_arp = '0' or in_data = octet(ip_address, 0));
+            keep := '1';
             expect(is_udp = '0' or unsigned(in_data) = udp_bytes(10 downto 8));
 
           when 39 =>
-            keep := not is_arp;
-            expect(is_arp = '0' or in_data = octet(ip_address, 1));
+            keep := '1';
             expect(is_udp = '0' or unsigned(in_data) = udp_bytes(7 downto 0));
 
           when 40 | 41 =>
-            keep := not is_arp;
-            expect(is_arp = '0' or in_data = octet(ip_address, index - 38));
+            keep := '1';
 
           when 42 =>
             keep := not is_arp and not complete;
