@@ -36,6 +36,9 @@ AT_THE_LIMIT: list[dict[str, object]] = [
     {"bus_standard": "axi4_lite", "data_bits": 64},
     {"baud": 12_500_000},
     {"baud": 1, "clock_hz": 400_000_000},
+    {"physical": "rmii", "block_words": 170, "clock_hz": 25_000_000, "base_frequency_millihertz": 1_000_000},
+    {"physical": "mii", "block_words": 1, "group_words": 169},
+    {"physical": "rgmii", "block_words": 84, "data_bits": 64, "address_bits": 32, "groups": 0},
 ]
 BEYOND: list[tuple[dict[str, object], str]] = [
     ({"group_words": 256}, "group_words is 256: 1 to 255 was expected"),
@@ -61,6 +64,16 @@ BEYOND: list[tuple[dict[str, object], str]] = [
     ({"rx_fifo_depth": 100}, "rx_fifo_depth is 100: a power of two was expected"),
     ({"bus_standard": "axi4_lite", "data_bits": 8}, "data_bits is 8: AXI4-Lite has 32 or 64"),
     ({"bus_standard": "axi4_lite", "data_bits": 33}, "data_bits is 33: AXI4-Lite has 32 or 64"),
+    (
+        {"physical": "rmii", "block_words": 171},
+        "a frame has up to 1381 bytes, and a datagram of an Ethernet port has 1378",
+    ),
+    ({"physical": "mii", "block_words": 1, "group_words": 170}, "a frame has up to 1379 bytes, and a datagram of an"),
+    ({"physical": "rgmii", "block_words": 85, "data_bits": 64, "address_bits": 32}, "fewer words were expected"),
+    (
+        {"physical": "rmii", "block_words": 9, "clock_hz": 24_999_999, "base_frequency_millihertz": 1_000_000},
+        "clock_hz is 24999999: an Ethernet port needs 25000000 at least",
+    ),
     ({"baud": 12_500_001}, "baud is 12500001: at most a quarter of a clock of 50000000 Hz was expected"),
 ]
 

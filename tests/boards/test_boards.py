@@ -43,6 +43,7 @@ HX8K = load_board("hx8k_breakout")[1]
 BUILT = [name for name in board_names() if load_board(name)[1].family in FAMILIES]
 HOW_TO = Path(__file__).parents[2] / "docs" / "how-to"
 WIRING = HOW_TO / "ft245.md"
+BOARDS_PAGE = HOW_TO / "boards.md"
 DATA = Path(building.__file__).with_name("data")
 NO_SITE = "ERROR: package does not have a pin named 'B10' (on line 4)\nERROR: Loading PCF failed.\n"
 OVER = """\
@@ -124,6 +125,58 @@ def test_there_is_a_board_of_each_family() -> None:
     assert {load_board(name)[1].family for name in board_names()} == FAMILIES.keys() | VENDORS.keys()
     promised = {"hx8k_breakout", "icebreaker", "ulx3s", "colorlight_i5", "tang_nano_9k", "tang_nano_20k"}
     assert promised | {"gatemate_evb", "gatemate_a1_evb"} <= set(board_names())
+
+
+def test_the_clocks_of_a_phy_on_a_header_enter_an_ecp5_at_a_clock_input() -> None:
+    assert load_board("ulx3s_rmii")[1].pins["phy_clk"] == load_board("ulx3s_ft245_sync")[1].pins["ft_clkout"]
+
+
+def test_there_are_boards_with_an_ethernet_port() -> None:
+    media = {
+        medium: {name for name in board_names() if load_board(name)[1].medium == medium}
+        for medium in ("rmii", "mii", "rgmii")
+    }
+    assert media == {
+        "rmii": {"ulx3s_rmii", "ulx3s_85f_rmii"},
+        "mii": {"arty_a7_mii"},
+        "rgmii": {"colorlight_i5_rgmii", "colorlight_5a_75b_rgmii"},
+    }
+
+
+def test_the_wiring_page_of_the_phy_says_the_pins_that_the_bitstreams_have() -> None:
+    rows = [re.split(r" *\| *", line)[1:-1] for line in BOARDS_PAGE.read_text().splitlines() if "| `phy_" in line]
+    told = {row[1].strip("`"): row[3] for row in rows}
+    for name in ("ulx3s_rmii", "ulx3s_85f_rmii"):
+        pins = load_board(name)[1].pins
+        assert told == {pin: site for pin, site in pins.items() if pin.startswith("phy_")}
+
+
+@pytest.mark.parametrize(
+    ("name", "net", "clock"),
+    [
+        ("ulx3s_rmii", "$glbnet$phy_clk$TRELLIS_IO_IN", "phy_clk"),
+        ("ulx3s_rmii", "$glbnet$design.gateway_inst.phy_rx_clk", "phy_clk"),
+        ("ulx3s_rmii", "$glbnet$core_clk", "clk"),
+        ("colorlight_i5_rgmii", "$glbnet$phy_rx_clk$TRELLIS_IO_IN", "phy_rx_clk"),
+        ("colorlight_i5_rgmii", "$glbnet$design.gateway_inst.phy_tx_clk", "clk"),
+        ("ulx3s_ft245_sync", "$glbnet$ft_clkout$TRELLIS_IO_IN", "ft_clkout"),
+    ],
+)
+def test_a_clock_of_a_placed_design_is_told_by_the_name_of_its_pin(
+    name: str, net: str, clock: str, tools: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    tools.setattr(building, "place", stand_in(clocks={net: 80.0}))
+    report = build(LAMP, name, load_board(name)[1], tmp_path / "out").report.read_text()
+    assert re.search(rf"^\| {clock} \| [\d.]+ \| 80.0 \|$", report, re.MULTILINE)
+
+
+def test_addresses_of_a_board_reach_its_generics() -> None:
+    board = changed(load_board("ulx3s_rmii")[1], mac="02-55-4C-00-00-02", ip="192.168.1.101")
+    assert board.generics == {
+        "clock_hz": 50_000_000,
+        "mac_address": f"{0x02554C000002:048b}",
+        "ip_address": f"{0xC0A80165:032b}",
+    }
 
 
 def test_there_are_boards_for_the_asynchronous_and_for_the_synchronous_ft245() -> None:
@@ -273,6 +326,58 @@ def test_a_file_that_describes_no_board_is_refused_in_one_sentence(
     assert str(raised.value).startswith(f"{path} describes no board: ")
     assert words in str(raised.value)
     assert "\n" not in str(raised.value)
+
+
+RMII_TEXT = (DATA / "ulx3s_rmii.toml").read_text()
+
+
+@pytest.mark.parametrize(
+    ("replace", "words"),
+    [
+        (
+            ('io = "ulx3s"', 'io = "ulx3s"\nmac = "03:55:4c:00:00:01"'),
+            "03:55:4c:00:00:01 is the address of a group, not",
+        ),
+        (('io = "ulx3s"', 'io = "ulx3s"\nmac = "lamp"'), "'lamp' is no address of a MAC, such as 02:55:4c:00:00:01"),
+        (('io = "ulx3s"', 'io = "ulx3s"\nip = "10.0.0"'), "'10.0.0' is no IPv4 address, such as 192.168.1.101"),
+        (('"rmii"', '"uart"'), "the pin uart_rxd has no site"),
+        (
+            ("core_hz = 50_000_000", "core_hz = 12_500_000"),
+            "the core's clock is 12500000 Hz, and an Ethernet port needs",
+        ),
+    ],
+    ids=str,
+)
+def test_a_file_of_a_board_with_an_ethernet_port_is_refused_in_one_sentence(
+    replace: tuple[str, str], words: str, tmp_path: Path
+) -> None:
+    path = board_file(tmp_path, RMII_TEXT, replace=replace)
+    with pytest.raises(ArgumentError, match=re.escape(words)):
+        load_board(str(path))
+
+
+@pytest.mark.parametrize(
+    ("name", "hz", "words"),
+    [
+        ("colorlight_i5_rgmii", 75_000_000, "the core's clock is 75000000 Hz, and rgmii makes TXC of one of 50000000"),
+        (
+            "arty_a7_mii",
+            75_000_000,
+            "the core's clock is 75000000 Hz, and mii makes phy_clk_25 of a multiple of 50000000",
+        ),
+    ],
+)
+def test_a_clock_of_which_none_can_be_made_for_the_phy_is_refused(
+    name: str, hz: int, words: str, tmp_path: Path
+) -> None:
+    text = re.sub(
+        r"(core_)?hz = (50|100)_000_000",
+        rf"\g<1>hz = {hz}" if name == "arty_a7_mii" else f"core_hz = {hz}",
+        (DATA / f"{name}.toml").read_text(),
+    )
+    path = board_file(tmp_path, text)
+    with pytest.raises(ArgumentError, match=re.escape(words)):
+        load_board(str(path))
 
 
 @pytest.mark.parametrize("named", ["hx8k_breakout", "hx8k_breakout_ft245"])
@@ -621,7 +726,13 @@ def test_every_board_leaves_a_bitstream_and_a_report_that_names_what_it_is_made_
     assert built.bitstream.name == f"lamp_{name}.{FAMILIES[board.family].suffix}"
     report = built.report.read_text()
     assert board.title in report
-    link = {"uart": f"a UART of {board.baud} baud", "ft245": "/1?mode=ft245\n", "ft245_sync": "/1?mode=ft245-sync\n"}
+    ethernet = "an Ethernet port, udp://192.168.1.100:21845, MAC 02:55:4c:00:00:01"
+    link = {
+        "uart": f"a UART of {board.baud} baud",
+        "ft245": "/1?mode=ft245\n",
+        "ft245_sync": "/1?mode=ft245-sync\n",
+        **dict.fromkeys(("rmii", "mii", "rgmii"), ethernet),
+    }
     assert link[board.medium] in report
     assert all(f"| {pin} | {way} | {board.pins[pin]} |" in report for pin, way in PINS[board.medium].items())
 
@@ -658,7 +769,9 @@ def test_wrong_use_is_one_sentence_and_its_code(tmp_path: Path) -> None:
     out = tmp_path / "out"
     unknown = command("build", str(spec), "--board", "hx9k", "-o", str(out))
     assert (unknown.returncode, unknown.stdout) == (2, "")
-    assert unknown.stderr.startswith("error: there is no board hx9k: one of arty_a7, colorlight_i5,")
+    assert unknown.stderr.startswith(
+        "error: there is no board hx9k: one of arty_a7, arty_a7_mii, colorlight_5a_75b_rgmii,"
+    )
     path = board_file(tmp_path, HX8K_TEXT, replace=("12_000_000", "12_000_000\ncore_hz = 37_000_001"))
     clock = command("build", str(spec), "--board", str(path), "-o", str(out))
     assert (clock.returncode, clock.stdout) == (2, "")
@@ -667,6 +780,36 @@ def test_wrong_use_is_one_sentence_and_its_code(tmp_path: Path) -> None:
     assert (missing.returncode, missing.stdout) == (1, "")
     assert missing.stderr == "error: openFPGALoader programs boards, and is not there: apt install openfpgaloader\n"
     assert not out.exists()
+
+
+@pytest.mark.parametrize(
+    ("options", "sentence"),
+    [
+        (
+            ["--board", "ulx3s", "--mac", "02:55:4c:00:00:02"],
+            "--mac is for a board with an Ethernet port, and ulx3s has",
+        ),
+        (
+            ["--board", "ulx3s_rmii", "--mac", "02:55"],
+            "--mac: '02:55' is no address of a MAC, such as 02:55:4c:00:00:01",
+        ),
+        (["--board", "ulx3s_rmii", "--ip", "224.0.0.1"], "--ip: 224.0.0.1 can't be the address of a board"),
+    ],
+    ids=str,
+)
+def test_wrong_addresses_are_one_sentence(options: list[str], sentence: str, tmp_path: Path) -> None:
+    spec = tmp_path / "lamp.ul"
+    spec.write_text(LAMP_TEXT)
+    done = command("build", str(spec), *options, "-o", str(tmp_path / "out"))
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr.startswith(f"error: {sentence}")
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_spec_whose_samples_fit_no_datagram_is_refused_for_an_ethernet_port(tmp_path: Path) -> None:
+    spec = compile_text("public wide() { @x[200] = i: unsigned READ(PUBLISH(1, 100)); }\n")
+    with pytest.raises(ArgumentError, match="and a datagram of an Ethernet port has 1378: fewer words were expected"):
+        build(spec, *load_board("ulx3s_rmii"), tmp_path / "out")
 
 
 # With the tools themselves

@@ -85,8 +85,8 @@ def test_a_project_has_the_whole_design_in_order_and_ghdl_elaborates_its_top(nam
     built.mkdir()
     for library, files in libraries.items():
         ghdl(built, "-a", "--std=08", f"--work={library}", *files)
-    generics = [f"-gclock_hz={board.core_hz}", f"-gbaud={board.baud}"]
-    ghdl(built, "--elab-run", "--std=08", "lamp_on_uart", *generics, "--no-run")
+    generics = [f"-g{generic}={value}" for generic, value in board.generics.items()]
+    ghdl(built, "--elab-run", "--std=08", f"lamp_on_{board.medium}", *generics, "--no-run")
 
 
 @pytest.mark.parametrize("name", PROJECTS)
@@ -106,9 +106,20 @@ def test_every_pin_has_its_site_and_the_clock_its_period(name: str, tmp_path: Pa
         parameters = dict(pair.split("=") for pair in generics.split())
         clocks = evaluated(opened.with_suffix(".xdc"), _VIVADO)
     assert sites == board.pins
-    assert parameters == {"clock_hz": str(board.core_hz), "baud": str(board.baud)}
-    period = next(words[words.index("-period") + 1] for words in clocks if words[0] == "create_clock")
-    assert float(period) == pytest.approx(1e9 / board.clock.hz)
+    assert parameters == {generic: str(value) for generic, value in board.generics.items()}
+    periods = {
+        words[words.index("-name") + 1]: float(words[words.index("-period") + 1])
+        for words in clocks
+        if words[0] == "create_clock"
+    }
+    assert periods == {clock: pytest.approx(1e9 / hz) for clock, hz in board.clocks.items()}
+
+
+def test_addresses_reach_the_generics_of_vivado_as_bits(tmp_path: Path) -> None:
+    board = changed(load_board("arty_a7_mii")[1], mac="02:55:4c:00:00:02")
+    said = evaluated(make_project(LAMP, "mine", board, tmp_path), _VIVADO)
+    generics = next(words[2] for words in said if words[:2] == ("set_property", "generic"))
+    assert generics == f"clock_hz=100000000 mac_address=48'b{0x02554C000002:048b}"
 
 
 def test_a_bitstream_of_vivado_that_misses_its_clock_is_an_error(tmp_path: Path) -> None:

@@ -6,6 +6,8 @@ from typing import Literal, NamedTuple
 
 import msgspec
 
+from unity_link.protocol.finding import parse_ip, parse_mac
+
 _DATA_PINS = tuple(f"ft_data[{bit}]" for bit in range(8))
 _CHAIN = {"chain_clk": "output", "chain_load_n": "output", "chain_out": "output", "chain_in": "input"}
 _FT245 = {
@@ -16,13 +18,51 @@ _FT245 = {
     "ft_wr_n": "output",
     "ft_siwu_n": "output",
 }
+
+
+def _row(name: str, count: int, way: str) -> dict[str, str]:
+    return {f"{name}[{bit}]": way for bit in range(count)}
+
+
+_PHY_OF_FOUR = {
+    "phy_rx_clk": "input",
+    **_row("phy_rxd", 4, "input"),
+    "phy_rx_dv": "input",
+    **_row("phy_txd", 4, "output"),
+    "phy_tx_en": "output",
+    "phy_rst_n": "output",
+}
 PINS = {
     "uart": {"clk": "input", "uart_rxd": "input", "uart_txd": "output", **_CHAIN},
     "ft245": {"clk": "input", **_FT245, **_CHAIN},
     "ft245_sync": {"clk": "input", "ft_clkout": "input", **_FT245, "ft_oe_n": "output", **_CHAIN},
+    "rmii": {
+        "clk": "input",
+        "phy_clk": "input",
+        **_row("phy_rxd", 2, "input"),
+        "phy_rx_dv": "input",
+        **_row("phy_txd", 2, "output"),
+        "phy_tx_en": "output",
+        **_CHAIN,
+    },
+    "mii": {
+        "clk": "input",
+        "phy_clk_25": "output",
+        "phy_tx_clk": "input",
+        "phy_rx_er": "input",
+        **_PHY_OF_FOUR,
+        **_CHAIN,
+    },
+    "rgmii": {"clk": "input", **_PHY_OF_FOUR, "phy_txc": "output", **_CHAIN},
 }
 """The pins of a whole generated design, as `generate vhdl` makes it for each medium, and their directions."""
-FT_CLKOUT_HZ = 60_000_000
+CLOCKS = {
+    "ft245_sync": {"ft_clkout": 60_000_000},
+    "rmii": {"phy_clk": 50_000_000},
+    "mii": {"phy_rx_clk": 25_000_000, "phy_tx_clk": 25_000_000},
+    "rgmii": {"phy_rx_clk": 25_000_000},
+}
+"""The clocks of chips that come in at pins of each medium, in Hz."""
 _IDLE_HIGH = ("uart_rxd", "ft_rxf_n", "ft_txe_n")
 """Inputs that are pulled up, so that one without a wire says nothing."""
 
@@ -84,9 +124,13 @@ class Board(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=Tru
     """Package as the family's nextpnr calls it; for Gowin the whole part number."""
     speed: int = 6
     """Speed grade of an ECP5."""
-    medium: Literal["uart", "ft245", "ft245_sync"]
+    medium: Literal["uart", "ft245", "ft245_sync", "rmii", "mii", "rgmii"]
     baud: int | None = None
     """Baud rate of a UART."""
+    mac: str | None = None
+    """Address of the MAC of an Ethernet port, as 02:55:4c:00:00:01; None for that of `unity_link`."""
+    ip: str | None = None
+    """Its address of IP, as 192.168.1.100; None for that of `unity_link`."""
     io_type: str = "LVCMOS33"
     programmer: tuple[str, ...] = ()
     """Options of openFPGALoader."""
@@ -104,13 +148,24 @@ class Board(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=Tru
     @property
     def clocks(self) -> dict[str, int]:
         """The frequencies that come in at pins."""
-        other = {"ft_clkout": FT_CLKOUT_HZ} if self.medium == "ft245_sync" else {}
-        return {"clk": self.clock.hz, **other}
+        return {"clk": self.clock.hz, **CLOCKS.get(self.medium, {})}
 
     @property
-    def generics(self) -> dict[str, int]:
-        """Values of the generics of a whole design."""
-        return {"clock_hz": self.core_hz} | ({"baud": self.baud} if self.medium == "uart" and self.baud else {})
+    def generics(self) -> dict[str, int | str]:
+        """Values of the generics of a whole design: numbers, and the bits of vectors."""
+        found: dict[str, int | str] = {"clock_hz": self.core_hz}
+        if self.medium == "uart" and self.baud:
+            found["baud"] = self.baud
+        if self.mac is not None:
+            found["mac_address"] = _bits(parse_mac(self.mac))
+        if self.ip is not None:
+            found["ip_address"] = _bits(parse_ip(self.ip))
+        return found
+
+    @property
+    def has_pads(self) -> bool:
+        """True if registers of a vendor's pads belong at the pins: those of an FT245."""
+        return self.medium.startswith("ft245")
 
     @property
     def medium_pins(self) -> dict[str, Pin]:
@@ -128,3 +183,7 @@ class Board(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=Tru
             for name, io in self.io.items()
             for pin, site in io.named(name).items()
         }
+
+
+def _bits(octets: bytes) -> str:
+    return f"{int.from_bytes(octets, 'big'):0{8 * len(octets)}b}"

@@ -13,18 +13,19 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import unity_link
 from unity_link.boards.clocks import pll
 from unity_link.boards.families import FAMILIES, YOSYS
-from unity_link.boards.pins import READY, generated_pins, generated_ports, pins_of
+from unity_link.boards.pins import READY, generated_pins, generated_ports, generics_on, pins_of
 from unity_link.errors import ArgumentError, UnityLinkError
 from unity_link.files import MARK, Writing, check_folder, digest_of, listed_in
 from unity_link.gateware.cache import ToolMissingError, board_sources
 from unity_link.gateware.convert import to_verilog
 from unity_link.gateware.ghdl import converting_ghdl
-from unity_link.gateware.limits import check_generics
+from unity_link.gateware.limits import ETHERNET, check_generics
 from unity_link.gateware.own_vhdl import check_entities, convert_own
 from unity_link.gateware.yowasp import EndlessError, RefusedError, place, run, script, version
 from unity_link.generate import Templates, vhdl, write
 from unity_link.generate.vhdl.bank import Bank
 from unity_link.generate.vhdl.names import identifier
+from unity_link.protocol.finding import DEFAULT_PORT
 from unity_link.quoting import markdown
 
 if TYPE_CHECKING:
@@ -36,6 +37,8 @@ if TYPE_CHECKING:
     from unity_link.spec import Interface, Spec
 
 _SEEDS = range(1, 6)
+_MAC, _IP = "02:55:4c:00:00:01", "192.168.1.100"
+"""Addresses of `unity_link` by itself."""
 _TOP = "unity_link_board"
 _USED = re.compile(r"^Info:\s+(\w+):\s+(\d+)\s*/\s*(\d+)", re.MULTILINE)
 _UNBOUND = re.compile(r"Module `\\(\S+)' referenced in module `\\(\S+)' in cell")
@@ -121,7 +124,7 @@ def build(
     if own is None or own.top is None:
         vhdl.check_whole(chosen)
     chosen.check_clock(board.core_hz)
-    check_generics({**vhdl.gateway_generics(chosen), "clock_hz": board.core_hz})
+    check_generics(vhdl.gateway_generics(chosen) | generics_on(board, chosen))
     # What is missing is said at once, not after a minute.
     for tool in (YOSYS, family.nextpnr, family.packer):
         script(tool)
@@ -237,7 +240,7 @@ def design_of(
     # The bench is no part of a design.
     sources = write([file for file in files if not file.name.endswith("_bench.vhd")], work / "vhdl")
     generics = board.generics
-    pads = None if board.medium == "uart" else FAMILIES[board.family].pads
+    pads = FAMILIES[board.family].pads if board.has_pads else None
     bank = Bank(interface)
     if own is None or own.top is None:
         pins = generated_pins(bank, board_name, board)
@@ -281,7 +284,7 @@ def _place(
     report: dict[str, Any] = json.loads((work / "report.json").read_text())
     clocks: dict[str, tuple[float, float]] = {}
     for net, figures in report["fmax"].items():
-        clock, reached = _clock(net), float(figures["achieved"])
+        clock, reached = _clock(net, board), float(figures["achieved"])
         needed_of = (board.clocks | {"clk": board.core_hz})[clock] / _MHZ
         # A user's design may have further clocks, made of the board's: the slowest counts.
         clocks[clock] = min(clocks.get(clock, (reached, needed_of)), (reached, needed_of))
@@ -319,9 +322,12 @@ def refusal(error: RefusedError, name: str, board_name: str, board: Board, pins:
     return f"{name} cannot be placed on {board_name}: {error}"
 
 
-def _clock(net: str) -> str:
+def _clock(net: str, board: Board) -> str:
     """Return what a clock of nextpnr's report is called in the top."""
-    return "ft_clkout" if "ft_clkout" in net else "clk"
+    # Inside the gateway that of RMII has two names, of which the net may have either.
+    inside = dict.fromkeys(("phy_rx_clk", "phy_tx_clk"), "phy_clk") if board.medium == "rmii" else {}
+    names = {clock: clock for clock in board.clocks if clock != "clk"} | inside
+    return next((clock for name, clock in names.items() if name in net), "clk")
 
 
 def report_text(
@@ -385,6 +391,8 @@ def _rows(cells: list[tuple[Any, ...]]) -> str:
 def _link(board: Board) -> str:
     if board.medium == "uart":
         return f"a UART of {board.baud} baud"
+    if board.medium in ETHERNET:
+        return f"an Ethernet port, udp://{board.ip or _IP}:{DEFAULT_PORT}, MAC {board.mac or _MAC}"
     mode = f"mode={board.medium.replace('_', '-')}"
     return f"an FT232H, ftdi://ftdi:232h/1?{mode}, or port A of an FT2232H, ftdi://ftdi:2232h/1?{mode}"
 

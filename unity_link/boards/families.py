@@ -59,7 +59,7 @@ def _cst(board: Board, pins: Mapping[str, Pin]) -> str:  # noqa: ARG001  (one si
 
 def _into_gowin_pads(board: Board) -> tuple[str, ...]:
     """Return what has nextpnr put registers into pads: of an FT245 alone, as others need no such place."""
-    return () if board.medium == "uart" else ("ireg_in_iob", "oreg_in_iob", "ioreg_in_iob")
+    return ("ireg_in_iob", "oreg_in_iob", "ioreg_in_iob") if board.has_pads else ()
 
 
 def _config_pins(board: Board) -> tuple[str, ...]:

@@ -11,8 +11,11 @@ import msgspec
 from unity_link.boards.board import PINS, Board
 from unity_link.boards.checking import io_fault, misuse, name_fault, shown, spelling_fault
 from unity_link.errors import ArgumentError, did_you_mean
+from unity_link.gateware.limits import ETHERNET
+from unity_link.protocol.finding import parse_ip, parse_mac
 
 _DATA = Path(__file__).with_name("data")
+_LEAST_HZ, _STEP_HZ = 25_000_000, 50_000_000
 
 
 def board_names() -> list[str]:
@@ -85,8 +88,30 @@ def _fault(board: Board) -> str:
     faults += [f"the site {site} belongs to two pins" for site in sites if sites.count(site) > 1]
     if min(board.clock.hz, board.core_hz) <= 0:
         faults.append("a clock has more than 0 Hz")
+    if board.medium in ETHERNET:
+        faults += _faults_of_ethernet(board)
+    elif board.mac is not None or board.ip is not None:
+        faults.append(f"mac and ip are of an Ethernet port, and medium is {board.medium!r}")
     if board.medium == "uart" and board.baud is None:
         faults.append("a uart needs baud")
     elif board.baud is not None and not 0 < 4 * board.baud <= board.core_hz:
         faults.append(f"baud = {board.baud}, and the most of a clock of {board.core_hz} Hz is {board.core_hz // 4}")
     return faults[0] if faults else ""
+
+
+def _faults_of_ethernet(board: Board) -> list[str]:
+    """Return what is wrong with the clock and the addresses of a board with an Ethernet port."""
+    faults = []
+    if board.core_hz < _LEAST_HZ:
+        faults.append(f"the core's clock is {board.core_hz} Hz, and an Ethernet port needs {_LEAST_HZ} at least")
+    if board.medium == "rgmii" and board.core_hz != _STEP_HZ:
+        faults.append(f"the core's clock is {board.core_hz} Hz, and rgmii makes TXC of one of {_STEP_HZ}")
+    if board.medium == "mii" and board.core_hz % _STEP_HZ:
+        faults.append(f"the core's clock is {board.core_hz} Hz, and mii makes phy_clk_25 of a multiple of {_STEP_HZ}")
+    for parse, text in ((parse_mac, board.mac), (parse_ip, board.ip)):
+        try:
+            if text is not None:
+                parse(text)
+        except ArgumentError as error:
+            faults.append(str(error))
+    return faults

@@ -6,7 +6,9 @@ from typing import TYPE_CHECKING
 
 from unity_link.boards.board import PINS, bit_name
 from unity_link.errors import ArgumentError, did_you_mean
+from unity_link.gateware.limits import ETHERNET
 from unity_link.gateware.own_vhdl import Port
+from unity_link.generate.vhdl import block_words
 from unity_link.spec import Way
 
 if TYPE_CHECKING:
@@ -14,6 +16,14 @@ if TYPE_CHECKING:
 
     from unity_link.boards.board import Board, Pin
     from unity_link.generate.vhdl.bank import Bank
+    from unity_link.spec import Interface
+
+
+def generics_on(board: Board, interface: Interface) -> dict[str, object]:
+    """Return the generics of `unity_link` in a generated design on a board, beside those of any gateway of a spec."""
+    of_ethernet = {"block_words": block_words(interface)} if board.medium in ETHERNET else {}
+    return {"physical": board.medium, "clock_hz": board.core_hz, **of_ethernet}
+
 
 READY = "clk_ready"
 """Port that is no pin: a PLL's lock."""
@@ -25,7 +35,8 @@ _WAYS = {Way.IN: "input", Way.OUT: "output", Way.INOUT: "inout"}
 def generated_ports(board: Board, bank: Bank | None = None) -> tuple[Port, ...]:
     """Return the ports of the whole generated design of a register bank; without one, of the medium and the chain."""
     ways = _ways(board, has_chain=bank is None or bank.has_chain)
-    widths = {pin.partition("[")[0]: 8 * ("[" in pin) for pin in ways}
+    names = [pin.partition("[")[0] for pin in ways]
+    widths = {name: names.count(name) if f"{name}[0]" in ways else 0 for name in names}
     ports = [
         Port(name, name, ways.get(name) or ways[f"{name}[0]"], width, tuple(range(width)) or None)
         for name, width in widths.items()

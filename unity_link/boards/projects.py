@@ -10,10 +10,11 @@ import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from unity_link.boards.pins import generated_pins, pins_of
+from unity_link.boards.pins import generated_pins, generics_on, pins_of
 from unity_link.errors import ArgumentError
 from unity_link.gateware import LICENCE
 from unity_link.gateware.cache import LIBRARY, board_sources
+from unity_link.gateware.limits import ETHERNET, check_generics
 from unity_link.gateware.own_vhdl import check_entities, convert_own
 from unity_link.gateware.sources import in_compile_order
 from unity_link.gateware.vendors import add_vhdl
@@ -35,6 +36,7 @@ _SCOPED = {
     "uart": ("ul_subscription_manager", "ul_uart"),
     "ft245": ("ul_ft245_async", "ul_subscription_manager"),
     "ft245_sync": ("ul_fifo_async", "ul_ft245_sync", "ul_subscription_manager"),
+    **dict.fromkeys(ETHERNET, ("ul_fifo_async", "ul_mac", "ul_subscription_manager")),
 }
 """Entities of a medium whose crossings Vivado is told of."""
 _ATTENTION = "No tool of a vendor has read this file yet: see gateware/constraints/README.md."
@@ -46,7 +48,7 @@ class Design(NamedTuple):
     name: str
     """Name of the project."""
     top: str
-    generics: dict[str, int]
+    generics: dict[str, int | str]
     sources: list[tuple[str, str | None]]
     """Files in compile order, with their library; None for the tool's usual one."""
     board: Board
@@ -106,10 +108,11 @@ def make_project(
     is_generated = own is None or own.top is None
     if is_generated:
         vhdl.check_whole(chosen)
+    check_generics(vhdl.gateway_generics(chosen) | generics_on(board, chosen))
     generated = list(vhdl.files(chosen, Templates("vhdl", spec, vhdl.FILTERS), whole=is_generated))
     prefix = identifier(chosen.name)
     generics = board.generics
-    pads = None if board.medium == "uart" else vendor.pads
+    pads = vendor.pads if board.has_pads else None
     sources: list[tuple[str, str | None]] = [(f"{GATEWARE_FOLDER}/{path}", LIBRARY) for path in in_compile_order(pads)]
     sources += [(path, None) for path in design_files(generated)]
     name, top, copies = f"{prefix}_{board_name}", f"{prefix}_on_{board.medium}", []
@@ -129,7 +132,7 @@ def make_project(
     return output / design.name / f"{design.name}.{vendor.opened}"
 
 
-def _converted(own: Own, generated: list[GeneratedFile], generics: dict[str, int], top: str) -> Converted:
+def _converted(own: Own, generated: list[GeneratedFile], generics: dict[str, int | str], top: str) -> Converted:
     """Return a user's top as GHDL converts it: its ports are known, and faults are found before a vendor's tool."""
     with tempfile.TemporaryDirectory() as scratch:
         files = [file for file in generated if not file.name.endswith("_bench.vhd")]
@@ -175,6 +178,15 @@ def _period_ns(hz: int) -> str:
     return f"{1e9 / hz:.3f}"
 
 
+def _clock_lines(board: Board) -> list[str]:
+    """Return what both tools are told of the clocks; that of an FT245 stands in constraints of its own."""
+    return [
+        f"create_clock -name {clock} -period {_period_ns(hz)} [get_ports {clock}]"
+        for clock, hz in board.clocks.items()
+        if clock != "ft_clkout"
+    ]
+
+
 def _false_paths(pins: Iterable[str]) -> list[str]:
     """Return what both tools are told of pins whose other side is in no clock."""
     ends = {"-from": ("uart_rxd", "chain_in"), "-to": ("uart_txd", "chain_clk", "chain_load_n", "chain_out")}
@@ -190,7 +202,10 @@ _VIVADO_PULLS = {"up": " PULLUP TRUE", "down": " PULLDOWN TRUE", "none": ""}
 
 def _vivado(design: Design) -> Iterator[GeneratedFile]:
     name, board = design.name, design.board
-    generics = " ".join(f"{generic}={value}" for generic, value in design.generics.items())
+    generics = " ".join(
+        f"{generic}={value}" if isinstance(value, int) else f"{generic}={len(value)}'b{value}"
+        for generic, value in design.generics.items()
+    )
     too_slow = f"{design.top} is too slow on {board.title}: see the timing report of impl_1"
     constraints = f"[file join $here {GATEWARE_FOLDER} constraints vivado"
     yield GeneratedFile(
@@ -220,7 +235,7 @@ def _vivado(design: Design) -> Iterator[GeneratedFile]:
         f"{name}.xdc",
         _lines(
             f"# The pins of {tcl_comment(board.title)}. {_ATTENTION}",
-            f"create_clock -name clk -period {_period_ns(board.clock.hz)} [get_ports clk]",
+            *_clock_lines(board),
             *(
                 f"set_property -dict {{PACKAGE_PIN {pin.site} IOSTANDARD {pin.io_type}{_VIVADO_PULLS[pin.pull]}}} "
                 f"[get_ports {{{name}}}]"
@@ -245,7 +260,10 @@ def _quartus(design: Design) -> Iterator[GeneratedFile]:
             'set_global_assignment -name FAMILY "Cyclone V"',
             f"set_global_assignment -name DEVICE {board.device}",
             f"set_global_assignment -name TOP_LEVEL_ENTITY {design.top}",
-            *(f"set_parameter -name {generic} {value}" for generic, value in design.generics.items()),
+            *(
+                f"set_parameter -name {generic} " + (str(value) if isinstance(value, int) else f'"{value}"')
+                for generic, value in design.generics.items()
+            ),
             *(add_vhdl("quartus", path, library) for path, library in design.sources),
             f"set_global_assignment -name SDC_FILE {name}.sdc",
             f"set_global_assignment -name SDC_FILE {GATEWARE_FOLDER}/constraints/quartus/unity_link.sdc",
@@ -265,7 +283,7 @@ def _quartus(design: Design) -> Iterator[GeneratedFile]:
         f"{name}.sdc",
         _lines(
             f"# The clock of {tcl_comment(board.title)}. {_ATTENTION}",
-            f"create_clock -name clk -period {_period_ns(board.clock.hz)} [get_ports clk]",
+            *_clock_lines(board),
             "derive_clock_uncertainty",
             *_false_paths(design.pins),
         ),

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
+import msgspec
 import typer
 
 from unity_link.cli.arguments import Json, Overwrite  # noqa: TC001  (typer reads them)
@@ -12,6 +13,9 @@ from unity_link.cli.completion import complete_board
 from unity_link.cli.output import may_overwrite, print_note, print_result
 from unity_link.cli.spec import Name, SpecFile, compile_or_exit
 from unity_link.errors import ArgumentError
+
+if TYPE_CHECKING:
+    from unity_link.boards.board import Board
 
 
 def add_to(app: typer.Typer) -> None:
@@ -52,6 +56,13 @@ def build(  # noqa: PLR0913  (each is an option)
             help="What the top needs beside, or entities that the spec names; again for each, in compile order.",
         ),
     ] = None,
+    mac: Annotated[
+        str | None,
+        typer.Option(metavar="MAC", help="Of an Ethernet port: its own address, such as 02:55:4c:00:00:02."),
+    ] = None,
+    ip: Annotated[
+        str | None, typer.Option(metavar="ADDRESS", help="Of an Ethernet port: the address of IP after a reset.")
+    ] = None,
     interface: Name = None,
     overwrite: Overwrite = False,
     json: Json = False,
@@ -72,6 +83,7 @@ def build(  # noqa: PLR0913  (each is an option)
     from unity_link.gateware.own_vhdl import read_own
 
     name, chosen = load_board(board)
+    chosen = _addressed(name, chosen, mac, ip)
     compiled = compile_or_exit(spec)
     files = [*map(Path, compiled.vhdl), *(vhdl or [])]
     own = read_own(top, files) if files or top is not None else None
@@ -92,6 +104,25 @@ def build(  # noqa: PLR0913  (each is an option)
     if program:
         put(chosen, built.bitstream)
         print_note(f"{chosen.title} is programmed")
+
+
+def _addressed(name: str, board: Board, mac: str | None, ip: str | None) -> Board:
+    """Return a board with the addresses that its Ethernet port is to have."""
+    from unity_link.gateware.limits import ETHERNET
+    from unity_link.protocol.finding import parse_ip, parse_mac
+
+    given = {"mac": mac, "ip": ip}
+    for key, parse in (("mac", parse_mac), ("ip", parse_ip)):
+        text = given[key]
+        if text is None:
+            continue
+        if board.medium not in ETHERNET:
+            raise ArgumentError(f"--{key} is for a board with an Ethernet port, and {name} has {board.medium}")
+        try:
+            parse(text)
+        except ArgumentError as error:
+            raise ArgumentError(f"--{key}: {error}") from None
+    return msgspec.structs.replace(board, **{key: text for key, text in given.items() if text is not None})
 
 
 def _warn(remark: str) -> None:

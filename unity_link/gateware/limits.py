@@ -42,6 +42,10 @@ _RANGES = {
 _AXI4_LITE_BITS = (32, 64)
 _MOST_FIFO_BYTES = 0x8000
 """The answer to `Q` has four digits for them."""
+ETHERNET = ("rmii", "mii", "rgmii")
+"""Values of `physical` that are an Ethernet port."""
+_LEAST_HZ_OF_ETHERNET = 25_000_000
+_DATAGRAM, _LONGEST_Q = 1400, 76
 _ROUND_CYCLES = 8
 """Clock cycles of a base tick beside one for each group."""
 
@@ -64,6 +68,8 @@ def check_generics(given: Mapping[str, object]) -> None:
     _check_memories(generics)
     _check_pins(generics, given.get("bus_standard"))
     _check_groups(generics)
+    if given.get("physical") in ETHERNET:
+        _check_ethernet(generics, given)
 
 
 def _check_crc(generics: Mapping[str, int]) -> None:
@@ -92,6 +98,28 @@ def _check_pins(generics: Mapping[str, int], bus_standard: object) -> None:
         raise ArgumentError(f"data_bits is {bits}: AXI4-Lite has 32 or 64")
     if baud > clock // 4:
         raise ArgumentError(f"baud is {baud}: at most a quarter of a clock of {clock} Hz was expected")
+
+
+def _check_ethernet(generics: Mapping[str, int], given: Mapping[str, object]) -> None:
+    clock = generics["clock_hz"]
+    if clock < _LEAST_HZ_OF_ETHERNET:
+        raise ArgumentError(f"clock_hz is {clock}: an Ethernet port needs {_LEAST_HZ_OF_ETHERNET} at least")
+    word, address = -(-generics["data_bits"] // 4), -(-generics["address_bits"] // 4)
+    check, number, block = generics["crc_bits"] // 4, generics["id_digits"], generics["block_words"]
+    longest = max(
+        2 + max(number, address + 2) + word * block,
+        _LONGEST_Q,
+        2 + number + address + word * max(block, 2 if given.get("masked_write", True) else 0),
+    )
+    if generics["groups"]:
+        longest = max(longest, 13 + word * generics["group_words"], 12 + number + address * generics["group_words"])
+    longest += check + 2
+    most = _DATAGRAM - 18 - check
+    if longest > most:
+        raise ArgumentError(
+            f"with block_words {block}, groups {generics['groups']} and group_words {generics['group_words']} a frame "
+            f"has up to {longest} bytes, and a datagram of an Ethernet port has {most}: fewer words were expected"
+        )
 
 
 def _check_groups(generics: Mapping[str, int]) -> None:

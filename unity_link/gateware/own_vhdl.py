@@ -76,7 +76,7 @@ class Converted(NamedTuple):
 
     verilog: str
     module: str
-    generics: dict[str, int]
+    generics: dict[str, int | str]
     """Values of the generics that the entity has of those that were offered."""
     ports: tuple[Port, ...]
     remarks: tuple[str, ...]
@@ -138,7 +138,7 @@ def check_entities(interface: Interface, own: Own | None) -> None:
 
 def convert_own(
     own: Own,
-    generics: Mapping[str, int],
+    generics: Mapping[str, int | str],
     generated: Sequence[Path] = (),
     pads: str | None = None,
     generated_top: str = "",

@@ -40,7 +40,11 @@ _LEAST_SAMPLE_DEPTH = 256
 """Least depth of the sample FIFO of a gateway by itself: room for the subscriptions of programs beside the groups of
 the spec.
 """
-_MEDIA = ("uart", "ft245", "ft245_sync")
+_MEDIA = ("uart", "ft245", "ft245_sync", "rmii", "mii", "rgmii")
+_BYTES_OF_DATAGRAM = 1378
+_BYTES_BESIDE_WORDS = 32
+"""Most bytes of a frame on Ethernet, and enough for what a frame of a block has beside its words."""
+_MOST_WORDS = 255
 
 
 def files(
@@ -64,6 +68,7 @@ def files(
         "prefix": name,
         "bank": bank,
         "generics": gateway_generics(interface),
+        "block_words": block_words(interface),
         "is_bit": is_bit,
         "is_bool": is_bool,
         "slice_at": slice_at,
@@ -106,6 +111,11 @@ def check_whole(interface: Interface) -> None:
     """
     if fault := left_open(interface):
         raise UnsupportedError(fault)
+
+
+def block_words(interface: Interface) -> int:
+    """Return the most words of a block on Ethernet, where a frame has a datagram at most."""
+    return min(_MOST_WORDS, (_BYTES_OF_DATAGRAM - _BYTES_BESIDE_WORDS) // -(-interface.data_bits // 4))
 
 
 def gateway_generics(interface: Interface) -> dict[str, int | str]:

@@ -40,7 +40,12 @@ _DESIGN_NAMES = (
     *("sample_access", "chain_clk", "chain_load_n", "chain_out", "chain_in", "chain_half_period", "from_chain"),
     *(f"uart_{pin}" for pin in ("rxd", "txd", "rts_n", "cts_n", "de")),
     *(f"ft_{pin}" for pin in ("clkout", "data", "data_in", "data_out", "data_oe", "rxf_n", "txe_n", "rd_n", "wr_n")),
-    *("ft_oe_n", "ft_siwu_n"),
+    *("ft_oe_n", "ft_siwu_n", "mac_address", "ip_address", "udp_port", "gateway_name"),
+    *(
+        f"phy_{pin}"
+        for pin in ("clk", "rx_clk", "rxd", "rxd_wide", "rx_dv", "rx_er", "tx_clk", "txd", "txd_wide", "tx_en")
+    ),
+    *("phy_txc", "phy_rst_n", "phy_clk_25", "phy_clk_25_now", "phy_dropped", "half_period", "half_left"),
     *(f"in_{pin}" for pin in ("data", "lost", "valid", "ready")),
     *(f"out_{pin}" for pin in ("data", "valid", "ready", "flush")),
     *(f"wb_{pin}" for pin in ("cyc", "stb", "we", "adr", "to_bank", "to_gateway", "ack", "err", "stall")),
