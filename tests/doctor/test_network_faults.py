@@ -19,6 +19,8 @@ import pytest
 from gateware.bench.network.host import HOST_IP, sum_of
 from gateware.bench.network.tap import GATEWAY, LINE, URL, line, own_network, run_ip
 from gateware.bench.network.wire import GATEWAY_IP, GATEWAY_MAC
+from unity_link.protocol import finding
+from unity_link.protocol.finding import Found
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Straying
 from unity_link.virtual.serving import serve_udp
@@ -56,27 +58,29 @@ def unreachable(frame: bytes, code: int) -> bytes:
     return frame[6:12] + GATEWAY_MAC + b"\x08\0" + head + message
 
 
-def silent_station(frame: bytes) -> bytes:
-    return is_at(frame, GATEWAY_MAC) if frame[12:14] == b"\x08\x06" and frame[38:42] == GATEWAY_IP else b""
+def silent_station(frame: bytes) -> list[bytes]:
+    is_question = frame[12:14] == b"\x08\x06" and frame[38:42] == GATEWAY_IP
+    return [is_at(frame, GATEWAY_MAC)] if is_question else []
 
 
-def refusing_station(code: int) -> Callable[[bytes], bytes]:
-    def answer(frame: bytes) -> bytes:
+def refusing_station(code: int) -> Callable[[bytes], list[bytes]]:
+    def answer(frame: bytes) -> list[bytes]:
         is_datagram = frame[12:14] == b"\x08\0" and frame[23] == 17 and frame[30:34] == GATEWAY_IP
-        return unreachable(frame, code) if is_datagram else silent_station(frame)
+        return [unreachable(frame, code)] if is_datagram else silent_station(frame)
 
     return answer
 
 
 @contextmanager
-def station(answer: Callable[[bytes], bytes]) -> Iterator[None]:
+def station(answer: Callable[[bytes], list[bytes]]) -> Iterator[None]:
     """Have a station answer what the kernel sends, in a network namespace in which this thread is meanwhile."""
     over = threading.Event()
 
     def run(descriptor: int) -> None:
         while not over.is_set():
-            if select.select([descriptor], [], [], 0.05)[0] and (frame := answer(os.read(descriptor, 2048))):
-                os.write(descriptor, frame)
+            if select.select([descriptor], [], [], 0.05)[0]:
+                for frame in answer(os.read(descriptor, 2048)):
+                    os.write(descriptor, frame)
 
     with own_network(), line(LINE) as descriptor:
         thread = threading.Thread(target=run, args=(descriptor,))
@@ -89,7 +93,7 @@ def station(answer: Callable[[bytes], bytes]) -> Iterator[None]:
 
 
 def test_that_no_station_has_the_address_is_told() -> None:
-    with station(lambda _: b""):
+    with station(lambda _: []):
         found = examined(URL)
     assert [*found] == ["no such station"]
     assert (
@@ -118,6 +122,41 @@ def test_a_port_at_which_nothing_listens_is_told() -> None:
     with station(refusing_station(3)):
         found = examined(URL)
     assert [*found] == ["nothing listens"]
+
+
+def answering_stations(*macs: bytes) -> Callable[[bytes], list[bytes]]:
+    """Return what boards answer that have one address of IP, at the MAC of the first."""
+
+    def answer(frame: bytes) -> list[bytes]:
+        if frame[12:14] != b"\x08\0" or frame[23] != 17:
+            return [is_at(frame, mac) for mac in macs if silent_station(frame)]
+        if frame[42:44] == b"U?":
+            found = [Found(mac, GATEWAY_IP, 0, has_fingerprint=False, session_open=False, name="twin") for mac in macs]
+            return [datagram(frame, each.mac, finding.answer(each)) for each in found]
+        return [datagram(frame, macs[0], b"U0000000100000000\r\nH\r\n")] if frame[42:44] == b"H\r" else []
+
+    return answer
+
+
+def datagram(frame: bytes, mac: bytes, data: bytes) -> bytes:
+    """Return a datagram that answers one of a frame."""
+    head = struct.pack("!BBHHHBBH", 0x45, 0, 28 + len(data), 1, 0, 64, 17, 0) + GATEWAY_IP + HOST_IP
+    head = head[:10] + struct.pack("!H", sum_of(head)) + head[12:]
+    ports = frame[36:38] + frame[34:36]
+    return frame[6:12] + mac + b"\x08\0" + head + ports + struct.pack("!HH", 8 + len(data), 0) + data
+
+
+def test_two_boards_of_one_address_are_told_with_their_macs() -> None:
+    with station(answering_stations(GATEWAY_MAC, OTHER_MAC)):
+        found = examined(URL)
+    macs = " and ".join(f"{mac.hex(':')} (twin)" for mac in (GATEWAY_MAC, OTHER_MAC))
+    assert f"{GATEWAY} is the address of {macs}" in found["two of one address"]["text"]
+
+
+def test_two_boards_of_one_mac_are_told() -> None:
+    with station(answering_stations(GATEWAY_MAC, GATEWAY_MAC)):
+        found = examined(URL)
+    assert f"two boards have the MAC address {GATEWAY_MAC.hex(':')}" in found["two of one address"]["text"]
 
 
 def test_a_route_that_this_computer_prohibits_is_told() -> None:

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from unity_link.spec.model import Interface
     from unity_link.transport import DriverUrl
 
-_BEARABLE = (None, FaultName.LATENCY, FaultName.LOSS)
+_BEARABLE = (None, FaultName.LATENCY, FaultName.LOSS, FaultName.DOUBLE)
 """Faults of a medium with which a link can be opened."""
 TIMEOUT = 2.5
 """Seconds for a gateway to answer at all."""

@@ -29,6 +29,7 @@ class FaultName(enum.StrEnum):
     LOSS = "loss"
     FIREWALL = "firewall"
     NOBODY = "no such station"
+    DOUBLE = "two of one address"
     SLOW_HOST = "slow host"
     SLOW_LINK = "slow link"
     FAILED = "failed"

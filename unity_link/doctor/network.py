@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.doctor.findings import FaultName, Finding
 from unity_link.errors import ConnectError
+from unity_link.transport.finding import find
 from unity_link.transport.tcp import address
 from unity_link.transport.udp import Settings, refused
 
@@ -31,6 +32,8 @@ FIRST_PATIENCE = 0.6
 FIRST_QUESTIONS = 5
 """Questions without any answer, after which nothing is expected any more."""
 PATIENCE = 0.1
+FIND_PATIENCE = 0.4
+"""Seconds in which boards tell who they are."""
 MOST_LOST = 20
 """Unanswered questions after which enough is known."""
 _QUESTION = b"H\r"
@@ -62,8 +65,39 @@ class Questioned(NamedTuple):
 
 
 async def check_network(url: DriverUrl) -> list[Finding]:
-    """Return what can be said of the way to a gateway; the last finding has a fault where nothing comes back."""
-    return await asyncio.get_running_loop().run_in_executor(None, _check, url)
+    """Return what can be said of the way to a gateway; where nothing comes back a finding has a fault."""
+    findings = await asyncio.get_running_loop().run_in_executor(None, _check, url)
+    if all(finding.fault in (None, FaultName.LOSS) for finding in findings):
+        findings += await _doubles(url)
+    return findings
+
+
+async def _doubles(url: DriverUrl) -> list[Finding]:
+    """Return that several boards have the address of a URL, where they do: all are asked, and answer with their MAC."""
+    host, port = address(url)
+    with contextlib.suppress(ConnectError, OSError):
+        there = await asyncio.get_running_loop().getaddrinfo(host, port, family=socket.AF_INET, type=socket.SOCK_DGRAM)
+        boards = [board for board in await find([], port, patience=FIND_PATIENCE) if board.address == there[0][4][0]]
+        names = [f"{board.mac} ({board.found.name})" if board.found.name else board.mac for board in boards]
+        if len({board.mac for board in boards}) > 1:
+            return [
+                Finding(
+                    "address",
+                    f"{host} is the address of {' and '.join(names)}: which one is heard changes",
+                    FaultName.DOUBLE,
+                    "give each another one: unity-link find --assign MAC=ADDRESS, or build --ip",
+                )
+            ]
+        if any(board.doubled for board in boards):
+            return [
+                Finding(
+                    "address",
+                    f"two boards have the MAC address {boards[0].mac}, and the address {host}",
+                    FaultName.DOUBLE,
+                    "build one of them with another: unity-link build --mac",
+                )
+            ]
+    return []
 
 
 def _check(url: DriverUrl) -> list[Finding]:
