@@ -10,7 +10,9 @@ import re
 import signal
 import socket
 import subprocess
+import sys
 import time
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
@@ -22,7 +24,6 @@ from unity_link import blocking
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
-    from pathlib import Path
 
     from gateware.bench.network.tap import Plugged
 
@@ -97,6 +98,18 @@ def test_that_nobody_listens_any_more_disturbs_no_other(gateway: Plugged) -> Non
         time.sleep(0.01)
     assert {frame[34:36] for frame in refusals} == {b"\x03\x03"}
     exchange()
+
+
+def test_find_lists_the_board_and_gives_it_another_address_until_its_reset(gateway: Plugged) -> None:
+    program, other = str(Path(sys.executable).parent / "unity-link"), "192.168.1.77"
+    assert f"{URL}  {MAC}" in ran(program, "find", "--wait", "10")
+    assert other in ran(program, "find", "--wait", "10", "--assign", f"{MAC}={other}")
+    assert "1 received" in ran("ping", "-n", "-c", "1", "-w", "50", other)
+    with blocking.connect(URL.replace(GATEWAY, other), timeout=60) as link:
+        link.write(0x10, 7)
+    gateway.call("reset")
+    exchange()
+    assert [word for address, word in gateway.written() if address == 0x10] == [7, 42]
 
 
 # What others see
