@@ -159,6 +159,15 @@ def test_a_board_with_another_clock_is_told_by_build_before_any_tool_runs(tmp_pa
         build(spec, "ulx3s", board, tmp_path)
 
 
+def test_a_spec_whose_open_parameters_are_given_is_checked_for_a_clock_as_before() -> None:
+    members = "GATEWAY(CLOCK=10000000); TOSNET(CTRL=ctrl, COMM=9, BASE=0); x: LEASE(TIMEOUT=60) @(0xE0);"
+    spec = compile_text(f"public robot(ctrl) {{ {members} }}")
+    chosen = spec.given({"ctrl": 8}).interface()
+    chosen.check_clock(10_000_000)
+    with pytest.raises(ArgumentError, match=r"^x: TIMEOUT is 60, expected .* at a clock of 50,000,000 Hz$"):
+        chosen.check_clock(50_000_000)
+
+
 @pytest.mark.parametrize(
     ("limit", "message"),
     [

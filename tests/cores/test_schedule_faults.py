@@ -197,6 +197,23 @@ async def test_the_end_of_the_links_block_tells_it_as_well() -> None:
 
 
 @on_simulated_time
+async def test_the_end_of_the_links_block_raises_the_first_error_with_all_others_as_notes() -> None:
+    async def leave() -> None:
+        async with unity_link.connect(gateway_of()) as link:
+            robot = Robot(link)
+            for registers, signal in ((robot.free, robot.lamp), (robot.plan, robot.duty)):
+                clock = await registers.clock()
+                await signal.set(30, at=clock.now().after(-0.001))
+            await link.post(0x7FF, 1)
+
+    with pytest.raises(unity_link.BusError) as raised:
+        await leave()
+    unarmed, late = sorted(raised.value.__notes__)[::-1]
+    assert unarmed.startswith("plan has not made the write at ")
+    assert late.startswith("free has not made the write at ")
+
+
+@on_simulated_time
 async def test_a_link_without_writes_at_instants_is_asked_nothing_more_by_a_fence() -> None:
     async with unity_link.connect(gateway_of()) as link:
         Robot(link)

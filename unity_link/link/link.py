@@ -162,7 +162,8 @@ class Link(OfLink, Connection):
     ) -> None:
         """Close; where the block ended well, not before the posted writes are executed, and with their errors.
 
-        A gateway that is away is not waited for: what is not known of posted writes is then one of their errors.
+        A gateway that is away is not waited for: what is not known of posted writes is then one of their errors. The
+        first error is raised, and has those behind it as notes: nobody is told of them later.
         """
         try:
             if error is None and (self._posted or self._posted_failures or self.told_by_fence):
@@ -171,7 +172,7 @@ class Link(OfLink, Connection):
                         await self._fence(leaving=True)
                 # A program that closes its link in the block knows that it gives up what is under way.
                 if not self._closed_by_program:
-                    await self._raise_errors(lambda _: True)
+                    await self._raise_all()
         finally:
             await self.aclose()
 
@@ -326,6 +327,28 @@ class Link(OfLink, Connection):
         self._raise_posted(is_told)
         for writer in tuple(self.told_by_fence.values()):
             await writer.see(is_told, is_connected=self.connected)
+
+    async def _raise_all(self) -> None:
+        """Raise the first error of all, with the others as notes."""
+        errors: list[UnityLinkError] = []
+
+        def told(_: object) -> bool:
+            return True
+
+        try:
+            self._raise_posted(told)
+        except UnityLinkError as error:
+            errors.append(error)
+        for writer in tuple(self.told_by_fence.values()):
+            try:
+                await writer.see(told, is_connected=self.connected)
+            except UnityLinkError as error:
+                errors.append(error)
+        if errors:
+            first, *others = errors
+            for other in others:
+                first.add_note(str(other))
+            raise first
 
     def _raise_posted(self, is_told: Callable[[Any], bool]) -> None:
         """Raise the first error of the posted writes of those who are told now, and forget it."""

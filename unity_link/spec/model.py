@@ -617,7 +617,10 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
             )
             for module in self.modules
         )
-        return msgspec.structs.replace(self, parameters=parameters, modules=modules)
+        changed = msgspec.structs.replace(self, parameters=parameters, modules=modules)
+        # No limit names an open parameter: those of cores hold as they are.
+        vars(changed)["limits"] = self.limits
+        return changed
 
     @functools.cached_property
     def fingerprint(self) -> int:
