@@ -226,7 +226,7 @@ def test_the_bench_expects_the_words_that_every_client_sends(bits: int) -> None:
 FAULTS = {
     "an address off by one": (r'when 13x"0012" =>', 'when 13x"0017" =>'),
     "two signals exchanged": (r"(<= std_logic_vector\(from_hardware\.)st\)", r"\1a.only.r)"),
-    "a field in the wrong bits": (r"read_word\(4 downto 4\)", "read_word(5 downto 5)"),
+    "a field in the wrong bits": (r"(read_rows\(\d+\))\(4 downto 4\)", r"\1(5 downto 5)"),
     "a bit lost in writing": (r"f16_bits +<= wb_dat_i\(15 downto 0\);", "f16_bits <= '0' & wb_dat_i(14 downto 0);"),
     "a pulse that stays": (r"      to_hardware\.f16_written +<= '0';\n", ""),
     "no pulse": (r"            to_hardware\.co_written +<= '1';\n", ""),

@@ -337,6 +337,29 @@ class Bank:
                 yield Stage(part.path, self._scope.unique(part.path, *endings), timed)
 
     @property
+    def rows(self) -> list[int]:
+        """Return which eight addresses have a word that can be read, by the bits above the lowest three."""
+        return sorted({word.address // 8 for word in self.words if word.read})
+
+    @property
+    def parts(self) -> list[int]:
+        """Return which 32 addresses have a word that can be read, by the bits above the lowest five."""
+        return sorted({row // 4 for row in self.rows})
+
+    @property
+    def rows_of_parts(self) -> dict[int, list[tuple[int, int]]]:
+        """Return the rows, by the lowest two bits of theirs: the place of the part of each, and its own."""
+        parts, found = self.parts, dict[int, list[tuple[int, int]]]()
+        for place, row in enumerate(self.rows):
+            found.setdefault(row % 4, []).append((parts.index(row // 4), place))
+        return found
+
+    @property
+    def columns(self) -> list[list[BankWord]]:
+        """Return the words that can be read, by the lowest three bits of their addresses."""
+        return [[word for word in self.words if word.read and word.address % 8 == low] for low in range(8)]
+
+    @property
     def has_chain(self) -> bool:
         """Return whether something hangs on the chain of shift registers of a board."""
         return bool(self.chained_to or self.chained_from)
