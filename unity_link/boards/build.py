@@ -21,6 +21,7 @@ from unity_link.gateware.convert import to_verilog
 from unity_link.gateware.ghdl import converting_ghdl
 from unity_link.gateware.limits import check_generics
 from unity_link.gateware.own_vhdl import check_entities, convert_own
+from unity_link.gateware.wide_nets import buffer_wide_nets
 from unity_link.gateware.yowasp import EndlessError, RefusedError, place, run, script, version
 from unity_link.generate import Templates, vhdl, write
 from unity_link.generate.vhdl.bank import Bank
@@ -184,6 +185,8 @@ def synthesise(design: Design, board: Board, work: Path) -> None:
             lacking, inside = found.groups()
             raise BuildError(f"{inside} has the component {lacking}, of which no file has the entity") from error
         raise
+    if FAMILIES[board.family].has_global_wires:
+        buffer_wide_nets(work / "mapped.json", _TOP)
 
 
 def top_text(module: str, board: Board, ports: Sequence[Port]) -> str:

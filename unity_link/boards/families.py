@@ -30,6 +30,8 @@ class Family(NamedTuple):
     """Suffix of the bitstream's file name."""
     resources: dict[str, str]
     """Names that the report gives to the cells that nextpnr counts."""
+    has_global_wires: bool = False
+    """True if nets that enable or reset many registers go to global wires (`gateware.wide_nets`)."""
     pads: str | None = None
     """Folder of `gateware/pads` whose registers an FT245 has at its pins; None: portable ones."""
 
@@ -116,6 +118,7 @@ FAMILIES = {
             "SIOLOGIC": "pads with registers, at the top",
             "EHXPLLL": "PLLs",
         },
+        has_global_wires=True,
         pads="ecp5",
     ),
     "gowin": Family(
