@@ -152,6 +152,7 @@ class Host:
                 request = Fence(self.codec)
             else:
                 request = Request(self.codec, command, b"12", REPLIES[command])
+                request.poster = None
             frame = b""
             if isinstance(request, Request) and not request.posted and not self.out:
                 frame = self.exchange.submit_alone(request, now)
