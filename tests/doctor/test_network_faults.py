@@ -73,7 +73,7 @@ def refusing_station(code: int) -> Callable[[bytes], list[bytes]]:
 
 @contextmanager
 def station(answer: Callable[[bytes], list[bytes]]) -> Iterator[None]:
-    """Have a station answer what the kernel sends, in a network namespace in which this thread is meanwhile."""
+    """Run a station that answers what the kernel sends, in a network namespace in which this thread is meanwhile."""
     over = threading.Event()
 
     def run(descriptor: int) -> None:

@@ -110,7 +110,7 @@ class Line:
 
 @pytest.fixture(params=[LINE])
 def network() -> Iterator[None]:
-    """Have this thread in a network namespace of its own."""
+    """Move this thread into a network namespace of its own."""
     with own_network():
         yield
 

@@ -75,7 +75,7 @@ def _call(name: str, *arguments: int) -> None:
 
 @contextlib.contextmanager
 def own_network() -> Iterator[None]:
-    """Have this thread, and what it starts, in a network namespace of its own, where only the loopback is."""
+    """Move this thread, and what it starts, into a network namespace of its own, where only the loopback is."""
     before = os.open("/proc/thread-self/ns/net", os.O_RDONLY)
     try:
         try:
@@ -124,7 +124,7 @@ def _open_veth() -> int:
 
 @contextlib.contextmanager
 def line(kind: str) -> Iterator[int]:
-    """Give a descriptor for the frames of an interface, `INTERFACE`, in the namespace that this thread is in."""
+    """Return a descriptor for the frames of an interface, `INTERFACE`, in the namespace that this thread is in."""
     opened = _open_tap() if kind == "tap" else _open_veth()
     try:
         run_ip("address", "add", f"{HOST}/24", "dev", INTERFACE)

@@ -117,7 +117,7 @@ def test_find_lists_the_board_and_gives_it_another_address_until_its_reset(gatew
 
 @contextlib.contextmanager
 def captured(path: Path) -> Iterator[None]:
-    """Have tcpdump write all frames at the interface to a file, until the block ends."""
+    """Run tcpdump, which writes all frames at the interface to a file, until the block ends."""
     command = ["tcpdump", "-Z", "root", "-n", "-U", "--immediate-mode", "-s", "0", "-i", INTERFACE, "-w", str(path)]
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as watching:
         assert watching.stderr is not None

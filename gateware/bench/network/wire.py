@@ -164,7 +164,7 @@ class Wire:
         self._library.ul_poke(self._wire, ctypes.c_uint32(address), ctypes.c_uint32(word))
 
     def refuse(self, address: int, *, silent: bool = False) -> None:
-        """Have the bus end accesses to an address by an error, or not at all."""
+        """Make the bus end accesses to an address by an error, or not at all."""
         self._library.ul_answer(self._wire, ctypes.c_uint32(address), ctypes.c_uint8(2 if silent else 1))
 
     def dropped(self) -> int:
