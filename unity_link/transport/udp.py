@@ -45,14 +45,20 @@ async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transpo
     """Open a socket that speaks with one gateway only."""
     host, port = address(url)
     settings, loop = Settings.of(url), asyncio.get_running_loop()
+
+    def adapter() -> DatagramAdapter:
+        return DatagramAdapter(protocol, url.node)
+
     with refused(host, port):
+        if settings == Settings(None, None):
+            # The event loop makes the socket, since one that simulates a network has none of the system.
+            return (await loop.create_datagram_endpoint(adapter, remote_addr=(host, port)))[1]
         opened = settings.connected(await loop.getaddrinfo(host, port, type=socket.SOCK_DGRAM))
         try:
-            _, adapter = await loop.create_datagram_endpoint(lambda: DatagramAdapter(protocol, url.node), sock=opened)
+            return (await loop.create_datagram_endpoint(adapter, sock=opened))[1]
         except BaseException:
             opened.close()
             raise
-    return adapter
 
 
 def open_channel(url: DriverUrl, timeout: float | None) -> Channel:  # noqa: ARG001  (nothing is waited for)
