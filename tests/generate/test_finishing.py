@@ -1,0 +1,116 @@
+"""Leases of programs in C and Octave that want what is scheduled to run out when they are silent."""
+
+from __future__ import annotations
+
+import subprocess
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+import unity_link
+from generate.programs import STRICT, C, generated
+from support.bridge_programs import PROGRAM, line_of, wait_until
+from unity_link import blocking
+from unity_link.data.blocking import put
+from unity_link.spec import compile_text
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from pathlib import Path
+
+    from generate.octave import Octave
+
+    Begin = Callable[[Path, str, bool], subprocess.Popen[str]]
+
+SPEC = """\
+public robot() {
+  drive: LEASE(TIMEOUT=5, FINISH=20) @(0x80);
+  plan: SCHEDULE(DEPTH=512) @(0xA0);
+  @duty = 0x10: signed 16 READWRITE(SAFE(-1, drive), TIMED(plan));
+}
+"""
+IN_C = """
+#include <stdio.h>
+#include "robot.h"
+
+static ul_link link;
+
+int main(int count, char **arguments)
+{
+    ul_lease drive = UL_LEASE(robot.drive);
+    drive.finishes = count == 3;
+    if (ul_connect(&link, arguments[1], 5.0) != UL_OK || ul_lease_arm(&link, &drive, 4.0) != UL_OK) return 1;
+    puts("armed");
+    fflush(stdout);
+    return getchar();
+}
+"""
+IN_OCTAVE = """
+robot = robot('{url}');
+lease = unity_link.Lease(robot.link, robot.drive);
+lease.arm(4, '{on_silence}');
+printf('armed\\n');
+fflush(stdout);
+input('');
+"""
+
+
+def in_c(folder: Path, url: str, finishes: bool) -> subprocess.Popen[str]:
+    generated("c", compile_text(SPEC), folder)
+    (folder / "arm.c").write_text(IN_C)
+    sources = ["arm.c", "robot.c", "unity_link.c", "unity_link_posix.c"]
+    subprocess.run([*C, *STRICT, *sources, "-o", "arm"], cwd=folder, check=True)
+    arguments = [str(folder / "arm"), url, *(["finish"] if finishes else [])]
+    return subprocess.Popen(arguments, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+
+
+@pytest.fixture(params=["c", "octave"])
+def begin(request: pytest.FixtureRequest) -> Begin:
+    """Return what starts a program that arms the drive, and is silent from then on."""
+    if request.param == "c":
+        return in_c
+    octave: Octave = request.getfixturevalue("octave")
+
+    def in_octave(_: Path, url: str, finishes: bool) -> subprocess.Popen[str]:
+        octave.generate(compile_text(SPEC))
+        return octave.start(IN_OCTAVE.format(url=url, on_silence="finish" if finishes else "safe"))
+
+    return in_octave
+
+
+@pytest.mark.parametrize("way", ["finish", "safe"])
+def test_what_is_scheduled_runs_out_behind_a_program_that_was_killed_if_it_wants_so(
+    begin: Begin, way: str, tmp_path: Path
+) -> None:
+    spec = tmp_path / "robot.ul"
+    spec.write_text(SPEC)
+    command = [PROGRAM, "serve", f"sim:{spec}", "--unix", str(tmp_path / "gateway")]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as server:
+        try:
+            url = line_of(server)
+            with begin(tmp_path, url, way == "finish") as program, blocking.connect(url) as link:
+                robot: Any = put(unity_link.load(spec), link)
+                assert line_of(program) == "armed"
+                start = robot.plan.clock().now()
+                for row in range(1, 21):
+                    robot.duty.set(row, at=start.after(0.5 + row / 10))
+                program.kill()
+                seen = set[int]()
+
+                def is_over() -> bool:
+                    seen.add(robot.duty.get())
+                    return not robot.drive.armed_.get()
+
+                wait_until(is_over)
+                assert robot.duty.get() == -1
+                if way == "finish":
+                    assert max(seen) in {19, 20}
+                    assert robot.drive.reason.get().name == "silence"
+                    assert robot.plan.refused.get() == robot.plan.late.get() == 0
+                else:
+                    assert max(seen) < 19
+                    assert robot.drive.reason.get().name == "disarmed"
+                    with pytest.raises(unity_link.NotArmedError, match="drive is not armed: it was disarmed"):
+                        link.fence()
+        finally:
+            server.kill()
