@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import unity_link
-from support.bridge_programs import PROGRAM, line_of, wait_until
+from support.bridge_programs import PROGRAM, line_of, seen_until_disarmed
 from support.simulated_time import on_simulated_time
 from unity_link import ArgumentError, NotArmedError, blocking
 from unity_link.data.blocking import put
@@ -291,13 +291,7 @@ def test_what_a_program_has_scheduled_runs_out_behind_a_server_when_it_was_kille
                 assert line_of(program) == "moving"
                 if way == "kill":
                     program.kill()
-                seen = set[int]()
-
-                def is_over() -> bool:
-                    seen.add(robot.duty.get())
-                    return not robot.drive.armed_.get()
-
-                wait_until(is_over)
+                seen = seen_until_disarmed(robot)
                 assert max(seen) in {19, 20}
                 assert robot.duty.get() == -1
                 assert robot.drive.reason.get().name == "silence"

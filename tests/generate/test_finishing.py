@@ -9,7 +9,7 @@ import pytest
 
 import unity_link
 from generate.programs import STRICT, C, generated
-from support.bridge_programs import PROGRAM, line_of, wait_until
+from support.bridge_programs import PROGRAM, line_of, seen_until_disarmed
 from unity_link import blocking
 from unity_link.data.blocking import put
 from unity_link.spec import compile_text
@@ -95,13 +95,7 @@ def test_what_is_scheduled_runs_out_behind_a_program_that_was_killed_if_it_wants
                 for row in range(1, 21):
                     robot.duty.set(row, at=start.after(0.5 + row / 10))
                 program.kill()
-                seen = set[int]()
-
-                def is_over() -> bool:
-                    seen.add(robot.duty.get())
-                    return not robot.drive.armed_.get()
-
-                wait_until(is_over)
+                seen = seen_until_disarmed(robot)
                 assert robot.duty.get() == -1
                 if way == "finish":
                     assert max(seen) in {19, 20}

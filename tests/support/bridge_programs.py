@@ -9,7 +9,7 @@ import sys
 import time
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
@@ -52,6 +52,18 @@ def wait_until(condition: Callable[[], object]) -> None:
         assert time.monotonic() < deadline
         # What is waited for happens in other processes; looking more often would only take their time.
         time.sleep(0.02)
+
+
+def seen_until_disarmed(robot: Any) -> set[int]:
+    """Wait until the lease `drive` of a robot is not armed any more; return the values that its `duty` has had."""
+    seen = set[int]()
+
+    def is_over() -> bool:
+        seen.add(robot.duty.get())
+        return not robot.drive.armed_.get()
+
+    wait_until(is_over)
+    return seen
 
 
 def wait_for(process: subprocess.Popen[str], words: str) -> str:
