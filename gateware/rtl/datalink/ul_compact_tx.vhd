@@ -39,38 +39,278 @@ end entity ul_compact_tx;
 
 architecture rtl of ul_compact_tx is
 
-  constant filled : std_logic_vector(0 to 15) := compact_filled(id_digits, 0);
+  constant filled : std_logic_vector(0 to 15)         := compact_filled(id_digits, 0);
+  constant number : std_logic_vector(7 downto 0) := std_logic_vector(to_unsigned(maximum(node, 0), 8));
 
   constant lf : std_logic_vector(7 downto 0) := x"0A";
   constant cr : std_logic_vector(7 downto 0) := x"0D";
 
-  -- What comes next: a first letter, or the prefix and it; the second letter or a digit; digits in pairs; text.
+  -- What comes next: a prefix; a first letter; the second one or a digit; digits in pairs; the rest of a line of text.
 
-  type state_t is (at_letter, at_second, at_high, at_low, in_text);
+  type state_t is (at_prefix, at_letter, at_second, at_high, at_low, in_text);
 
-  -- What is to go out before the next character is taken: a byte of the frame, with an escape or behind it; what stands
-  -- before the command; the first letter, as text.
+  -- What is to go out before the next character is taken, one behind the other: of a compact frame the number of the
+  -- node, a byte, and what stands behind an escape; of a text its prefix, and up to two letters.
 
-  type rest_t is (nothing, escaped, whole, node_byte, prefix, letter, letters);
+  type rest_t is (
+    nothing, of_node, of_node_escaped, of_byte, escaped, of_z, of_digit_high, of_digit_low, of_first, of_second
+  );
 
-  signal state   : state_t;
-  signal rest    : rest_t;
-  signal value   : std_logic_vector(7 downto 0);
-  signal first   : std_logic_vector(7 downto 0);
-  signal taken   : unsigned(1 downto 0);
-  signal held    : std_logic;
-  signal advance : std_logic;
+  function first_state return state_t is
+  begin
+
+    if node >= 0 then
+      return at_prefix;
+    else
+      return at_letter;
+    end if;
+
+  end function first_state;
+
+  function first_of_text return rest_t is
+  begin
+
+    if node >= 0 then
+      return of_z;
+    else
+      return of_first;
+    end if;
+
+  end function first_of_text;
+
+  signal state : state_t;
+  signal rest  : rest_t;
+  -- Characters of the prefix that were taken.
+  signal taken : unsigned(1 downto 0);
+  signal first : std_logic_vector(7 downto 0);
+  -- A whole byte, or the second letter of a text; whether it is there.
+  signal value    : std_logic_vector(7 downto 0);
+  signal is_whole : std_logic;
+  signal nibble   : std_logic_vector(3 downto 0);
+  signal held     : std_logic;
+  signal advance  : std_logic;
 
 begin
 
-  assert node < 0
-    report "ul_compact_tx: addressed frames are not in it yet"
-    severity failure;
+  advance  <= out_ready or not held;
+  in_ready <= advance when rest = nothing else
+              '0';
 
-  advance   <= out_ready or not held;
-  in_ready  <= advance when rest = nothing else
-               '0';
   out_valid <= held;
-  busy      <= held or to_std_logic(state /= at_letter or rest /= nothing);
+  busy      <= held or to_std_logic(state /= first_state or rest /= nothing);
+
+  main : process (clk) is
+
+    variable digit   : std_logic_vector(3 downto 0);
+    variable second  : std_logic_vector(7 downto 0);
+    variable command : std_logic_vector(3 downto 0);
+    variable found   : boolean;
+    variable is_end  : boolean;
+
+    procedure give (data : std_logic_vector(7 downto 0)) is
+    begin
+
+      out_data <= data;
+      held     <= '1';
+
+    end procedure give;
+
+    -- Give a byte of a compact frame, and leave to do what is behind its escape.
+    procedure stuff (data : std_logic_vector(7 downto 0); behind : rest_t; otherwise : rest_t) is
+    begin
+
+      give(data);
+      rest <= otherwise;
+      if is_reserved(data) then
+        give(compact_escape);
+        rest <= behind;
+      end if;
+
+    end procedure stuff;
+
+    -- Return what follows the number of the node, or the start.
+    impure function behind_start return rest_t is
+    begin
+
+      if is_whole = '1' then
+        return of_byte;
+      else
+        return nothing;
+      end if;
+
+    end function behind_start;
+
+  begin
+
+    if rising_edge(clk) then
+      digit  := hex_value(in_data);
+      is_end := in_data = lf or in_data = cr;
+
+      if advance = '1' then
+        held     <= '0';
+        out_mark <= flush_none;
+
+        case rest is
+
+          when of_node =>
+            stuff(number, of_node_escaped, behind_start);
+
+          when of_node_escaped =>
+            give(number xor compact_stuffed);
+            rest <= behind_start;
+
+          when of_byte =>
+            stuff(value, escaped, nothing);
+
+          when escaped =>
+            give(value xor compact_stuffed);
+            rest <= nothing;
+
+          when of_z =>
+            give(character_z);
+            rest <= of_digit_high;
+
+          when of_digit_high =>
+            give(hex_character(number(7 downto 4)));
+            rest <= of_digit_low;
+
+          when of_digit_low =>
+            give(hex_character(number(3 downto 0)));
+            rest <= of_first;
+
+          when of_first =>
+            give(first);
+            rest <= nothing;
+            if is_whole = '1' then
+              rest <= of_second;
+            end if;
+
+          when of_second =>
+            give(value);
+            rest <= nothing;
+
+          when nothing =>
+            if in_valid = '1' then
+
+              case state is
+
+                when at_prefix =>
+                  taken <= taken + 1;
+                  if compact = '0' or is_end then
+                    give(in_data);
+                    out_mark <= in_mark;
+                    taken    <= (others => '0');
+                    if not is_end then
+                      state <= in_text;
+                    end if;
+                  elsif taken = 2 then
+                    taken <= (others => '0');
+                    state <= at_letter;
+                  end if;
+
+                when at_letter =>
+                  first    <= in_data;
+                  is_whole <= '0';
+                  if is_end then
+                    give(in_data);
+                    out_mark <= in_mark;
+                  elsif (compact or to_std_logic(node >= 0)) = '1' and (in_data(5) = '1' or in_data = x"50") then
+                    state <= at_second;
+                  else
+                    state <= in_text;
+                    rest  <= first_of_text;
+                  end if;
+
+                when at_second =>
+                  second := x"00";
+                  if in_data >= x"47" then
+                    second := in_data;
+                  end if;
+                  found   := false;
+                  command := x"0";
+
+                  for place in compact_commands'range loop
+
+                    if compact_commands(place)(0) = first and compact_commands(place)(1) = second then
+                      found   := true;
+                      command := std_logic_vector(to_unsigned(place, 4));
+                    end if;
+
+                  end loop;
+
+                  state    <= at_high;
+                  is_whole <= '1';
+                  nibble   <= command;
+                  value    <= command & digit;
+                  if not found then
+                    state <= in_text;
+                    rest  <= first_of_text;
+                    value <= in_data;
+                  else
+                    give(compact_start);
+                    rest <= of_byte;
+                    if filled(to_integer(unsigned(command))) = '1' then
+                      value(3 downto 0) <= x"0";
+                      if second = x"00" then
+                        nibble <= digit;
+                        state  <= at_low;
+                      end if;
+                    elsif second /= x"00" then
+                      is_whole <= '0';
+                      rest     <= nothing;
+                      state    <= at_low;
+                    end if;
+                    if node >= 0 then
+                      rest <= of_node;
+                    end if;
+                  end if;
+
+                when at_high =>
+                  nibble <= digit;
+                  state  <= at_low;
+                  if is_end then
+                    give(in_data);
+                    if in_data = lf then
+                      give(compact_end);
+                    end if;
+                    out_mark <= in_mark;
+                    state    <= first_state;
+                  end if;
+
+                when at_low =>
+                  value <= nibble & digit;
+                  stuff(nibble & digit, escaped, nothing);
+                  state <= at_high;
+
+                when in_text =>
+                  give(in_data);
+                  out_mark <= in_mark;
+                  if is_end then
+                    state <= first_state;
+                  end if;
+
+              end case;
+
+            end if;
+
+        end case;
+
+      end if;
+
+      if rst = '1' then
+        state    <= first_state;
+        rest     <= nothing;
+        taken    <= (others => '0');
+        first    <= (others => '0');
+        value    <= (others => '0');
+        is_whole <= '0';
+        nibble   <= (others => '0');
+        held     <= '0';
+        out_data <= (others => '0');
+        out_mark <= flush_none;
+      end if;
+    end if;
+
+  end process main;
 
 end architecture rtl;
