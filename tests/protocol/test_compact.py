@@ -71,7 +71,17 @@ def frames(draw: st.DrawFn, form: CompactForm) -> bytes:
     if command[0] in "rw":
         fixed += form.address_digits
     digits = fixed + 2 * draw(st.integers(0, 40))
-    text = draw(st.text("0123456789ABCDEF", min_size=digits, max_size=digits))
+    pairs = st.sampled_from(["B5", "CA", "D3", "0A", "0D", "93"])
+    text = "".join(
+        draw(
+            st.lists(
+                pairs | st.text("0123456789ABCDEF", min_size=2, max_size=2),
+                min_size=digits // 2 + 1,
+                max_size=digits // 2 + 1,
+            )
+        )
+    )
+    text = text[:digits]
     return (prefix + command + text).encode() + b"\n"
 
 
@@ -98,6 +108,7 @@ def test_all_frames_of_a_session_are_compact_and_no_longer_than_text(data: st.Da
 
 @given(FORMS, st.lists(BYTES))
 @example(REQUESTS, [START + ESCAPE, START])
+@example(REQUESTS, [b"\xb5\x00\x00\x0b\x00\xd3\x93\xca"])
 def test_bytes_of_any_kind_and_in_any_pieces_make_the_text_that_they_make_one_by_one(
     form: CompactForm, pieces: list[bytes]
 ) -> None:

@@ -25,7 +25,7 @@ _ADDRESSED: Final = frozenset(("r", "rm", "rq", "w", "wm", "wq", "wk", "ws"))
 """Commands whose requests name an address."""
 _WITHOUT_ID: Final = "P"
 _RESERVED = re.compile(rb"[\n\r\xb5\xca\xd3]")
-_ESCAPED = re.compile(rb"\xd3(.)", re.DOTALL)
+_ESCAPED = re.compile(rb"\xd3(.?)", re.DOTALL)
 _FRAME = re.compile(rb"(?:(?<=\n)|\A)(Z[0-9A-F]{2})?([g-z]{1,2}|P)([0-9A-F]+)\n")
 _RUN = re.compile(rb"\xb5([^\n\r\xb5\xca]*)([\n\r\xb5\xca])|([\n\r])|(\xca)|[^\n\r\xb5\xca]+")
 
@@ -35,7 +35,7 @@ def _stuffed(found: re.Match[bytes]) -> bytes:
 
 
 def _unstuffed(found: re.Match[bytes]) -> bytes:
-    return bytes((found[1][0] ^ STUFFED,))
+    return bytes(byte ^ STUFFED for byte in found[1])
 
 
 @dataclasses.dataclass(frozen=True)
@@ -151,7 +151,7 @@ class Unpacker:
     def _text(self, content: bytes) -> bytes:
         """Return the text of what stands between start and end, without its line end."""
         if ESCAPE in content:
-            content = _ESCAPED.sub(_unstuffed, content).removesuffix(ESCAPE)
+            content = _ESCAPED.sub(_unstuffed, content)
         text = content.hex().upper()
         prefix = ""
         if self._has_node:
