@@ -30,7 +30,7 @@ def expanded(form: CompactForm, data: bytes) -> bytes:
     def digits(content: bytes) -> bytes:
         found = content.hex().upper()
         prefix = ""
-        if form.has_node:
+        if form.has_node and found:
             prefix, found = "Z" + found[:2], found[2:]
         if not found:
             return prefix.encode()

@@ -154,7 +154,7 @@ class Unpacker:
             content = _ESCAPED.sub(_unstuffed, content)
         text = content.hex().upper()
         prefix = ""
-        if self._has_node:
+        if self._has_node and text:
             prefix, text = "Z" + text[:2], text[2:]
         if not text:
             return prefix.encode()
