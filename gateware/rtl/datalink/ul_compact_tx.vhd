@@ -223,7 +223,7 @@ begin
 
                 when at_second =>
                   second := x"00";
-                  if in_data >= x"47" then
+                  if in_data(6 downto 5) = "11" then
                     second := in_data;
                   end if;
                   found   := false;
