@@ -78,6 +78,22 @@ architecture rtl of ul_compact_tx is
 
   end function first_of_text;
 
+  -- Return the number of a command, of which there is one, or of none.
+  function number_of (first, second : std_logic_vector(7 downto 0)) return std_logic_vector is
+  begin
+
+    for place in compact_commands'range loop
+
+      if compact_commands(place)(0)(4 downto 0) = first(4 downto 0) and compact_commands(place)(1)(4 downto 0) = second(4 downto 0) then
+        return std_logic_vector(to_unsigned(place, 4));
+      end if;
+
+    end loop;
+
+    return "----";
+
+  end function number_of;
+
   signal state : state_t;
   signal rest  : rest_t;
   -- Characters of the prefix that were taken.
@@ -226,17 +242,8 @@ begin
                   if in_data(6 downto 5) = "11" then
                     second := in_data;
                   end if;
-                  found   := false;
-                  command := x"0";
-
-                  for place in compact_commands'range loop
-
-                    if compact_commands(place)(0) = first and compact_commands(place)(1) = second then
-                      found   := true;
-                      command := std_logic_vector(to_unsigned(place, 4));
-                    end if;
-
-                  end loop;
+                  command := number_of(first, second);
+                  found   := first /= x"67" or second /= x"73";
 
                   state    <= at_high;
                   is_whole <= '1';
