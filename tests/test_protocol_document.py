@@ -34,12 +34,21 @@ def test_the_gateway_model_answers_as_the_document_says(example: Example) -> Non
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda example: f"line {example.line}")
 def test_every_checked_frame_has_the_right_crc_unless_its_answer_says_otherwise(example: Example) -> None:
+    session, before = 0, 0
     for sent, answered in example.exchange:
         for frame in (sent + answered).splitlines(keepends=True):
             if frame.endswith(b"\n") and not frame.endswith(b"\r\n") and frame != b"\n":
                 body, crc = frame[:-5], frame[-5:-1]
-                right = crc.upper() == b"%04X" % fastcrc.crc16.xmodem(body)
+                start = 3 if body.startswith(b"Z") else 0
+                of_session = body[start : start + 1].islower() or body.startswith(b"P")
+                seed = 2 * session + (frame != sent) if session and of_session else 0
+                begun = fastcrc.crc16.xmodem(body[:start]) ^ seed
+                right = crc.upper() == b"%04X" % fastcrc.crc16.xmodem(body[start:], begun)
                 assert right != (frame == sent and answered.startswith(b"X01")), frame
+        begins = re.match(rb"K...(....)(....)(?:....\n|\r\n)$", answered)
+        if begins:
+            assert before == session == int(begins[2], 16)
+            before = session = int(begins[1], 16)
 
 
 def test_the_examples_show_every_message() -> None:

@@ -12,7 +12,7 @@ import msgspec
 
 from unity_link.errors import UnsupportedError
 
-PROTOCOL_VERSION = 2
+PROTOCOL_VERSION = 3
 _HEX_DIGITS = b"0123456789ABCDEFabcdef"
 
 
@@ -86,6 +86,16 @@ class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
     def data_digits(self) -> int:
         """Hex digits of a word."""
         return -(-self.data_bits // 4)
+
+    @property
+    def session_digits(self) -> int:
+        """Hex digits of the number of a session."""
+        return min(self.crc_bits // 4, 4)
+
+    @property
+    def last_session(self) -> int:
+        """Highest number of a session: with the direction it fits in the CRC, and in 16 bits."""
+        return (1 << 4 * self.session_digits - 1) - 1
 
     @property
     def base_frequency_hz(self) -> float:

@@ -1,6 +1,7 @@
-"""The check of a frame (docs/protocol.md, "Frames"): a CRC of 8, 16 or 32 bits.
+"""The check of a frame (docs/protocol.md, "Frames"): a CRC of 8, 16 or 32 bits, and the session in it.
 
-It is not reflected, its initial value is 0, and there is no final xor.
+It is not reflected, and there is no final xor. Its initial value is 0, or what stands in the CRC where a session's
+number has been xored into it.
 
 The usual polynomials are computed by fastcrc; every other one by a table of 256 remainders. `arrays` has the CRC of
 many rows of equal length.
@@ -18,12 +19,24 @@ if TYPE_CHECKING:
 
 USUAL_POLYNOMIALS = {8: 0x07, 16: 0x1021, 32: 0x04C11DB7}
 """Usual polynomial of each width: CRC-8/CCITT, CRC-16/XMODEM, and that of Ethernet."""
-_COMPILED: dict[tuple[int, int], Callable[[bytes], int]] = {
+_COMPILED: dict[tuple[int, int], Callable[..., int]] = {
     (8, 0x07): fastcrc.crc8.smbus,
     (16, 0x1021): fastcrc.crc16.xmodem,
     # CKSUM is this CRC with a final xor.
-    (32, 0x04C11DB7): lambda data: fastcrc.crc32.cksum(data) ^ 0xFFFFFFFF,
+    (32, 0x04C11DB7): lambda data, begun=0: fastcrc.crc32.cksum(data, begun ^ 0xFFFFFFFF) ^ 0xFFFFFFFF,
 }
+NO_SESSION = 0
+"""Number of no session."""
+
+
+def seed_of(session: int, *, from_gateway: bool) -> int:
+    """Return what is xored into the CRC of a frame of a session before the first letter of its command.
+
+    Args:
+        session: number of the session, 0 for none, which leaves the CRC as it is.
+        from_gateway: True for what a gateway sends, False for what a host sends.
+    """
+    return 2 * session + from_gateway if session else 0
 
 
 class Crc:
@@ -46,30 +59,31 @@ class Crc:
         self.bits = bits
         self.polynomial = polynomial
         self.digits = bits // 4
-        self.of: Callable[[bytes], int] = _COMPILED.get((bits, polynomial), self._by_table)
+        self.of: Callable[..., int] = _COMPILED.get((bits, polynomial), self._by_table)
+        """Returns the CRC of bytes; a second argument is the CRC as what is before them left it, 0 if left out."""
         self.text = self.text_before(b"")
-        """Returns the CRC of bytes as it stands in a frame: upper-case hex digits."""
+        """Returns the same as it stands in a frame: upper-case hex digits."""
 
-    def text_before(self, end: bytes) -> Callable[[bytes], bytes]:
+    def text_before(self, end: bytes) -> Callable[..., bytes]:
         """Return a function that gives the CRC of bytes as it stands in a frame, and `end` behind it."""
         of, layout = self.of, b"%%0%dX" % self.digits + end
         if self.bits == 32:
-            return lambda data: layout % of(data)
+            return lambda data, begun=0: layout % of(data, begun)
         # To look digits up takes half as long as to format them.
         last = [b"%02X" % value + end for value in range(256)]
         if self.bits == 8:
-            return lambda data: last[of(data)]
+            return lambda data, begun=0: last[of(data, begun)]
         first = [b"%02X" % value for value in range(256)]
 
-        def text(data: bytes) -> bytes:
-            crc = of(data)
+        def text(data: bytes, begun: int = 0) -> bytes:
+            crc = of(data, begun)
             return first[crc >> 8] + last[crc & 0xFF]
 
         return text
 
-    def _by_table(self, data: bytes) -> int:
+    def _by_table(self, data: bytes, begun: int = 0) -> int:
         table, shift, mask = byte_table(self.bits, self.polynomial), self.bits - 8, (1 << self.bits) - 1
-        crc = 0
+        crc = begun
         for byte in data:
             crc = (crc << 8 & mask) ^ table[crc >> shift ^ byte]
         return crc

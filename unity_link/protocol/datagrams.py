@@ -40,7 +40,7 @@ _HEADER = re.compile(rb"[\r\n]*((?:Z[0-9A-F]{2})?U([0-9A-Fa-f]{8})([0-9A-Fa-f]{8
 """Groups of a header: the text that its CRC covers, session, count, and the CRC, None in a plain one."""
 _FIRST_FRAME = re.compile(rb"[\r\n]*([^\r\n]*\r?)\n?")
 _REFUSAL = b"X%02X" % ErrorCode.NO_SESSION
-_OF_SESSION = re.compile(rb"[g-zKP]")
+_OF_SESSION = re.compile(rb"[g-zP]")
 """First letters of answers that only a session has, and of samples."""
 
 
@@ -313,11 +313,11 @@ class GatewayDatagrams(Generic[A]):
             request = self._reception.read(line[size:], plain=plain, prefix=line[:size])
         except RequestError:
             return None
-        if request.id is None and request.command != "K":
+        if request.id is None and not (request.command == "K" and request.values):
             return None
         if line[:size] != self._framing.prefix:
             return b""
-        error = self._codec.error(ErrorCode.NO_SESSION, request.id)
+        error = _REFUSAL if request.id is None else self._codec.no_session(request.id, request.residue)
         return self._framing.plain_reply(error) if plain else self._framing.checked(error)
 
     def _send_to_requester(self, frames: bytes) -> None:
@@ -329,4 +329,11 @@ class GatewayDatagrams(Generic[A]):
             self._send(_with_header(self._framing, self.offer, _OUTSIDE, packed, plain=plain), address)
 
     def _is_of_session(self, frame: bytes) -> bool:
-        return self.session != NO_SESSION and _OF_SESSION.match(frame, len(self._framing.prefix)) is not None
+        if self.session == NO_SESSION:
+            return False
+        body = frame[len(self._framing.prefix) :].rstrip(b"\r\n")
+        if body.startswith(b"K"):
+            # The answer to the question is shorter than that to the opening of a session.
+            ending = 0 if b"\r" in frame else self._framing.crc.digits
+            return len(body) > 1 + self._codec.info.session_digits + ending
+        return _OF_SESSION.match(body) is not None

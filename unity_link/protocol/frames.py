@@ -2,7 +2,8 @@
 
 A *checked* frame is the body, its CRC and LF. A *plain* one, which a person can type, is the body and CR; a gateway
 ends its plain replies with CR LF. On a medium that several nodes share ("Addressed frames") each body stands behind a
-prefix of `Z` and two digits, which the CRC covers. Everything above this module sees bodies only.
+prefix of `Z` and two digits, which the CRC covers. Everything above this module sees bodies only, and of a session
+what it puts into checks: the seed (`unity_link.protocol.crc.seed_of`).
 """
 
 from __future__ import annotations
@@ -23,8 +24,15 @@ LONGEST_FRAME = 16_384
 """Bytes without a line end that are kept: more than the longest message, a sample of 255 words of 64 bits, has."""
 MOST_LINES = 128
 """Lines that a host looks at one by one in one turn of what runs it; the rest of a read waits for the next."""
+_SMALL = ord("a")
+_SAMPLE = ord("P")
 LARGEST_DATAGRAM = 1400
 """Bytes that are put together into one datagram, its header among them: what passes an Ethernet in one piece."""
+
+
+def in_session(letter: int) -> bool:
+    """Return whether what a gateway sends with a first letter belongs to its session, if there is one."""
+    return letter >= _SMALL or letter == _SAMPLE
 
 
 class FrameError(ValueError):
@@ -40,7 +48,11 @@ class CheckError(FrameError):
 
 
 class OtherNodeError(FrameError):
-    """A sound frame of another node on a shared medium."""
+    """A frame of another node on a shared medium."""
+
+    def __str__(self) -> str:
+        """Return which frame it is."""
+        return f"from another node: {self.args[0][:80]!r}"
 
 
 class Framing:
@@ -54,16 +66,17 @@ class Framing:
     def __init__(self, crc: Crc, node: int | None = None) -> None:
         self.crc = crc
         self.prefix = b"" if node is None else b"Z%02X" % node
+        self.begun: int = crc.of(self.prefix)
+        """The CRC of the prefix, with which that of a body begins; the seed of a session is xored into it."""
         self.ending = crc.text_before(LF)
-        """Returns what stands behind a body and its prefix: their CRC and LF."""
+        """Returns what stands behind a body, given the value with which its CRC begins: the CRC and LF."""
         self.ending_size = crc.digits + len(LF)
         self.overhead = len(self.prefix) + self.ending_size
         """Characters of a checked frame beyond its body."""
 
-    def checked(self, body: bytes) -> bytes:
-        """Return the checked frame of `body`."""
-        covered = self.prefix + body
-        return covered + self.ending(covered)
+    def checked(self, body: bytes, seed: int = 0) -> bytes:
+        """Return the checked frame of `body`, with the seed of a session if it is a frame of one."""
+        return self.prefix + body + self.ending(body, self.begun ^ seed)
 
     def plain_request(self, body: bytes) -> bytes:
         """Return the plain frame of `body` as a host sends it."""
@@ -73,28 +86,29 @@ class Framing:
         """Return the plain frame of `body` as a gateway sends it."""
         return self.prefix + body + CR + LF
 
-    def open(self, line: bytes) -> bytes:
+    def open(self, line: bytes, seed: int = 0) -> bytes:
         """Return the body of a frame that a gateway sent.
 
         Args:
             line: what came before the LF.
+            seed: of the session under way and what its gateway sends, 0 without one.
 
         Raises:
-            OtherNodeError: where the frame is another node's.
+            OtherNodeError: where the frame is another node's; its check has a session that is not known here.
             CheckError: where the check fails.
         """
-        if line and line[-1] == _CR_BYTE:
-            covered = line[:-1]
-        else:
-            digits = self.crc.digits
-            covered = line[:-digits]
-            if self.crc.text(covered) != line[-digits:]:
-                raise CheckError(line)
         if self.prefix:
-            if not covered.startswith(self.prefix):
-                raise OtherNodeError(f"not from node {self.prefix[1:].decode()}: {line[:80]!r}")
-            return covered[len(self.prefix) :]
-        return covered
+            if not line.startswith(self.prefix):
+                raise (OtherNodeError if line[:1] == b"Z" else CheckError)(line)
+            line = line[len(self.prefix) :]
+        if line and line[-1] == _CR_BYTE:
+            return line[:-1]
+        digits = self.crc.digits
+        body = line[:-digits]
+        begun = self.begun ^ seed if body and in_session(body[0]) else self.begun
+        if self.crc.text(body, begun) != line[-digits:]:
+            raise CheckError(line)
+        return body
 
 
 def datagrams(data: bytes, room: int = LARGEST_DATAGRAM) -> list[bytes]:

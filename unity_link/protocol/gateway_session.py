@@ -9,11 +9,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from unity_link.protocol.messages import COMMANDS, Codec, DecodedRequest, ErrorCode, Repetition, RequestError
+from unity_link.protocol.crc import NO_SESSION, seed_of
+from unity_link.protocol.messages import COMMANDS, LOOKING, Codec, DecodedRequest, ErrorCode, Repetition, RequestError
 from unity_link.protocol.reception import Reception, Sequence, SequencePlace
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence as Words
     from typing import Final
+
+MOST_KEPT_WORDS = 256
+"""Words of destructive reads that are kept; those of a request begin at its ID modulo this."""
 
 
 class Answer(NamedTuple):
@@ -39,23 +44,65 @@ class GatewaySession:
 
     def __init__(self, codec: Codec) -> None:
         self.sequence = Sequence(codec.ring)
+        self.number = NO_SESSION
+        """Number of the session under way."""
+        self.seeds = (0, 0)
+        """Its seeds, of what the host sends and of what the gateway sends."""
+        self.ended = NO_SESSION
+        """Number of the session that the last `K` has ended."""
+        self.for_program = False
+        """True in a session that a checked `K` began, which shuts out what is not in its order."""
+        self.failed = 0
+        """Number of stateless writes of the session that failed, modulo the ring."""
+        self.kept = [0] * MOST_KEPT_WORDS
+        """Words of destructive reads, which as in the gateware neither a reset nor a session changes."""
         self.awaited: bytearray
         """Flags by ID: 1 if its request is under way. A gateway that answers at once has none."""
         self._codec = codec
-        self._reception = Reception(codec)
-        self.most_kept = self._reception.longest + len(codec.framing.prefix) + 1
+        self.reception = Reception(codec)
+        self.most_kept = self.reception.longest + len(codec.framing.prefix) + 1
         """Characters of an endless line by which it is known to be too long."""
         self.reset()
 
     @property
     def begun(self) -> bool:
         """Return whether there is a session: a `K` has come since the reset."""
-        return self.sequence.expected >= 0
+        return self.number != NO_SESSION
 
     def reset(self) -> None:
         """End the session: nothing with an ID is executed until the next `K`."""
         self.sequence.reset()
+        self._begin(NO_SESSION, for_program=False)
+
+    def begin(self, number: int, first: int, *, for_program: bool = True) -> None:
+        """Begin a session.
+
+        Args:
+            number: of the session.
+            first: the next ID expected.
+            for_program: whether what is not in its order is shut out.
+        """
+        self.sequence.start(first)
+        self._begin(number, for_program=for_program)
+
+    def _begin(self, number: int, *, for_program: bool) -> None:
+        self.ended, self.number, self.for_program = self.number, number, for_program
+        self.seeds = seed_of(number, from_gateway=False), seed_of(number, from_gateway=True)
+        self.failed = 0
         self._forget_awaited()
+
+    def fail(self, request: DecodedRequest, code: ErrorCode) -> None:
+        """Note that a request ended in error 04, 05 or 06, if it is one of the session."""
+        if request.id is not None and not request.repeated:
+            self.sequence.fail(request.id, code)
+            self.failed += request.command == "WS"
+            self.failed &= self.sequence.mask
+
+    def keep(self, request: DecodedRequest, words: Words[int]) -> None:
+        """Keep what a destructive read gave, if it is one of the session."""
+        if request.id is not None:
+            for place, word in enumerate(words, request.id):
+                self.kept[place % MOST_KEPT_WORDS] = word
 
     def take(
         self, line: bytes, *, plain: bool, prefix: bytes = b"", bytes_lost: bool = False
@@ -72,12 +119,15 @@ class GatewaySession:
             The request that is to be executed, or the answer where none is. With a `K` the session has begun.
         """
         try:
-            request = self._reception.read(line, plain=plain, prefix=prefix, bytes_lost=bytes_lost)
+            request = self.reception.read(
+                line, plain=plain, prefix=prefix, session=self.number, bytes_lost=bytes_lost
+            )
         except RequestError as refusal:
             return Answer(self._codec.error(refusal.code))
-        if request.command == "K":
-            self.sequence.start(request.values[0])
-            self._forget_awaited()
+        if self.for_program and (plain if request.id is not None else request.command not in LOOKING):
+            return Answer(self._codec.error(ErrorCode.SESSION_UNDER_WAY, request.id))
+        if request.command == "K" and request.values:
+            return self._open(request, for_program=not plain)
         if request.id is None:
             return request
         place = self.sequence.place(request.id)
@@ -86,20 +136,43 @@ class GatewaySession:
         if place is SequencePlace.REPETITION:
             return self._repeat(request, request.id)
         if place is SequencePlace.NO_SESSION:
-            return Answer(self._codec.error(ErrorCode.NO_SESSION, request.id))
+            return Answer(self._codec.no_session(request.id, request.residue))
         told = place is SequencePlace.AHEAD
         return SILENCE if told else Answer(self._codec.out_of_sequence(self.sequence.expected))
+
+    def _open(self, request: DecodedRequest, *, for_program: bool) -> DecodedRequest | Answer:
+        """Begin the session that a `K` asks for, if it may be."""
+        first, number = request.values
+        if number == self.number:
+            return Answer(self._codec.error(ErrorCode.SESSION_UNDER_WAY))
+        if not 0 < number <= self._codec.info.last_session:
+            return Answer(self._codec.error(ErrorCode.OUT_OF_RANGE))
+        self.begin(number, first, for_program=for_program)
+        return request
 
     def _repeat(self, request: DecodedRequest, number: int) -> DecodedRequest | Answer:
         """Return what becomes of a request that was taken before."""
         if self.awaited[number]:
             return UNDER_WAY
+        fate = self.sequence.fate(number)
+        if fate:
+            return Answer(self._codec.error(ErrorCode(fate), number), number)
         repetition = COMMANDS[request.command].repetition
         if repetition is Repetition.READ_AGAIN:
-            return request
-        if repetition is Repetition.REFUSE:
-            return Answer(self._codec.error(ErrorCode.ALREADY_EXECUTED, number), number)
-        return SILENCE if repetition is Repetition.SILENCE else Answer(self._codec.response(request), number)
+            return request._replace(repeated=True)
+        if repetition is Repetition.SILENCE:
+            return SILENCE
+        return Answer(self._codec.response(request, self._once_more(request, number)), number)
+
+    def _once_more(self, request: DecodedRequest, number: int) -> int | list[int] | None:
+        """Return what the answer to a repetition has beside the ID."""
+        if request.command == "H":
+            return self.failed
+        if request.command == "WK":
+            return self.kept[number % MOST_KEPT_WORDS]
+        if request.command == "RQ":
+            return [self.kept[place % MOST_KEPT_WORDS] for place in range(number, number + request.values[1])]
+        return None
 
     def _forget_awaited(self) -> None:
         # A new one: what is under way belongs to the session before, and is noted in the old one.

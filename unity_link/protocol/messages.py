@@ -5,7 +5,8 @@ widths of one gateway; it encodes and decodes both directions, because the virtu
 the host.
 
 Field letters, as in the protocol: ``a`` address, ``d`` data word, ``m`` mask, ``n`` count, ``g`` group, ``f`` flags,
-``v`` divisor, ``s`` mode, ``i`` ID; ``D`` all words and ``A`` all addresses up to the end of the message.
+``v`` divisor, ``s`` mode, ``i`` ID, ``k`` session, ``c`` how many posted writes failed; ``D`` all words and ``A`` all
+addresses up to the end of the message.
 """
 
 from __future__ import annotations
@@ -32,7 +33,8 @@ class Repetition(enum.Enum):
     """Rule for the answer to a request that was executed before (docs/protocol.md, "Exactly once, in order")."""
 
     READ_AGAIN = enum.auto()
-    REFUSE = enum.auto()
+    KEPT = enum.auto()
+    """The words that it gave are kept, and given once more."""
     ACKNOWLEDGE = enum.auto()
     SILENCE = enum.auto()
 
@@ -54,11 +56,11 @@ class Command(NamedTuple):
 COMMANDS: dict[str, Command] = {
     "R": Command("a", "a", "d", Repetition.READ_AGAIN),
     "RM": Command("an", "an", "D", Repetition.READ_AGAIN),
-    "RQ": Command("an", "an", "D", Repetition.REFUSE, Feature.QUEUE_COMMANDS),
+    "RQ": Command("an", "an", "D", Repetition.KEPT, Feature.QUEUE_COMMANDS),
     "W": Command("ad", "a"),
     "WM": Command("aD", "an"),
     "WQ": Command("aD", "an", feature=Feature.QUEUE_COMMANDS),
-    "WK": Command("amd", "a", "d", Repetition.REFUSE, Feature.MASKED_WRITE),
+    "WK": Command("amd", "a", "d", Repetition.KEPT, Feature.MASKED_WRITE),
     "WS": Command("ad", repetition=Repetition.SILENCE),
     "GS": Command("gfvnA", "g", feature=Feature.GROUPS),
     "GN": Command("g", "g", feature=Feature.GROUPS),
@@ -67,13 +69,15 @@ COMMANDS: dict[str, Command] = {
     "I": Command("s", "s", feature=Feature.SEND_IMMEDIATE),
     "H": Command(""),
     "Q": Command(""),
-    "K": Command("i", "i"),
+    "K": Command("ik", "ik", "k"),
 }
 SAMPLE_HEAD = 5
 """Characters of the body of a sample before its timestamp and words: letter, group and sequence."""
 TIMESTAMP_DIGITS = 8
 """Hex digits of the time in a sample."""
 WITHOUT_ID = frozenset({"Q", "K"})
+LOOKING = frozenset({"R", "RM", "H", "Q", "K"})
+"""Commands that are taken without an ID in any session; `K` begins another one, or asks which is under way."""
 LISTS = {"D": "d", "A": "a"}
 
 
@@ -87,9 +91,9 @@ class ErrorCode(enum.IntEnum):
     BUS_TIMEOUT = 5
     OUT_OF_RANGE = 6
     TOO_LONG = 7
-    ALREADY_EXECUTED = 8
     RECEIVE_OVERFLOW = 9
     NO_SESSION = 10
+    SESSION_UNDER_WAY = 11
 
 
 class GroupFlag(enum.IntFlag):
@@ -112,19 +116,27 @@ class RequestError(ValueError):
 
 
 class DecodedRequest(NamedTuple):
-    """A decoded request: the command in upper case, its ID or None, its fields in order (a list's words in a list)."""
+    """A decoded request: the command in upper case, its ID or None, its fields in order (a list's words in a list).
+
+    A `K` without fields, which asks for the session under way, has no values.
+    """
 
     command: str
     id: int | None
     values: tuple[Any, ...]
+    residue: int = 0
+    """Xor of the check that it came with and of its own, begun with 0; 0 of a plain one."""
+    repeated: bool = False
+    """True of a read that is executed once more, the end of which is not kept."""
 
 
 class DecodedResponse(NamedTuple):
     """A decoded message of a gateway.
 
     `command` is in upper case: one of `COMMANDS`, ``X`` (error), ``N`` (out of sequence) or ``P`` (publish). `fields`
-    names what stands in it by the letters of this module; ``e`` is an error code, ``p`` a sequence number. The words of
-    a publish stand undivided, with the timestamp if there is one, in ``text``: only its group tells them apart.
+    names what stands in it by the letters of this module; ``e`` is an error code, ``p`` a sequence number, ``r`` the
+    residue behind error 0A, ``b`` the session that a `K` has ended. The words of a publish stand undivided, with the
+    timestamp if there is one, in ``text``: only its group tells them apart.
     """
 
     command: str
@@ -164,6 +176,8 @@ class Codec:
             "v": 4,
             "s": 2,
             "i": info.id_digits,
+            "c": info.id_digits,
+            "k": info.session_digits,
         }
         self.id_text, self.id_number = _id_tables(info.id_digits)
         self.lower = {name: name.lower().encode() for name in COMMANDS}
@@ -198,9 +212,13 @@ class Codec:
         pack = struct.Struct(">" + "".join(_PACKED[count] for count in digits)).pack
         return lambda address, word: hexlify(pack(address, word)).upper()
 
-    def request(self, command: str, number: int, fields: bytes) -> bytes:
-        """Return the checked frame of a request with an ID."""
-        return self.framing.checked(self.lower[command] + self.id_text[number] + fields)
+    def request(self, command: str, number: int, fields: bytes, seed: int = 0) -> bytes:
+        """Return the checked frame of a request with an ID, with the seed of its session."""
+        return self.framing.checked(self.lower[command] + self.id_text[number] + fields, seed)
+
+    def opening(self, number: int, session: int) -> bytes:
+        """Return the body of the request that begins a session: `number` is the first ID."""
+        return b"K%b%0*X" % (self.id_text[number], self.info.session_digits, session)
 
     # Requests, as a gateway reads them
 
@@ -236,6 +254,8 @@ class Codec:
             number, text = int(text[:digits], 16), text[digits:]
         elif short_data and command in ("W", "WS"):
             text = self._lengthen(text)
+        if command == "K" and not text:
+            return DecodedRequest("K", None, ())
         return DecodedRequest(command, number, self._split(self.commands[command].fields, text))
 
     def _lengthen(self, text: bytes) -> bytes:
@@ -273,15 +293,24 @@ class Codec:
     def response(self, request: DecodedRequest, reads: int | Sequence[int] | NDArray[Any] | None = None) -> bytes:
         """Return the body of a gateway's response: `reads` is the word or words read, if any."""
         row = COMMANDS[request.command]
+        if request.command == "K":
+            return self._session_response(request, reads)
         if request.id is not None:
             head = request.command.lower().encode() + self.id_text[request.id]
         else:
             head = request.command.encode() + self._echo(row, request.values)
         if reads is None:
             return head
+        if request.command == "H":
+            return head + self.id_text[reads] if request.id is not None else head
         if isinstance(reads, int):
             return head + b"%0*X" % (self.info.data_digits, reads)
         return head + hex_text(reads, self.info.data_digits)
+
+    def _session_response(self, request: DecodedRequest, session: Any) -> bytes:
+        """Return the answer to `K`, given the session that it has ended, or that is under way."""
+        echo = self._echo(COMMANDS["K"], request.values) if request.values else b""
+        return b"K%b%0*X" % (echo, self.info.session_digits, session)
 
     def _echo(self, row: Command, values: tuple[Any, ...]) -> bytes:
         by_letter = dict(zip(row.fields, values, strict=True))
@@ -292,6 +321,10 @@ class Codec:
     def error(self, code: ErrorCode, number: int | None = None) -> bytes:
         """Return the body of an error, with the ID of the request that it answers or without."""
         return b"X%02X" % code if number is None else b"x%b%02X" % (self.id_text[number], code)
+
+    def no_session(self, number: int, residue: int) -> bytes:
+        """Return the body of error 0A about a request with an ID, given what was left in its check."""
+        return b"%b%0*X" % (self.error(ErrorCode.NO_SESSION, number), self.framing.crc.digits, residue)
 
     def out_of_sequence(self, expected: int) -> bytes:
         """Return the body of the message that tells the next ID expected."""
@@ -322,6 +355,8 @@ class Codec:
                 raise ValueError(f"an ID of {self.info.id_digits} hex digits was expected in {body[:80]!r}")
         if command == "X" and len(text) == 2:
             return DecodedResponse("X", number, {"e": int(text, 16)})
+        if command == "X" and with_id and len(text) == 2 + self.framing.crc.digits:
+            return DecodedResponse("X", number, {"e": int(text[:2], 16), "r": int(text[2:], 16)})
         if command == "N" and with_id and not text:
             return DecodedResponse("N", number, {})
         if command == "Q" and not with_id:
@@ -330,9 +365,19 @@ class Codec:
         if row is None or row.repetition is Repetition.SILENCE or (with_id and command in WITHOUT_ID):
             raise ValueError(f"no message of a gateway: {body[:80]!r}")
         letters_expected = ("" if with_id else row.echo) + row.reads
+        if command == "H" and with_id:
+            letters_expected = "c"
+        if command == "K":
+            return self._decode_session(text)
         return DecodedResponse(
             command, number, dict(zip(letters_expected, self._split(letters_expected, text), strict=True))
         )
+
+    def _decode_session(self, text: bytes) -> DecodedResponse:
+        if len(text) == self.info.session_digits:
+            return DecodedResponse("K", None, {"k": int(text, 16)})
+        number, session, ended = self._split("ikk", text)
+        return DecodedResponse("K", None, {"i": number, "k": session, "b": ended})
 
     def _layout(self, letters: str) -> tuple[bytes, int]:
         """Return the %-format of a request's fields, and the digits of the items of the list at its end, if any."""

@@ -7,14 +7,17 @@
 from __future__ import annotations
 
 import enum
+import re
 from typing import TYPE_CHECKING
 
 from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.crc import NO_SESSION, seed_of
 from unity_link.protocol.messages import DecodedRequest, ErrorCode, GroupFlag, RequestError
 
 if TYPE_CHECKING:
     from unity_link.protocol.messages import Codec
 
+_HEX = re.compile(rb"[0-9A-Fa-f]*")
 _NEEDED_FEATURES = {
     GroupFlag.TRIGGER: Feature.EXTERNAL_TRIGGERS,
     GroupFlag.IMMEDIATE: Feature.SEND_IMMEDIATE,
@@ -38,13 +41,17 @@ class Reception:
         self._codec = codec
         self._crc = codec.framing.crc
 
-    def read(self, line: bytes, *, plain: bool, prefix: bytes = b"", bytes_lost: bool = False) -> DecodedRequest:
+    def read(
+        self, line: bytes, *, plain: bool, prefix: bytes = b"", session: int = NO_SESSION, bytes_lost: bool = False
+    ) -> DecodedRequest:
         """Check overflow, length, CRC, command and form, in this order.
 
         Args:
             line: what stood before the line end, without the prefix of an addressed frame.
             plain: whether the line ended in CR, and so has no CRC.
             prefix: of an addressed frame, which its CRC covers.
+            session: the session under way, which is in the check of a frame with an ID; without one such a check is
+                not compared.
             bytes_lost: whether bytes of the line were lost before they could be looked at.
 
         Raises:
@@ -57,14 +64,32 @@ class Reception:
         if plain:
             return self._codec.decode_plain_request(line)
         body, check = line[: -self._crc.digits], line[-self._crc.digits :]
-        if self._crc.text(prefix + body) != check.upper():
+        if len(check) != self._crc.digits or not _HEX.fullmatch(check):
             raise RequestError(ErrorCode.CRC)
-        return self._codec.decode_request(body)
+        has_id = body[:1].islower()
+        begun = self._crc.of(prefix) ^ (seed_of(session, from_gateway=False) if has_id else 0)
+        residue = self._crc.of(body, begun) ^ int(check, 16)
+        if residue and not (has_id and session == NO_SESSION):
+            raise RequestError(ErrorCode.CRC)
+        return self._codec.decode_request(body)._replace(residue=residue)
 
 
-def group_fits(info: GatewayInfo, number: int, flags: int, divisor: int, addresses: list[int]) -> bool:
-    """Return whether a gateway takes the settings of a group; otherwise it answers error 06."""
+def group_fits(
+    info: GatewayInfo, number: int, flags: int, divisor: int, addresses: list[int], *, for_program: bool
+) -> bool:
+    """Return whether a gateway takes the settings of a group; otherwise it answers error 06.
+
+    Args:
+        info: the configuration of the gateway.
+        number: of the group.
+        flags: of the group.
+        divisor: of the base frequency.
+        addresses: of the words.
+        for_program: whether the session is a program's, in which samples are checked frames.
+    """
     known = int(_ALWAYS_KNOWN)
+    if for_program:
+        known &= ~int(GroupFlag.PLAIN)
     for flag, feature in _NEEDED_FEATURES.items():
         if feature in info.features:
             known |= int(flag)
@@ -95,17 +120,22 @@ class SequencePlace(enum.Enum):
 
 
 class Sequence:
-    """The one number that a gateway keeps: the next ID expected, -1 before the first session since reset.
+    """The next ID expected, -1 without a session, and how the requests before it ended.
 
     Args:
         ring: number of IDs.
     """
 
-    __slots__ = ("_half", "expected", "gap_told", "mask")
+    __slots__ = ("_half", "expected", "fates", "gap_told", "mask")
 
     def __init__(self, ring: int) -> None:
         self.mask = ring - 1
         self._half = ring // 2
+        self.fates = bytearray(self._half)
+        """Error with which the last request of each ID, modulo half the ring, ended; 0 if it ended well.
+
+        As in the gateware neither a reset nor a session changes them: a host asks for none that it did not cause.
+        """
         self.reset()
 
     def reset(self) -> None:
@@ -120,9 +150,19 @@ class Sequence:
         self.gap_told = False
 
     def advance(self, count: int = 1) -> None:
-        """Count requests that were the expected ones."""
+        """Count requests that were the expected ones, and ended well if nothing else is noted."""
+        for number in range(self.expected, self.expected + count):
+            self.fates[number % self._half] = 0
         self.expected = self.expected + count & self.mask
         self.gap_told = False
+
+    def fate(self, number: int) -> int:
+        """Return the error with which a request ended that was executed, 0 if it ended well."""
+        return self.fates[number % self._half]
+
+    def fail(self, number: int, code: ErrorCode) -> None:
+        """Note that a request ended in an error."""
+        self.fates[number % self._half] = code
 
     def place(self, number: int) -> SequencePlace:
         """Return where a request stands, and count it if it is the next."""

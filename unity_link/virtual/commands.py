@@ -6,7 +6,7 @@ Each method checks the ranges (error 06), accesses the bus (04, 05), and returns
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, TypeAlias
 
 from unity_link.protocol.messages import ErrorCode
 from unity_link.protocol.reception import group_fits
@@ -43,6 +43,8 @@ class CommandSet:
         self._groups = groups
         self._last_address = (1 << info.address_bits) - 1
         self._last_word = (1 << info.data_bits) - 1
+        self.for_program = False
+        """True in a session that a program began, in which samples are checked frames."""
         self.send_immediate = ADAPTIVE
         """Send-immediate mode of responses; it changes nothing here, as nothing here waits for a full packet."""
         self.run: dict[str, Callable[..., Reads]] = {
@@ -59,13 +61,12 @@ class CommandSet:
             "GX": self._stop_group,
             "GP": self._publish_group,
             "I": self._set_send_immediate,
-            "H": self._nothing,
-            "K": self._start_session,
         }
         """Functions of time and fields by command; return what was read, raise `FieldRangeError` or `AccessError`."""
 
     def reset(self) -> None:
         """Go back to the state after power-up, as far as it is kept here."""
+        self.for_program = False
         self.send_immediate = ADAPTIVE
 
     def _check(self, address: int, *words: int) -> None:
@@ -118,7 +119,7 @@ class CommandSet:
         return old
 
     def _set_group(self, _: float, number: int, flags: int, divisor: int, _count: int, addresses: list[int]) -> Reads:
-        if not group_fits(self._info, number, flags, divisor, addresses):
+        if not group_fits(self._info, number, flags, divisor, addresses, for_program=self.for_program):
             raise FieldRangeError
         self._groups.set(number, flags, divisor, addresses)
         return None
@@ -144,10 +145,9 @@ class CommandSet:
         self.send_immediate = mode
         return None
 
-    def _nothing(self, *_: Any) -> Reads:
-        return None
-
-    def _start_session(self, *_: Any) -> Reads:
+    def start_session(self, *, for_program: bool) -> None:
+        """Stop all groups, forget their samples that wait, and go back to the adaptive mode."""
         self._groups.stop_all()
-        self.reset()
-        return None
+        self._groups.ring.clear()
+        self.send_immediate = ADAPTIVE
+        self.for_program = for_program

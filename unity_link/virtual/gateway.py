@@ -24,8 +24,9 @@ import msgspec
 
 from unity_link.errors import ArgumentError
 from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.frames import in_session
 from unity_link.protocol.gateway_session import Answer, GatewaySession
-from unity_link.protocol.messages import Codec, ErrorCode
+from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode, Repetition, RequestError
 from unity_link.virtual.bus import AccessError, Device, ModelBus
 from unity_link.virtual.commands import CommandSet, FieldRangeError
 from unity_link.virtual.groups import PublishGroups
@@ -42,7 +43,7 @@ _ENDS = re.compile(rb"([\r\n])")
 _BROADCAST = 0xFF
 _PREFIX_SIZE = 3
 _LOWER_R, _LOWER_W = b"rw"
-_BEHIND_SAMPLES = frozenset({"GS", "GN", "GX", "GP", "K"})
+_BEHIND_SAMPLES = frozenset({"GS", "GN", "GX", "GP"})
 """Commands whose answer is behind every sample that was taken before it."""
 _DEFAULT_INFO = GatewayInfo()
 
@@ -141,9 +142,15 @@ class VirtualGateway(BareGateway):
         """The next ID expected, -1 before the first session since reset."""
         return self._sequence.expected
 
-    @expected.setter
-    def expected(self, number: int) -> None:
-        self._sequence.start(number)
+    @property
+    def session(self) -> int:
+        """Number of the session under way, 0 for none."""
+        return self._session.number
+
+    def begin(self, session: int, first: int) -> None:
+        """Begin a program's session, as a checked `K` does."""
+        self._session.begin(session, first)
+        self._commands.start_session(for_program=True)
 
     # What is behind the bus
 
@@ -266,7 +273,9 @@ class VirtualGateway(BareGateway):
         return self.groups.ring.take()
 
     def _frame(self, body: bytes, plain: bool) -> bytes:  # noqa: FBT001  (the form of a frame, everywhere)
-        return self._framing.plain_reply(body) if plain else self._framing.checked(body)
+        if plain:
+            return self._framing.plain_reply(body)
+        return self._framing.checked(body, self._session.seeds[1] if in_session(body[0]) else 0)
 
     def _answer(self, line: bytes, now: float, *, plain: bool) -> bytes:
         """Return the reply to what stood before an end, behind the samples that come before it."""
@@ -280,9 +289,12 @@ class VirtualGateway(BareGateway):
             muted = number == _BROADCAST
         if not line and not bytes_lost:
             return b""
+        if muted:
+            self._for_all(prefix, line, now, plain=plain, bytes_lost=bytes_lost)
+            return self.groups.ring.take()
         body = self._body(prefix, line, now, plain=plain, bytes_lost=bytes_lost)
         samples = self.groups.ring.take()
-        if not body or muted:
+        if not body:
             return samples
         return samples + self._frame(body, plain)
 
@@ -291,19 +303,41 @@ class VirtualGateway(BareGateway):
         taken = self._session.take(line, plain=plain, prefix=prefix, bytes_lost=bytes_lost)
         return taken.body if isinstance(taken, Answer) else self._execute(taken, now)
 
+    def _for_all(self, prefix: bytes, line: bytes, now: float, *, plain: bool, bytes_lost: bool) -> None:
+        """Execute what is for all nodes, of which none answers: a stateless write alone."""
+        try:
+            request = self._session.reception.read(line, plain=plain, prefix=prefix, bytes_lost=bytes_lost)
+        except RequestError:
+            return
+        if request.command == "WS" and request.id is None and not (plain and self._session.for_program):
+            self._execute(request, now)
+
     def _execute(self, request: DecodedRequest, now: float) -> bytes:
         command = request.command
         if command == "Q":
             return b"Q" + self.info.to_hex()
+        if command == "H":
+            return self._codec.response(request, self._session.failed)
+        if command == "K":
+            return self._start_or_tell_session(request)
         try:
             reads = self._commands.run[command](now, *request.values)
         except (FieldRangeError, AccessError) as fault:
+            self._session.fail(request, fault.code)
             body = self._codec.error(fault.code, request.id)
         else:
             body = b"" if command == "WS" else self._codec.response(request, reads)
+            if COMMANDS[command].repetition is Repetition.KEPT:
+                self._session.keep(request, [reads] if isinstance(reads, int) else reads or ())
         if command in _BEHIND_SAMPLES:
             self.groups.ring.send_all()
         return body
+
+    def _start_or_tell_session(self, request: DecodedRequest) -> bytes:
+        if not request.values:
+            return self._codec.response(request, self._session.number)
+        self._commands.start_session(for_program=self._session.for_program)
+        return self._codec.response(request, self._session.ended)
 
     # The short way for single words
 
@@ -325,8 +359,10 @@ class VirtualGateway(BareGateway):
 
     def _quick_way(self, line: bytes, head: int, answer: Callable[[int], bytes | None]) -> bytes | None:
         """Answer what may be a request of `head` letters, or give up: `answer` takes its fields as one number."""
+        if self._sequence.expected < 0:
+            return None
         digits = self._crc_digits
-        check = self._crc_text(line[:-digits])
+        check = self._crc_text(line[:-digits], self._session.seeds[0])
         if check != line[-digits:]:
             return None if check == line[-digits:].upper() else self._damage_reply
         # The second digit may be no X, for int() would take 0X for a prefix.
@@ -342,7 +378,7 @@ class VirtualGateway(BareGateway):
         """Answer `r` of plain memory in a session, ahead as well, or give up."""
         number, address = fields >> self._address_shift, fields & self._address_field
         sequence = self._sequence
-        if sequence.expected < 0 or address > self._last_address or address in self.bus.devices:
+        if address > self._last_address or address in self.bus.devices:
             return None
         ahead = number - sequence.expected & sequence.mask
         if not ahead:
@@ -350,8 +386,10 @@ class VirtualGateway(BareGateway):
         elif ahead <= sequence.mask >> 1:
             told, sequence.gap_told = sequence.gap_told, True
             return b"" if told else self._frame(self._codec.out_of_sequence(sequence.expected), plain=False)
+        elif sequence.fate(number):
+            return None
         body = self._word_form % (self._codec.id_text[number], self.bus.memory[address])
-        return b"%b%b\n" % (body, self._crc_text(body))
+        return b"%b%b\n" % (body, self._crc_text(body, self._session.seeds[1]))
 
     def _quick_write(self, fields: int) -> bytes | None:
         """Answer `w` to plain memory with the expected ID, or give up."""
@@ -359,7 +397,7 @@ class VirtualGateway(BareGateway):
         if self._quick_post(fields) is None:
             return None
         body = b"w" + self._codec.id_text[number]
-        return b"%b%b\n" % (body, self._crc_text(body))
+        return b"%b%b\n" % (body, self._crc_text(body, self._session.seeds[1]))
 
     def _quick_post(self, fields: int) -> bytes | None:
         """Do the same for `ws`, which has no answer."""

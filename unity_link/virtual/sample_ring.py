@@ -33,11 +33,15 @@ class SampleRing:
         self.reset()
 
     def reset(self) -> None:
+        """Go back to the state after power-up."""
+        self.clear()
+        self._left.clear()
+        self._room = math.inf
+
+    def clear(self) -> None:
         """Forget what waits."""
         self.waiting.clear()
-        self._left.clear()
         self._free = self._depth
-        self._room = math.inf
 
     @staticmethod
     def words_of(addresses: int, *, stamped: bool) -> int:
