@@ -17,6 +17,7 @@ import msgspec
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.crc import seed_of
 from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
@@ -66,6 +67,8 @@ class Script:
         self.info = self.gateway.info
         self.codec = Codec(self.info, node)
         self.node = node
+        self.sessions = 0
+        """Number of the last session begun."""
         self.records: list[dict[str, Any]] = []
 
     def header(self) -> dict[str, Any]:
@@ -93,7 +96,17 @@ class Script:
     def checked(self, about: str, *bodies: bytes) -> None:
         """Send bodies in checked frames, one after the other."""
         for body in bodies:
-            self.send(about, self.codec.framing.checked(body))
+            self.send(about, self.frame(body))
+
+    def frame(self, body: bytes) -> bytes:
+        """Return a checked frame, of the session under way where it has an ID."""
+        seed = seed_of(self.gateway.session, from_gateway=False) if body[:1].islower() else 0
+        return self.codec.framing.checked(body, seed)
+
+    def begin(self, first: int, *, program: bool = False, about: str = "session") -> None:
+        """Begin another session, of a person unless a program is said."""
+        self.sessions = self.sessions * 5 % self.info.last_session + 1
+        (self.checked if program else self.plain)(about, self.codec.opening(first % self.codec.ring, self.sessions))
 
     def plain(self, about: str, *bodies: bytes) -> None:
         """Send bodies in plain frames, one after the other."""
@@ -153,8 +166,10 @@ def no_session(script: Script) -> None:
     digits = script.codec.id_text[0]
     script.both("malformed, and no session", b"r" + digits, b"h" + digits[1:], b"ws" + digits + b"0")
     script.both("unknown, and no session", b"q" + digits, b"k" + digits, b"g" + digits, b"Rm" + digits)
-    frame = script.codec.framing.checked(script.body("H", number=0))
-    script.send("a wrong CRC, and no session", frame[:-2] + (b"0" if frame[-2:-1] != b"0" else b"1") + b"\n")
+    frame = script.frame(script.body("H", number=0))
+    script.send("a check of a session that is over", frame[:-2] + (b"0" if frame[-2:-1] != b"0" else b"1") + b"\n")
+    script.send("a check that is not hexadecimal", frame[:-2] + b"G\n")
+    script.both("which session is under way? none", b"K")
     script.both("without ID", script.body("R", 0x0A), script.body("H"))
 
 
@@ -202,7 +217,7 @@ def forms(script: Script) -> None:
     script.both("unknown command", b"Z", b"G", b"GG00", b"RR0A", b"0A", b"HH", b"N00", b"X01", b"P0000", b"RMM0A01")
     script.both("mixed case", b"Rm0A01", b"rM000A01", b"wM", b"Hh")
     digits = script.codec.id_text[0]
-    script.both("lower case without the right", b"q", b"k" + digits, b"q" + digits)
+    script.both("lower case without the right", b"q", b"k" + digits, b"q" + digits, b"k")
     script.both("numbers that are not hex", b"R0_", b"R 0", b"R+1", b"R0x", b"H\xff", b"r000G")
     for command, values in examples(script.info).items():
         body = script.body(command, *values)
@@ -217,7 +232,7 @@ def forms(script: Script) -> None:
     numbered = script.codec.id_text[0] + address + b"5"
     script.both("short data behind an ID", b"w" + numbered, b"ws" + numbered)
     script.both("short data in a block", b"WM" + address + b"5")
-    script.both("session number of a wrong width", b"K", b"K" + digits[1:], b"K" + digits + b"0")
+    script.both("first ID and session of a wrong width", b"K" + digits, b"K" + digits[1:], b"K" + digits + b"0")
     script.both("addresses that are not as many as said", script.body("GS", 1, 0, 1, 3, [1, 2]))
     most = b"0" * script.info.data_digits
     if script.info.block_words == 255:
@@ -277,7 +292,7 @@ def bus(script: Script) -> None:
         script.body("R", 0),
     )
     for number, place in enumerate((BUS_ERROR_AT, BUS_TIMEOUT_AT)):
-        script.checked("session", script.body("K", 16 * number))
+        script.begin(16 * number)
         requests: list[tuple[Any, ...]] = [
             ("R", place),
             ("W", place, 1),
@@ -302,7 +317,7 @@ def bus(script: Script) -> None:
 def sequence(script: Script) -> None:
     """Repeat, skip, wrap around."""
     ring = script.codec.ring
-    script.checked("session", script.body("K", ring - 3))
+    script.begin(ring - 3)
     number = ring - 3
     for command, values in examples(script.info).items():
         if command not in script.codec.commands:
@@ -315,7 +330,7 @@ def sequence(script: Script) -> None:
     script.checked("the far half of the ring is behind", script.body("W", 1, 5, number=number + ring // 2))
     script.checked("a range error in sequence ends the gap", script.body("RM", 1, 0, number=number))
     script.checked("a gap again", script.body("R", 1, number=number + 2))
-    script.checked("a session ends the gap", script.body("K", number))
+    script.begin(number, about="a session ends the gap")
     script.checked("so it is told again", script.body("R", 1, number=number + 1))
     script.checked(
         "nothing malformed counts", b"r" + script.codec.id_text[number % ring], script.body("R", 1, number=number)
@@ -331,7 +346,8 @@ def groups(script: Script) -> None:
     script.checked("words to publish", script.body("W", 0x0A, 0x12), script.body("W", 0x0B, 0x34))
     script.checked("a group", script.body("GS", 0, 0, 1, 3, [0x0B, 0x0A, 0x0B]))
     script.both("published on request", script.body("GP", 0), script.body("GP", 0))
-    script.checked("a session keeps settings and sequence", script.body("K", 0), script.body("GP", 0))
+    script.begin(0, about="a session keeps settings and sequence")
+    script.checked("and its samples have it", script.body("GP", 0))
     script.checked("as starting and stopping does", script.body("GN", 0), script.body("GX", 0), script.body("GP", 0))
     script.checked("setting starts anew", script.body("GS", 0, 0x20, 1, 1, [0x0A]), script.body("GP", 0))
     script.checked("a refused setting changes nothing", script.body("GS", 0, 0, 0, 1, [0x0B]), script.body("GP", 0))
@@ -344,9 +360,8 @@ def groups(script: Script) -> None:
     script.checked(
         "a sample that fails counts", script.body("GS", 1, 0, 1, 2, [0x0A, BUS_ERROR_AT]), script.body("GP", 1)
     )
-    script.checked(
-        "with an ID, once", script.body("K", 0), script.body("GP", 0, number=0), script.body("GP", 0, number=0)
-    )
+    script.begin(0)
+    script.checked("with an ID, once", script.body("GP", 0, number=0), script.body("GP", 0, number=0))
     script.send("the sequence of a group wraps", script.codec.framing.checked(script.body("GP", 0)) * 256)
 
 
@@ -360,25 +375,110 @@ def nodes(script: Script) -> None:
         script.send("not for this node", covered + crc.text(covered) + b"\n" + covered + b"\r")
         script.send("not for this node and wrong", covered + b"\n")
     script.send("nothing behind the prefix", b"Z1A\nZ1A\r")
-    for body in (b"W0C00000077", b"R0C", b"R0", b"Q"):
+    for body in (b"WS0C00000077", b"W0C00000078", b"R0C", b"R0", b"Q", b"K0011234", b"ws0000C00000079"):
         covered = b"ZFF" + body
         script.send("for all nodes", covered + crc.text(covered) + b"\n" + covered + b"\r")
-    script.checked("was executed", b"R0C")
+    script.checked("one of them was executed", b"R0C", b"K")
     lower = b"Z1a" + b"R0C"
     script.send("the number in lower case", lower + crc.text(lower) + b"\n")
+
+
+def programs(script: Script) -> None:
+    """Send what a program's session shuts out, and frames of another session."""
+    codec = script.codec
+    script.begin(0, program=True)
+    for command, values in examples(script.info).items():
+        script.both(f"{command} without ID in a program's session", script.body(command, *values))
+        script.plain(f"{command} with ID, plain, in a program's session", script.body(command, *values, number=0))
+    script.both("what looks", script.body("Q"), b"K", script.body("H"), script.body("R", BUS_ERROR_AT))
+    number = 0
+    for command, values in examples(script.info).items():
+        script.checked(f"{command} of the session", script.body(command, *values, number=number))
+        number += command in codec.commands
+    read = script.body("R", 0x0A, number=number)
+    for session in (0, script.sessions + 1):
+        seed = seed_of(session, from_gateway=False)
+        script.send("of another session", codec.framing.checked(read, seed))
+    script.send("an echo", codec.framing.checked(read, seed_of(script.sessions, from_gateway=True)))
+    script.both("the session under way again", codec.opening(0, script.sessions))
+    last = script.info.last_session
+    script.both("a session out of range", codec.opening(0, 0), codec.opening(0, last + 1), codec.opening(0, 2 * last + 1))
+    if Feature.GROUPS in script.info.features:
+        body = script.body("GS", 0, 0x20, 1, 1, [0x0A], number=number)
+        script.checked("plain samples", body, body)
+        number += 1
+    if script.node is not None:
+        covered = b"WS0C00000078"
+        everybody = b"ZFF" + covered
+        script.send("for all nodes, plain", everybody + b"\r")
+        script.checked("was not executed", b"R0C")
+        script.send("for all nodes", everybody + codec.framing.crc.text(everybody) + b"\n")
+        script.checked("was executed", b"R0C")
+    script.checked("still in sequence", script.body("H", number=number))
+    script.both("which session is under way?", b"K")
+    script.begin(7, program=True, about="a session that ends another")
+    script.begin(8, about="a person's, in which all is taken")
+    script.both("without ID", script.body("W", 0x0A, 1), script.body("R", 0x0A))
+
+
+def fates(script: Script) -> None:
+    """Repeat what failed, what took something, and ask how posted writes ended."""
+    script.begin(script.codec.ring - 2, program=True)
+    number = script.codec.ring - 2
+    failing: list[tuple[Any, ...]] = [
+        ("W", BUS_ERROR_AT, 1),
+        ("WM", BUS_TIMEOUT_AT - 1, [1, 2]),
+        ("R", BUS_TIMEOUT_AT),
+        ("RM", 0, 0),
+        ("WS", BUS_ERROR_AT, 1),
+        ("WS", 0x0B, 5),
+        ("WS", BUS_TIMEOUT_AT, 1),
+    ]
+    first = number
+    for command, *values in failing:
+        script.checked(f"{command}, perhaps failing", script.body(command, *values, number=number))
+        number += 1
+    script.checked("how many posted writes failed", script.body("H", number=number))
+    number += 1
+    for place, (command, *values) in enumerate(failing):
+        script.checked(f"{command} again", script.body(command, *values, number=first + place))
+        script.checked("how did it end?", script.body("H", number=first + place))
+    script.checked("how many failed, again", script.body("H", number=number - 1))
+    number = _destructive(script, number)
+    half = script.codec.ring // 2
+    if half <= 128:
+        for _ in range(half):
+            script.checked("until the fates come round", script.body("H", number=number))
+            number += 1
+        script.checked("the first that is kept", script.body("H", number=number - half))
+    script.begin(3, program=True)
+    script.checked("none of the posted writes of this session failed", script.body("H", number=3))
+
+
+def _destructive(script: Script, number: int) -> int:
+    """Have destructive reads repeated, and return the next ID."""
+    taken: list[tuple[Any, ...]] = [("WK", 0x0A, 0x5A, 0xFF), ("WK", 0x0A, 0xFF, 0), ("RQ", 0x0A, 3), ("WK", 0x0B, 1, 1)]
+    for command, *values in taken:
+        if command not in script.codec.commands:
+            continue
+        body = script.body(command, *values, number=number)
+        script.checked(f"{command}", body)
+        script.checked(f"{command} again, whose words are kept", body)
+        number += 1
+    return number
 
 
 def random_frames(script: Script) -> None:
     """Send a seeded mixture of requests, good and damaged, near the expected ID."""
     source = random.Random(script.info.data_bits)
     for _ in range(RANDOM_FRAMES):
-        command = source.choice([name for name in COMMANDS if name not in ("GN", "K")])
+        command = source.choice([name for name in COMMANDS if name not in {"GN", "K"}])
         number = script.gateway.expected + source.choice((0, 0, 0, 0, -1, 1, 2)) if source.random() < 0.8 else None
         if command == "Q":
             number = None
         body = script.body(command, *_random_values(script, command, source), number=number)
         frame = bytearray(
-            script.codec.framing.checked(body) if source.random() < 0.8 else script.codec.framing.plain_request(body)
+            script.frame(body) if source.random() < 0.8 else script.codec.framing.plain_request(body)
         )
         if source.random() < 0.15:
             frame[source.randrange(len(frame))] ^= 1 << source.randrange(7)
@@ -410,8 +510,12 @@ def generate(name: str) -> str:
     script = Script(info, node)
     no_session(script)
     for part in (every_command, frames, forms, ranges, bus, sequence, groups, nodes, random_frames):
-        script.checked("session", script.body("K", 0))
+        script.begin(0)
         part(script)
+    for part in (programs, fates):
+        part(script)
+    script.begin(0, program=True)
+    random_frames(script)
     return "".join(json.dumps(record) + "\n" for record in [script.header(), *script.records])
 
 

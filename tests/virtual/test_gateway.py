@@ -16,21 +16,30 @@ import unity_link
 from support.simulated_time import on_simulated_time
 from unity_link.errors import ArgumentError, BusError, UnsupportedError
 from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.messages import Codec, ErrorCode
+from unity_link.protocol.crc import seed_of
+from unity_link.protocol.messages import LOOKING, Codec, ErrorCode
 from unity_link.virtual import AccessError, VirtualGateway
 from unity_link.virtual.faults import Failing
 
 CODEC = Codec(GatewayInfo())
 RING = CODEC.ring
+SESSION = 0x1234
 
 
-def frame(command: str, number: int, *fields: Any) -> bytes:
-    return CODEC.request(command, number % RING, CODEC.fields(command, *fields))
+def frame(command: str, number: int, *fields: Any, session: int = SESSION) -> bytes:
+    seed = seed_of(session, from_gateway=False)
+    return CODEC.request(command, number % RING, CODEC.fields(command, *fields), seed)
 
 
-def in_session(gateway: VirtualGateway, first: int = 0) -> VirtualGateway:
-    """Begin a session with a gateway."""
-    assert gateway.receive(b"K%b\r" % CODEC.id_text[first], 0.0).startswith(b"K")
+def reply(body: bytes, session: int = SESSION) -> bytes:
+    """Return a checked frame of a gateway in a session."""
+    return CODEC.framing.checked(body, seed_of(session, from_gateway=True))
+
+
+def in_session(gateway: VirtualGateway, first: int = 0, session: int = SESSION) -> VirtualGateway:
+    """Begin a program's session with a gateway."""
+    answer = gateway.receive(CODEC.framing.checked(CODEC.opening(first, session)), 0.0)
+    assert answer.startswith(CODEC.opening(first, session))
     return gateway
 
 
@@ -64,15 +73,15 @@ def test_writes_are_executed_once_each_and_in_order(steps: list[tuple[str, int]]
             value += 1
             word: Any = [value] if kind == "wq" else value
             answer = gateway.receive(frame(kind.upper(), expected, 0x10, word), 0.0)
-            assert answer == (b"" if kind == "ws" else CODEC.framing.checked(b"%b%03X" % (kind.encode(), expected)))
+            assert answer == (b"" if kind == "ws" else reply(b"%b%03X" % (kind.encode(), expected)))
             expected, told = (expected + 1) % RING, False
         elif kind == "ahead":
             answer = gateway.receive(frame("W", expected + distance, 0x10, 0xBAD), 0.0)
-            assert answer == (b"" if told else CODEC.framing.checked(b"n%03X" % expected))
+            assert answer == (b"" if told else reply(b"n%03X" % expected))
             told = True
         else:
             number = (expected - (1 if kind == "again" else distance)) % RING
-            assert gateway.receive(frame("W", number, 0x10, 0xBAD), 0.0) == CODEC.framing.checked(b"w%03X" % number)
+            assert gateway.receive(frame("W", number, 0x10, 0xBAD), 0.0) == reply(b"w%03X" % number)
     assert device.writes == list(range(1, value + 1))
 
 
@@ -110,38 +119,116 @@ def test_the_short_way_of_single_words_answers_as_the_long_way(requests: list[tu
             slow.reset()
             continue
         if command == "K":
-            data = codec.framing.checked(b"K" + codec.id_text[number])
+            form = codec.framing.plain_request if word & 1 else codec.framing.checked
+            data = form(codec.opening(number, word))
         else:
             values = {"R": (address,), "W": (address, word), "WS": (address, word), "H": ()}[command]
-            data = spelling(codec.request(command, number, codec.fields(command, *values)))
+            seed = seed_of(quick.session + (word == 5), from_gateway=False)
+            data = spelling(codec.request(command, number, codec.fields(command, *values), seed))
         assert quick.receive(data, 0.0) == slow.receive(data, 0.0)
-        assert (quick.expected, quick.memory) == (slow.expected, slow.memory)
+        assert (quick.session, quick.expected, quick.memory) == (slow.session, slow.expected, slow.memory)
         assert quick._sequence.gap_told == slow._sequence.gap_told
+        assert quick._sequence.fates == slow._sequence.fates
 
 
-def test_a_repeated_read_is_read_again_and_a_repeated_queue_read_is_not() -> None:
+def test_a_repeated_read_is_read_again_and_a_repeated_destructive_read_gives_the_same_words() -> None:
     gateway, device = in_session(VirtualGateway()), Counting()
     gateway.attach(device, [0x10])
-    assert gateway.receive(frame("R", 0, 0x10), 0.0) == CODEC.framing.checked(b"r00000000001")
-    assert gateway.receive(frame("R", 0, 0x10), 0.0) == CODEC.framing.checked(b"r00000000002")
-    gateway.receive(frame("RQ", 1, 0x10, 1), 0.0)
-    assert gateway.receive(frame("RQ", 1, 0x10, 1), 0.0) == CODEC.framing.checked(b"x00108")
-    assert device.reads == 3
+    assert gateway.receive(frame("R", 0, 0x10), 0.0) == reply(b"r00000000001")
+    assert gateway.receive(frame("R", 0, 0x10), 0.0) == reply(b"r00000000002")
+    for _ in range(2):
+        assert gateway.receive(frame("RQ", 1, 0x10, 2), 0.0) == reply(b"rq0010000000300000004")
+    # The second word of the queue read stands in the same place, and the first is still there.
+    for _ in range(2):
+        assert gateway.receive(frame("WK", 2, 0x10, 0xFF, 0x77), 0.0) == reply(b"wk00200000005")
+    assert gateway.receive(frame("RQ", 1, 0x10, 1), 0.0) == reply(b"rq00100000003")
+    assert device.reads == 5
+    assert device.writes == [0x77]
+
+
+@pytest.mark.parametrize("code", [ErrorCode.BUS_ERROR, ErrorCode.BUS_TIMEOUT])
+def test_a_repetition_of_what_failed_is_answered_by_its_error(code: ErrorCode) -> None:
+    gateway = in_session(VirtualGateway())
+    gateway.attach(Failing(code), [0x10])
+    requests: list[tuple[Any, ...]] = [("W", 0x10, 1), ("R", 0x10), ("WS", 0x10, 1), ("RQ", 0x10, 2), ("WM", 0x0F, [1, 2])]
+    refused = [reply(b"x%03X%02X" % (number, code)) for number in range(len(requests))]
+    for number, (command, *values) in enumerate(requests):
+        assert gateway.receive(frame(command, number, *values), 0.0) == refused[number]
+    gateway.detach([0x10])
+    for number, (command, *values) in enumerate(requests):
+        assert gateway.receive(frame(command, number, *values), 0.0) == refused[number]
+        assert gateway.receive(frame("H", number), 0.0) == refused[number]
+
+
+def test_an_h_counts_the_posted_writes_of_the_session_that_failed() -> None:
+    gateway = in_session(VirtualGateway())
+    gateway.attach(Failing(), [0x10])
+    number = 0
+    for address in (0x10, 0x11, 0x10):
+        gateway.receive(frame("WS", number, address, 1), 0.0)
+        number += 1
+    gateway.receive(frame("W", number, 0x10, 1), 0.0)
+    assert gateway.receive(frame("H", number + 1), 0.0) == reply(b"h004002")
+    in_session(gateway, 9, SESSION + 1)
+    assert gateway.receive(frame("H", 9, session=SESSION + 1), 0.0) == reply(b"h009000", SESSION + 1)
+
+
+def test_frames_of_another_session_or_direction_are_damaged_ones_to_the_gateway() -> None:
+    gateway, device = in_session(VirtualGateway()), Counting()
+    gateway.attach(device, [0x10])
+    for session in (SESSION + 1, 0):
+        assert gateway.receive(frame("W", 0, 0x10, 1, session=session), 0.0) == CODEC.framing.checked(b"X01")
+    assert gateway.receive(reply(b"w0001000000001"), 0.0) == CODEC.framing.checked(b"X01")
+    assert device.writes == []
+
+
+@pytest.mark.parametrize("command", sorted(set(CODEC.commands) - LOOKING))
+def test_in_the_session_of_a_program_what_changes_something_has_an_id(command: str) -> None:
+    values: dict[str, tuple[Any, ...]] = {
+        "W": (0x10, 1),
+        "WS": (0x10, 1),
+        "WM": (0x10, [1]),
+        "WQ": (0x10, [1]),
+        "WK": (0x10, 1, 1),
+        "RQ": (0x10, 1),
+        "GS": (0, 0, 1, 1, [0x10]),
+        "I": (0,),
+    }
+    gateway, device = in_session(VirtualGateway()), Counting()
+    gateway.attach(device, [0x10])
+    fields = CODEC.fields(command, *values.get(command, (0,)))
+    body = command.encode() + fields
+    numbered = command.lower().encode() + CODEC.id_text[0] + fields
+    assert gateway.receive(CODEC.framing.checked(body), 0.0) == CODEC.framing.checked(b"X0B")
+    assert gateway.receive(CODEC.framing.plain_request(body), 0.0) == b"X0B\r\n"
+    assert gateway.receive(CODEC.framing.plain_request(numbered), 0.0) == b"x0000B\r\n"
+    assert (device.reads, device.writes, gateway.expected) == (0, [], 0)
+
+
+def test_a_session_is_not_begun_twice_and_tells_which_one_it_ends() -> None:
+    gateway = in_session(VirtualGateway())
+    for form in (CODEC.framing.checked, CODEC.framing.plain_request):
+        assert gateway.receive(form(CODEC.opening(5, SESSION)), 0.0).startswith(b"X0B")
+    assert gateway.receive(CODEC.framing.checked(b"K"), 0.0) == CODEC.framing.checked(b"K1234")
+    opening = CODEC.opening(5, 0x4321)
+    assert gateway.receive(CODEC.framing.checked(opening), 0.0) == CODEC.framing.checked(opening + b"1234")
+    gateway.reset()
+    assert gateway.receive(b"K\r", 0.0) == b"K0000\r\n"
 
 
 def test_a_block_write_stops_at_the_word_that_fails_and_keeps_what_was_written() -> None:
     gateway = in_session(VirtualGateway())
     gateway.attach(Failing(ErrorCode.BUS_ERROR), [0x12])
-    assert gateway.receive(frame("WM", 0, 0x10, [1, 2, 3, 4]), 0.0) == CODEC.framing.checked(b"x00004")
+    assert gateway.receive(frame("WM", 0, 0x10, [1, 2, 3, 4]), 0.0) == reply(b"x00004")
     assert [gateway.memory[address] for address in range(0x10, 0x14)] == [1, 2, 0, 0]
 
 
 def test_a_block_is_written_and_read_word_for_word_and_wraps() -> None:
     gateway = in_session(VirtualGateway())
-    assert gateway.receive(frame("WM", 0, 0xFE, [1, 2, 3]), 0.0) == CODEC.framing.checked(b"wm000")
+    assert gateway.receive(frame("WM", 0, 0xFE, [1, 2, 3]), 0.0) == reply(b"wm000")
     assert [gateway.memory[address] for address in (0xFE, 0xFF, 0x00)] == [1, 2, 3]
     answer = b"rm001000000010000000200000003"
-    assert gateway.receive(frame("RM", 1, 0xFE, 3), 0.0) == CODEC.framing.checked(answer)
+    assert gateway.receive(frame("RM", 1, 0xFE, 3), 0.0) == reply(answer)
 
 
 def test_a_masked_write_whose_read_fails_writes_nothing() -> None:
@@ -151,7 +238,7 @@ def test_a_masked_write_whose_read_fails_writes_nothing() -> None:
 
     gateway, device = in_session(VirtualGateway()), Unreadable()
     gateway.attach(device, [0x10])
-    assert gateway.receive(frame("WK", 0, 0x10, 1, 1), 0.0) == CODEC.framing.checked(b"x00005")
+    assert gateway.receive(frame("WK", 0, 0x10, 1, 1), 0.0) == reply(b"x00005")
     assert device.writes == []
 
 
@@ -200,7 +287,7 @@ def test_a_device_may_give_negative_words() -> None:
 
 def test_a_reset_forgets_session_groups_and_half_a_frame_but_not_the_memory() -> None:
     gateway = VirtualGateway()
-    gateway.receive(b"K055\rW1077\rGS000100010110\rGN00\rI01\rR1", 0.0)
+    gateway.receive(b"K0551234\rW1077\rGS000100010110\rGN00\rI01\rR1", 0.0)
     assert (gateway.expected, gateway.send_immediate) == (0x55, 1)
     gateway.reset()
     assert (gateway.expected, gateway.next_due, gateway.send_immediate) == (-1, None, 2)
@@ -212,35 +299,40 @@ def test_nothing_with_an_id_is_executed_between_a_reset_and_the_next_session(num
     gateway, device = in_session(VirtualGateway()), Counting()
     gateway.attach(device, [0x10])
     gateway.reset()
-    close = CODEC.framing.plain_request if plain else CODEC.framing.checked
-    reply = CODEC.framing.plain_reply if plain else CODEC.framing.checked
+    seed = seed_of(SESSION, from_gateway=False)
     for number in numbers:
         for command in ("W", "WS", "R"):
             values = (0x10,) if command == "R" else (0x10, 1)
-            head = command.lower().encode() + CODEC.id_text[number]
-            answer = gateway.receive(close(head + CODEC.fields(command, *values)), 0.0)
-            assert answer == reply(b"x%b0A" % CODEC.id_text[number])
+            body = command.lower().encode() + CODEC.id_text[number] + CODEC.fields(command, *values)
+            refused = b"x%b0A" % CODEC.id_text[number]
+            if plain:
+                assert gateway.receive(CODEC.framing.plain_request(body), 0.0) == refused + b"0000\r\n"
+            else:
+                # The proof that it came whole: what the number of its session has become in the check.
+                residue = CODEC.framing.crc.of(body, seed) ^ CODEC.framing.crc.of(body)
+                answer = gateway.receive(CODEC.framing.checked(body, seed), 0.0)
+                assert answer == CODEC.framing.checked(b"%b%04X" % (refused, residue))
     assert (device.reads, device.writes) == (0, [])
     assert gateway.receive(b"W1005\r", 0.0) == b"W10\r\n"
     in_session(gateway, numbers[0])
-    assert gateway.receive(frame("W", numbers[0], 0x10, 7), 0.0) == CODEC.framing.checked(b"w%03X" % numbers[0])
+    assert gateway.receive(frame("W", numbers[0], 0x10, 7), 0.0) == reply(b"w%03X" % numbers[0])
     assert device.writes == [5, 7]
 
 
 def test_a_new_session_tells_of_a_gap_again() -> None:
     gateway = in_session(VirtualGateway(), 5)
-    assert gateway.receive(frame("H", 7), 0.0) == CODEC.framing.checked(b"n005")
+    assert gateway.receive(frame("H", 7), 0.0) == reply(b"n005")
     assert gateway.receive(frame("H", 8), 0.0) == b""
     assert gateway.receive(frame("H", 7), 0.0) == b""
-    in_session(gateway, 5)
-    assert gateway.receive(frame("H", 7), 0.0) == CODEC.framing.checked(b"n005")
+    in_session(gateway, 5, SESSION + 1)
+    assert gateway.receive(frame("H", 7, session=SESSION + 1), 0.0) == reply(b"n005", SESSION + 1)
 
 
 def test_the_send_immediate_mode_is_kept_until_the_next_session() -> None:
     gateway = VirtualGateway()
     gateway.receive(b"I01\r", 0.0)
     assert gateway.send_immediate == 1
-    gateway.receive(b"K000\r", 0.0)
+    gateway.receive(b"K0000001\r", 0.0)
     assert gateway.send_immediate == 2
 
 
