@@ -402,7 +402,9 @@ def programs(script: Script) -> None:
     script.send("an echo", codec.framing.checked(read, seed_of(script.sessions, from_gateway=True)))
     script.both("the session under way again", codec.opening(0, script.sessions))
     last = script.info.last_session
-    script.both("a session out of range", codec.opening(0, 0), codec.opening(0, last + 1), codec.opening(0, 2 * last + 1))
+    script.both(
+        "a session out of range", codec.opening(0, 0), codec.opening(0, last + 1), codec.opening(0, 2 * last + 1)
+    )
     if Feature.GROUPS in script.info.features:
         body = script.body("GS", 0, 0x20, 1, 1, [0x0A], number=number)
         script.checked("plain samples", body, body)
@@ -457,7 +459,12 @@ def fates(script: Script) -> None:
 
 def _destructive(script: Script, number: int) -> int:
     """Have destructive reads repeated, and return the next ID."""
-    taken: list[tuple[Any, ...]] = [("WK", 0x0A, 0x5A, 0xFF), ("WK", 0x0A, 0xFF, 0), ("RQ", 0x0A, 3), ("WK", 0x0B, 1, 1)]
+    taken: list[tuple[Any, ...]] = [
+        ("WK", 0x0A, 0x5A, 0xFF),
+        ("WK", 0x0A, 0xFF, 0),
+        ("RQ", 0x0A, 3),
+        ("WK", 0x0B, 1, 1),
+    ]
     for command, *values in taken:
         if command not in script.codec.commands:
             continue
@@ -477,9 +484,7 @@ def random_frames(script: Script) -> None:
         if command == "Q":
             number = None
         body = script.body(command, *_random_values(script, command, source), number=number)
-        frame = bytearray(
-            script.frame(body) if source.random() < 0.8 else script.codec.framing.plain_request(body)
-        )
+        frame = bytearray(script.frame(body) if source.random() < 0.8 else script.codec.framing.plain_request(body))
         if source.random() < 0.15:
             frame[source.randrange(len(frame))] ^= 1 << source.randrange(7)
         if b"N" not in frame.upper():

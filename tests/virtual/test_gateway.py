@@ -150,7 +150,13 @@ def test_a_repeated_read_is_read_again_and_a_repeated_destructive_read_gives_the
 def test_a_repetition_of_what_failed_is_answered_by_its_error(code: ErrorCode) -> None:
     gateway = in_session(VirtualGateway())
     gateway.attach(Failing(code), [0x10])
-    requests: list[tuple[Any, ...]] = [("W", 0x10, 1), ("R", 0x10), ("WS", 0x10, 1), ("RQ", 0x10, 2), ("WM", 0x0F, [1, 2])]
+    requests: list[tuple[Any, ...]] = [
+        ("W", 0x10, 1),
+        ("R", 0x10),
+        ("WS", 0x10, 1),
+        ("RQ", 0x10, 2),
+        ("WM", 0x0F, [1, 2]),
+    ]
     refused = [reply(b"x%03X%02X" % (number, code)) for number in range(len(requests))]
     for number, (command, *values) in enumerate(requests):
         assert gateway.receive(frame(command, number, *values), 0.0) == refused[number]

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.crc import Crc
+from unity_link.protocol.crc import Crc, seed_of
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
 
@@ -161,7 +161,7 @@ def test_a_stopped_group_goes_on_counting_where_it_was() -> None:
 
 def test_a_session_stops_all_groups_and_keeps_their_settings() -> None:
     gateway = VirtualGateway()
-    send(gateway, setting(0, PERIODIC, 1, 0x10), "GN00", "K000")
+    send(gateway, setting(0, PERIODIC, 1, 0x10), "GN00", "K0000001")
     assert (gateway.next_due, gateway.advance(1.0)) == (None, b"")
     assert sequences(send(gateway, "GP00", now=1.0)) == [0]
 
@@ -226,7 +226,6 @@ def test_samples_that_wait_take_turns_with_responses() -> None:
         ("GN00", "GN00"),
         (setting(0, PERIODIC, 1, 0x20), "GS00"),
         (setting(2, 0, 1, 0x20), "GS02"),
-        ("K000", "K000"),
         ("gx00000", "gx000"),
         # Errors in the place of such a response.
         (setting(0, PERIODIC, 0, 0x20), "X06"),
@@ -236,11 +235,30 @@ def test_samples_that_wait_take_turns_with_responses() -> None:
 )
 def test_what_waits_leaves_before_the_answer_to_a_group_command(command: str, answer: str) -> None:
     gateway = VirtualGateway()
-    send(gateway, setting(0, PERIODIC, 1, 0x10), setting(1, PERIODIC, 2, 0x10), "K000", "GN00", "GN01")
+    send(gateway, setting(0, PERIODIC, 1, 0x10), setting(1, PERIODIC, 2, 0x10), "K0000001", "GN00", "GN01")
     gateway.advance(0.000_101, room=0)
     frames = send(gateway, command, "H", now=0.000_101).splitlines()
     assert [frame[:1] for frame in frames[:-2]] == [b"P"] * 15
     assert frames[-2:] == [answer.encode(), b"H"]
+
+
+def test_a_session_discards_the_samples_that_wait() -> None:
+    gateway = VirtualGateway()
+    send(gateway, setting(0, PERIODIC, 1, 0x10), "GN00")
+    gateway.advance(0.000_101, room=0)
+    assert send(gateway, "K0000001", now=0.000_101) == b"K00000010000\r\n"
+    assert (gateway.next_due, gateway.advance(0.01)) == (None, b"")
+
+
+def test_samples_of_a_session_have_its_number_in_their_check() -> None:
+    gateway = VirtualGateway()
+    send(gateway, setting(0, 0, 1, 0x10))
+    without = gateway.receive(checked(b"GP00"), 0.0)
+    assert without.startswith(checked(b"P000000000000"))
+    send(gateway, "K0001234")
+    seed = seed_of(0x1234, from_gateway=True)
+    body = b"P000100000000"
+    assert gateway.receive(checked(b"GP00"), 0.0).startswith(b"%b%04X\n" % (body, CRC.of(body, seed)))
 
 
 def test_a_sample_that_was_asked_for_leaves_behind_those_that_wait_and_before_the_response() -> None:

@@ -119,9 +119,7 @@ class GatewaySession:
             The request that is to be executed, or the answer where none is. With a `K` the session has begun.
         """
         try:
-            request = self.reception.read(
-                line, plain=plain, prefix=prefix, session=self.number, bytes_lost=bytes_lost
-            )
+            request = self.reception.read(line, plain=plain, prefix=prefix, session=self.number, bytes_lost=bytes_lost)
         except RequestError as refusal:
             return Answer(self._codec.error(refusal.code))
         if self.for_program and (plain if request.id is not None else request.command not in LOOKING):
