@@ -203,7 +203,7 @@ def test_the_proof_can_fail() -> None:
     class Forgetful(VirtualGateway):
         def receive(self, data: bytes, now: float) -> bytes:
             if b"h" in data:
-                self.expected = self.expected - 1 & 16**self.info.id_digits - 1
+                self._sequence.expected = self.expected - 1 & 16**self.info.id_digits - 1
             return super().receive(data, now)
 
     async def all_seeds() -> None:

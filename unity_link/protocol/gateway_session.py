@@ -124,17 +124,19 @@ class GatewaySession:
             return Answer(self._codec.error(refusal.code))
         if self.for_program and (plain if request.id is not None else request.command not in LOOKING):
             return Answer(self._codec.error(ErrorCode.SESSION_UNDER_WAY, request.id))
-        if request.command == "K" and request.values:
-            return self._open(request, for_program=not plain)
-        if request.id is None:
-            return request
-        place = self.sequence.place(request.id)
+        if request.id is not None:
+            return self._in_order(request, request.id)
+        return self._open(request, for_program=not plain) if request.command == "K" and request.values else request
+
+    def _in_order(self, request: DecodedRequest, number: int) -> DecodedRequest | Answer:
+        """Return what becomes of a request of a session."""
+        place = self.sequence.place(number)
         if place is SequencePlace.NEXT:
             return request
         if place is SequencePlace.REPETITION:
-            return self._repeat(request, request.id)
+            return self._repeat(request, number)
         if place is SequencePlace.NO_SESSION:
-            return Answer(self._codec.no_session(request.id, request.residue))
+            return Answer(self._codec.no_session(number, request.residue))
         told = place is SequencePlace.AHEAD
         return SILENCE if told else Answer(self._codec.out_of_sequence(self.sequence.expected))
 

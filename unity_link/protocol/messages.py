@@ -5,8 +5,8 @@ widths of one gateway; it encodes and decodes both directions, because the virtu
 the host.
 
 Field letters, as in the protocol: ``a`` address, ``d`` data word, ``m`` mask, ``n`` count, ``g`` group, ``f`` flags,
-``v`` divisor, ``s`` mode, ``i`` ID, ``k`` session, ``c`` how many posted writes failed; ``D`` all words and ``A`` all
-addresses up to the end of the message.
+``v`` divisor, ``s`` mode, ``i`` ID, ``k`` session, ``b`` session that ended, ``c`` how many posted writes failed, ``e``
+error, ``r`` residue behind error 0A; ``D`` all words and ``A`` all addresses up to the end of the message.
 """
 
 from __future__ import annotations
@@ -42,8 +42,8 @@ class Repetition(enum.Enum):
 class Command(NamedTuple):
     """One row of the table of messages.
 
-    `fields` stand in the request; `echo` is what a response without an ID repeats of them, and `reads` what a response
-    adds. `feature` is what a gateway must have been built with.
+    `fields` stand in the request; `echo` is what a response without an ID repeats of them, `reads` what a response
+    adds, and `tells` what one with an ID does. `feature` is what a gateway must have been built with.
     """
 
     fields: str
@@ -51,6 +51,11 @@ class Command(NamedTuple):
     reads: str = ""
     repetition: Repetition = Repetition.ACKNOWLEDGE
     feature: Feature = Feature(0)
+    tells: str = ""
+
+    def response(self, *, with_id: bool) -> str:
+        """Return the letters of the fields of a response."""
+        return self.reads + self.tells if with_id else self.echo + self.reads
 
 
 COMMANDS: dict[str, Command] = {
@@ -67,9 +72,9 @@ COMMANDS: dict[str, Command] = {
     "GX": Command("g", "g", feature=Feature.GROUPS),
     "GP": Command("g", "g", feature=Feature.GROUPS),
     "I": Command("s", "s", feature=Feature.SEND_IMMEDIATE),
-    "H": Command(""),
+    "H": Command("", tells="c"),
     "Q": Command(""),
-    "K": Command("ik", "ik", "k"),
+    "K": Command("ik", "ik", "b"),
 }
 SAMPLE_HEAD = 5
 """Characters of the body of a sample before its timestamp and words: letter, group and sequence."""
@@ -134,9 +139,8 @@ class DecodedResponse(NamedTuple):
     """A decoded message of a gateway.
 
     `command` is in upper case: one of `COMMANDS`, ``X`` (error), ``N`` (out of sequence) or ``P`` (publish). `fields`
-    names what stands in it by the letters of this module; ``e`` is an error code, ``p`` a sequence number, ``r`` the
-    residue behind error 0A, ``b`` the session that a `K` has ended. The words of a publish stand undivided, with the
-    timestamp if there is one, in ``text``: only its group tells them apart.
+    names what stands in it by the letters of this module; ``p`` is a sequence number. The words of a publish stand
+    undivided, with the timestamp if there is one, in ``text``: only its group tells them apart.
     """
 
     command: str
@@ -178,6 +182,9 @@ class Codec:
             "i": info.id_digits,
             "c": info.id_digits,
             "k": info.session_digits,
+            "b": info.session_digits,
+            "e": 2,
+            "r": self.framing.crc.digits,
         }
         self.id_text, self.id_number = _id_tables(info.id_digits)
         self.lower = {name: name.lower().encode() for name in COMMANDS}
@@ -291,28 +298,29 @@ class Codec:
     # Responses
 
     def response(self, request: DecodedRequest, reads: int | Sequence[int] | NDArray[Any] | None = None) -> bytes:
-        """Return the body of a gateway's response: `reads` is the word or words read, if any."""
+        """Return the body of a gateway's response.
+
+        Args:
+            request: the request.
+            reads: the word or words read, the session that a `K` has ended or asks for, the number of posted writes
+                that failed in the answer to an `h`; None if there is nothing to tell.
+        """
         row = COMMANDS[request.command]
-        if request.command == "K":
-            return self._session_response(request, reads)
         if request.id is not None:
             head = request.command.lower().encode() + self.id_text[request.id]
         else:
             head = request.command.encode() + self._echo(row, request.values)
-        if reads is None:
+        added = row.reads or (row.tells if request.id is not None else "")
+        if reads is None or not added:
             return head
-        if request.command == "H":
-            return head + self.id_text[reads] if request.id is not None else head
         if isinstance(reads, int):
-            return head + b"%0*X" % (self.info.data_digits, reads)
+            return head + b"%0*X" % (self.digits[LISTS.get(added, added)], reads)
         return head + hex_text(reads, self.info.data_digits)
 
-    def _session_response(self, request: DecodedRequest, session: Any) -> bytes:
-        """Return the answer to `K`, given the session that it has ended, or that is under way."""
-        echo = self._echo(COMMANDS["K"], request.values) if request.values else b""
-        return b"K%b%0*X" % (echo, self.info.session_digits, session)
-
     def _echo(self, row: Command, values: tuple[Any, ...]) -> bytes:
+        if not values:
+            # The question for the session, which `K` without fields is, repeats nothing.
+            return b""
         by_letter = dict(zip(row.fields, values, strict=True))
         if "D" in by_letter:
             by_letter["n"] = len(by_letter["D"])
@@ -353,31 +361,27 @@ class Codec:
             number, text = self.id_number.get(text[: self.info.id_digits].upper()), text[self.info.id_digits :]
             if number is None:
                 raise ValueError(f"an ID of {self.info.id_digits} hex digits was expected in {body[:80]!r}")
-        if command == "X" and len(text) == 2:
-            return DecodedResponse("X", number, {"e": int(text, 16)})
-        if command == "X" and with_id and len(text) == 2 + self.framing.crc.digits:
-            return DecodedResponse("X", number, {"e": int(text[:2], 16), "r": int(text[2:], 16)})
-        if command == "N" and with_id and not text:
-            return DecodedResponse("N", number, {})
         if command == "Q" and not with_id:
             return DecodedResponse("Q", None, {"text": text})
-        row = COMMANDS.get(command)
-        if row is None or row.repetition is Repetition.SILENCE or (with_id and command in WITHOUT_ID):
+        letters_expected = self._letters_expected(command, text, with_id=with_id)
+        if letters_expected is None:
             raise ValueError(f"no message of a gateway: {body[:80]!r}")
-        letters_expected = ("" if with_id else row.echo) + row.reads
-        if command == "H" and with_id:
-            letters_expected = "c"
-        if command == "K":
-            return self._decode_session(text)
         return DecodedResponse(
             command, number, dict(zip(letters_expected, self._split(letters_expected, text), strict=True))
         )
 
-    def _decode_session(self, text: bytes) -> DecodedResponse:
-        if len(text) == self.info.session_digits:
-            return DecodedResponse("K", None, {"k": int(text, 16)})
-        number, session, ended = self._split("ikk", text)
-        return DecodedResponse("K", None, {"i": number, "k": session, "b": ended})
+    def _letters_expected(self, command: str, text: bytes, *, with_id: bool) -> str | None:
+        """Return the letters of the fields of a message, which its size may choose; None for no message."""
+        if command == "X":
+            return "er" if with_id and len(text) > self.digits["e"] else "e"
+        if command == "N" and with_id:
+            return ""
+        if command == "K" and not with_id:
+            return "k" if len(text) == self.digits["k"] else "ikb"
+        row = COMMANDS.get(command)
+        if row is None or row.repetition is Repetition.SILENCE or (with_id and command in WITHOUT_ID):
+            return None
+        return row.response(with_id=with_id)
 
     def _layout(self, letters: str) -> tuple[bytes, int]:
         """Return the %-format of a request's fields, and the digits of the items of the list at its end, if any."""
