@@ -1,4 +1,4 @@
-"""The damages that the check of a frame finds for sure, and those that it cannot: the figures of docs/protocol.md.
+"""The damages that are found for sure, and those that are not: the figures of docs/protocol.md.
 
 With an initial value of 0 the CRC is linear: damage passes if the CRC of the difference of the texts is the difference
 of the CRCs. So it is enough to look at differences. The CRC stands in the frame as hexadecimal digits, whose characters
@@ -6,12 +6,16 @@ differ in other bits than the numbers do: a single flipped bit can change three 
 """
 
 import functools
+import itertools
 
 import numpy as np
 import pytest
 
 from unity_link.protocol.arrays import crc_rows
-from unity_link.protocol.crc import Crc
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.crc import Crc, seed_of
+from unity_link.protocol.messages import COMMANDS, Codec
+from unity_link.virtual import VirtualGateway
 
 CRC_8, CRC_16 = Crc(8, 0x07), Crc(16, 0x1021)
 SENT, READ = b"0123456789ABCDEF", b"0123456789ABCDEFabcdef"
@@ -80,3 +84,70 @@ def test_fewer_flipped_bits_than_the_distance_never_pass(crc: Crc, length: int, 
 def test_more_characters_never_raise_the_distance_so_its_steps_tell_it_for_every_length() -> None:
     assert fewest_flips_that_pass(CRC_16, 1) == 4
     assert fewest_flips_that_pass(CRC_16, 2040) == 2
+
+
+@pytest.mark.parametrize(("crc", "met"), [(CRC_8, 0x10), (CRC_16, 0x1000)], ids=["CRC-8", "CRC-16"])
+def test_the_size_of_a_first_letter_and_the_number_of_the_session_meet_in_one_number_alone(crc: Crc, met: int) -> None:
+    last = GatewayInfo(crc_bits=crc.bits, crc_polynomial=crc.polynomial).last_session
+    seeds = {number: seed_of(number, from_gateway=False) for number in range(1, last + 1)}
+    assert [number for number, seed in seeds.items() if crc.of(b"w0", seed) == crc.of(b"W0")] == [met]
+
+
+@pytest.mark.parametrize("crc", [CRC_8, CRC_16, Crc(32, 0x04C11DB7)], ids=["CRC-8", "CRC-16", "CRC-32"])
+def test_a_whole_frame_never_has_the_check_of_another_session_or_direction(crc: Crc) -> None:
+    last = GatewayInfo(crc_bits=crc.bits, crc_polynomial=crc.polynomial).last_session
+    numbers = range(0, last + 1, 97 if crc.bits > 8 else 1)
+    seeds = {seed_of(number, from_gateway=way) for number, way in itertools.product(numbers, (False, True))}
+    # Behind as many characters as a frame has they are as many as before.
+    for length in (5, 16, 1000):
+        assert len({crc.of(bytes(length), seed) for seed in seeds}) == len(seeds) == 2 * len(numbers) - 1
+
+
+def requests_of(info: GatewayInfo) -> list[bytes]:
+    """Return a frame of each command that has an ID, all with the ID 0 and of session 1."""
+    codec, seed = Codec(info), seed_of(1, from_gateway=False)
+    # Words that are digits of commands, too, so that a cut leaves as much as can be.
+    word = 0x10111213 >> 32 - info.data_bits
+    fields = {
+        "a": 0x10,
+        "d": word,
+        "m": word,
+        "n": 2,
+        "g": 0,
+        "f": 0,
+        "v": 1,
+        "s": 1,
+        "D": [word] * 3,
+        "A": [0x10, 0x11],
+    }
+    names = [name for name in codec.commands if name not in {"Q", "K"}]
+    return [
+        codec.request(name, 0, codec.fields(name, *(fields[letter] for letter in COMMANDS[name].fields)), seed)
+        for name in names
+    ]
+
+
+@pytest.mark.parametrize("data_bits", [8, 16, 32])
+@pytest.mark.parametrize(("crc_bits", "polynomial"), [(8, 0x07), (16, 0x1021)])
+def test_of_all_damages_to_one_character_only_an_early_lf_can_get_anything_executed(
+    data_bits: int, crc_bits: int, polynomial: int
+) -> None:
+    info = GatewayInfo(data_bits=data_bits, crc_bits=crc_bits, crc_polynomial=polynomial)
+    opening = Codec(info).framing.checked(Codec(info).opening(0, 1))
+    executed = set()
+    for frame in requests_of(info):
+        gateway = VirtualGateway(info)
+        gateway.receive(opening, 0.0)
+        for place, character in itertools.product(range(len(frame)), range(256)):
+            in_check = place >= len(frame) - 1 - crc_bits // 4
+            if character == frame[place] or (
+                in_check and chr(character) in "abcdef" and character & 95 == frame[place]
+            ):
+                # Digits of a check may be in either case.
+                continue
+            gateway.receive(frame[:place] + bytes([character]) + frame[place + 1 :] + b"\n", 0.0)
+            if gateway.expected != 0 or gateway.memory:
+                executed.add((frame[:2], character))
+                gateway = VirtualGateway(info)
+                gateway.receive(opening, 0.0)
+    assert executed <= {(b"wm", 10), (b"wq", 10)}

@@ -8,7 +8,9 @@ The requests, by the letter with which they stand in the host's window and on th
 
     w  is answered            e  is answered, and ends in an error
     s  is posted              p  is posted, and ends in an error
-    q  cannot be repeated     h  does nothing: the fence, and what stands in for a request that was given up
+    q  takes something away   h  does nothing: the fence, and what stands in for a request that was given up
+
+One host speaks here, again and again; `sessions` has two of them, failed posts and words that are kept.
 """
 
 from collections.abc import Iterator
@@ -22,20 +24,20 @@ POSTED = "sp"
 FAILING = "ep"
 DONE = "-"
 
-Frame: TypeAlias = tuple[str, int, int]
-"""Kind, ID, number of the request. From the gateway: k, n, and the kinds of answers below."""
-ANSWER, ERROR, REPEATED, NO_SESSION = "answer", "error", "already executed", "no session"
-DAMAGED: Frame = ("damaged", 0, -1)
-CRC_ERROR: Frame = ("X01", 0, -1)
+Frame: TypeAlias = tuple[str, int, int, int]
+"""Kind, ID, number of the request, session in the check. From the gateway: k, n, and the kinds of answers below."""
+ANSWER, ERROR, NO_SESSION = "answer", "error", "no session"
+DAMAGED: Frame = ("damaged", 0, -1, 0)
+CRC_ERROR: Frame = ("X01", 0, -1, 0)
 
 
 class Rules(NamedTuple):
     """Rules of a version of the protocol, and bounds of the exploration."""
 
     needs_session: bool = True
-    """No session, no execution: the rule that 02 adds to 01."""
-    starts_anew: bool = True
-    """Each session begins at an ID of its own, not at 0."""
+    """No session, no execution."""
+    names_session: bool = True
+    """The number of the session is in the check of each frame, and what is of another is passed over."""
     kinds: str = "w"
     requests: int = 5
     in_line: int = 3
@@ -60,6 +62,7 @@ class Host(NamedTuple):
     """The host: requests `first` and on stand in the window."""
 
     session: int
+    """Number of its session; each `K` has another one."""
     ready: bool
     """The session was confirmed."""
     offset: int
@@ -76,7 +79,8 @@ class Host(NamedTuple):
 class Gateway(NamedTuple):
     """The gateway; `executed` and `never` have a bit for each number, for the checks alone."""
 
-    in_session: bool
+    session: int
+    """Number of the session under way, 0 for none."""
     expected: int
     gap_told: bool
     executed: int
@@ -97,7 +101,7 @@ class State(NamedTuple):
 
 def explored(rules: Rules, sought: str = "") -> Exploration:
     """Return what happens under the rules; where a fault is sought, others are passed over."""
-    start = State(Host(0, False, 0, 0, "", 0, ()), Gateway(False, 0, False, 0, 0), (), (), 0, 0)
+    start = State(Host(1, False, 0, 0, "", 0, ()), Gateway(0, 0, False, 0, 0), (), (), 0, 0)
     return explore(start, lambda state: _moves(rules, state), lambda state: _all_told(rules, state), sought=sought)
 
 
@@ -109,7 +113,7 @@ def _moves(rules: Rules, state: State) -> Iterator[tuple[str, State | Fault]]:
     yield from _host_moves(rules, state)
     yield from _line_moves(rules, state)
     if state.resets < rules.resets:
-        after_reset = state.gateway._replace(in_session=False, expected=0, gap_told=False)
+        after_reset = state.gateway._replace(session=0, expected=0, gap_told=False)
         yield "the gateway is reset", state._replace(gateway=after_reset, resets=state.resets + 1)
 
 
@@ -139,7 +143,7 @@ def _line_moves(rules: Rules, state: State) -> Iterator[tuple[str, State | Fault
 
 
 def _show(frame: Frame) -> str:
-    kind, ident, number = frame
+    kind, ident, number, _ = frame
     if frame in (DAMAGED, CRC_ERROR):
         return kind
     return f"{kind} {ident}" if number < 0 else f"{kind} {ident} of request {number}"
@@ -150,19 +154,21 @@ def _show(frame: Frame) -> str:
 
 def _take(rules: Rules, gateway: Gateway, frame: Frame) -> tuple[Gateway | Fault, Frame | None]:
     """Return what the gateway is after a frame, and its answer."""
-    kind, ident, number = frame
+    kind, ident, number, session = frame
     if frame == DAMAGED:
         return gateway, CRC_ERROR
     if kind == "K":
-        return gateway._replace(in_session=True, expected=ident, gap_told=False), ("k", ident, -1)
-    if rules.needs_session and not gateway.in_session:
-        return gateway, (NO_SESSION, ident, number)
+        return gateway._replace(session=session, expected=ident, gap_told=False), ("k", ident, -1, session)
+    if rules.needs_session and not gateway.session:
+        return gateway, (NO_SESSION, ident, number, session)
+    if rules.names_session and session != gateway.session:
+        return gateway, CRC_ERROR if rules.damages else None
     return _in_sequence(gateway, frame)
 
 
 def _in_sequence(gateway: Gateway, frame: Frame) -> tuple[Gateway | Fault, Frame | None]:
     """Return the same for a request in a session."""
-    _, ident, _ = frame
+    ident = frame[1]
     ahead = (ident - gateway.expected) % RING
     if ahead == 0:
         return _execute(gateway, frame)
@@ -170,11 +176,11 @@ def _in_sequence(gateway: Gateway, frame: Frame) -> tuple[Gateway | Fault, Frame
         return gateway, _repeat(frame)
     if gateway.gap_told:
         return gateway, None
-    return gateway._replace(gap_told=True), ("n", gateway.expected, -1)
+    return gateway._replace(gap_told=True), ("n", gateway.expected, -1, gateway.session)
 
 
 def _execute(gateway: Gateway, frame: Frame) -> tuple[Gateway | Fault, Frame | None]:
-    kind, ident, number = frame
+    kind, ident, number, session = frame
     executed = gateway.executed
     if kind != "h":
         if executed >> number:
@@ -185,16 +191,16 @@ def _execute(gateway: Gateway, frame: Frame) -> tuple[Gateway | Fault, Frame | N
         executed |= 1 << number
     after = gateway._replace(expected=(ident + 1) % RING, gap_told=False, executed=executed)
     if kind in FAILING:
-        return after, (ERROR, ident, number)
-    return after, None if kind in POSTED else (ANSWER, ident, number)
+        return after, (ERROR, ident, number, session)
+    return after, None if kind in POSTED else (ANSWER, ident, number, session)
 
 
 def _repeat(frame: Frame) -> Frame | None:
     """Return the answer to a request that the gateway takes for a repetition."""
-    kind, ident, number = frame
-    if kind in POSTED:
-        return None
-    return (REPEATED if kind == "q" else ANSWER), ident, number
+    kind, ident, number, session = frame
+    if kind in FAILING:
+        return ERROR, ident, number, session
+    return None if kind in POSTED else (ANSWER, ident, number, session)
 
 
 # The host
@@ -203,16 +209,16 @@ def _repeat(frame: Frame) -> Frame | None:
 def _host_moves(rules: Rules, state: State) -> Iterator[tuple[str, State]]:
     host, room = state.host, rules.in_line - len(state.out)
     if state.restarts < rules.restarts:
-        anew = state._replace(host=_new_session(rules, host), restarts=state.restarts + 1)
+        anew = state._replace(host=_new_session(host), restarts=state.restarts + 1)
         yield "the host begins anew on the same line", anew
     if not host.ready:
         if room:
-            yield "the host sends K", state._replace(out=(*state.out, ("K", _id(host, host.first), -1)))
+            yield "the host sends K", state._replace(out=(*state.out, ("K", _id(host, host.first), -1, host.session)))
         return
     number = host.first + len(host.window)
     if room and len(host.window) < WINDOW:
         for kind in _kinds(rules, host, number):
-            frame = (kind, _id(host, number), number)
+            frame = (kind, _id(host, number), number, host.session)
             issued = host._replace(window=host.window + kind, again=(*host.again, 0))
             yield f"the host sends {_show(frame)}", state._replace(host=issued, out=(*state.out, frame))
     yield from _repetition_moves(state, room)
@@ -238,7 +244,9 @@ def _repetition_moves(state: State, room: int) -> Iterator[tuple[str, State]]:
 
 def _send_again(state: State, places: list[int]) -> State:
     host = state.host
-    frames = tuple((host.window[place], _id(host, host.first + place), host.first + place) for place in places)
+    frames = tuple(
+        (host.window[place], _id(host, host.first + place), host.first + place, host.session) for place in places
+    )
     there_were = host.first + len(host.window)
     again = tuple(there_were if place in places else before for place, before in enumerate(host.again))
     return state._replace(host=host._replace(again=again), out=state.out + frames)
@@ -261,16 +269,17 @@ def _put(window: str, place: int, letter: str) -> str:
     return window[:place] + letter + window[place + 1 :]
 
 
-def _new_session(rules: Rules, host: Host) -> Host:
+def _new_session(host: Host) -> Host:
     """Return the host with nothing in flight: of each request it has said what it knows."""
-    session, first = host.session + 1, host.first + len(host.window)
-    start = session % RING if rules.starts_anew else 0
-    return Host(session, False, (start - first) % RING, first, "", 0, ())
+    first = host.first + len(host.window)
+    return Host(host.session + 1, False, -first % RING, first, "", 0, ())
 
 
 def _hear(rules: Rules, state: State, frame: Frame) -> State | Fault:
     """Return everything after the host has heard a frame of the gateway."""
-    kind, ident, _ = frame
+    kind, ident, _, session = frame
+    if rules.names_session and session != state.host.session:
+        return state
     if state.host.ready and kind == NO_SESSION:
         return _lose_session(rules, state, ident)
     host = _heard(state.host, frame, state.gateway.executed)
@@ -290,7 +299,7 @@ def _lose_session(rules: Rules, state: State, ident: int) -> State | Fault:
     if never & gateway.executed:
         return Fault("a request is told as not executed, and was")
     after = gateway._replace(never=gateway.never | never)
-    return state._replace(host=_new_session(rules, host), gateway=after)
+    return state._replace(host=_new_session(host), gateway=after)
 
 
 def _never_executed_from(rules: Rules, host: Host, place: int) -> int:
@@ -305,20 +314,20 @@ def _never_executed_from(rules: Rules, host: Host, place: int) -> int:
 
 def _heard(host: Host, frame: Frame, executed: int) -> Host | Fault:
     """Return what the host is after a frame of the gateway that leaves the session as it is."""
-    kind, ident, _ = frame
+    kind, ident = frame[:2]
     if not host.ready:
         return host._replace(ready=kind == "k" and ident == _id(host, host.first))
     place = (ident - _id(host, host.first)) % RING
     if kind == "n" and place <= len(host.window):
         return _confirm(host, place, executed)
-    if kind in (ANSWER, ERROR, REPEATED) and place < len(host.window) and host.window[place] != DONE:
+    if kind in (ANSWER, ERROR) and place < len(host.window) and host.window[place] != DONE:
         return _answered(host, place, frame, executed)
     return host
 
 
 def _answered(host: Host, place: int, frame: Frame, executed: int) -> Host | Fault:
     """Return the host after an answer that it takes for that of the request at `place`."""
-    _, _, number = frame
+    number = frame[2]
     if number != host.first + place:
         return Fault(f"the answer of request {number} is taken for that of {host.first + place}")
     if host.window[place] != "h" and not executed >> number & 1:

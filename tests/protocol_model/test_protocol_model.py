@@ -1,18 +1,18 @@
 """The rules of the protocol hold in every state of a small model, and each of them is needed.
 
-What is explored without a fault is version 02. Version 01, and 02 without one of its rules, are the proof that the same
-exploration finds what is wrong.
+What is explored without a fault is version 03. Versions 01 and 02, and 03 without one of its rules, are the proof that
+the same exploration finds what is wrong.
 """
 
 import pytest
 
-from protocol_model import datagrams, groups, half_duplex, stream
+from protocol_model import datagrams, groups, half_duplex, sessions, stream
 from protocol_model.datagrams import Naming
 from protocol_model.exploration import Exploration
 
 campaign = pytest.mark.campaign
 
-PROTOCOL_01 = stream.Rules(needs_session=False, starts_anew=False)
+PROTOCOL_01 = stream.Rules(needs_session=False, names_session=False)
 
 
 def assert_holds(found: Exploration) -> None:
@@ -63,8 +63,8 @@ def test_a_gateway_that_executes_before_a_session_acknowledges_what_it_never_exe
     assert_fails(found, "request 2 is told as executed, and was not", 12)
 
 
-def test_a_session_that_begins_at_the_id_of_the_one_before_takes_its_answers() -> None:
-    found = stream.explored(stream.Rules(starts_anew=False, restarts=1))
+def test_a_session_without_a_number_in_its_frames_takes_the_answers_of_the_one_before() -> None:
+    found = stream.explored(stream.Rules(names_session=False, restarts=1))
     assert_fails(found, "the answer of request 0 is taken for that of 1", 11)
 
 
@@ -81,6 +81,85 @@ def test_a_repeated_request_that_a_reset_gateway_refuses_may_have_been_executed_
 def test_what_was_sent_before_a_repetition_that_a_reset_gateway_refuses_may_have_been_executed() -> None:
     found = stream.explored(stream.Rules(minds_order=False))
     assert_fails(found, "a request is told as not executed, and was", 13)
+
+
+# Two hosts on one line
+
+ALONE = sessions.Rules(requests=("www", ""), opens=(1, 0))
+WITHOUT = {rule: ALONE._replace(**{rule: False}) for rule in ("way", "fate", "count", "kept", "spaced", "newer")}
+
+
+@pytest.mark.parametrize(
+    "rules",
+    [
+        pytest.param(sessions.Rules(requests=("ww", "w")), id="two hosts"),
+        pytest.param(sessions.Rules(requests=("ww", "w"), opens=(2, 1), resets=0), id="one comes back"),
+        pytest.param(sessions.Rules(requests=("ew", "e")), id="both fail"),
+        pytest.param(sessions.Rules(requests=("ph", "w")), id="a post and its fence"),
+        pytest.param(sessions.Rules(requests=("qw", "q")), id="destructive reads"),
+        pytest.param(sessions.Rules(requests=("ww", "w"), numbers=1, resets=0), id="one number for all"),
+        pytest.param(ALONE._replace(requests=("phph", ""), line=3, resets=0), id="failed posts"),
+        pytest.param(ALONE._replace(requests=("pwsh", ""), line=3, resets=0), id="posts and writes"),
+        pytest.param(ALONE._replace(requests=("qwqq", ""), line=3, places=1), id="one place for words"),
+        pytest.param(ALONE._replace(requests=("sh", ""), echo=True), id="an echo"),
+        pytest.param(ALONE._replace(requests=("ww", ""), datagrams=True, resets=0), id="datagrams"),
+        pytest.param(sessions.Rules(requests=("w", "w"), datagrams=True, resets=0), id="datagrams of two hosts"),
+        pytest.param(sessions.Rules(requests=("ww", "w"), line=3, resets=0), marks=campaign, id="a longer line"),
+        pytest.param(ALONE._replace(requests=("ww", ""), datagrams=True), marks=campaign, id="datagrams and a reset"),
+        pytest.param(ALONE._replace(requests=("phph", ""), line=3), marks=campaign, id="failed posts and a reset"),
+    ],
+)
+def test_two_hosts_on_one_line_are_told_right(rules: sessions.Rules) -> None:
+    assert_holds(sessions.explored(rules))
+
+
+@pytest.mark.parametrize(
+    ("rules", "fault"),
+    [
+        pytest.param(sessions.PROTOCOL_02, "told as done, and not executed", id="02, two hosts"),
+        pytest.param(
+            sessions.PROTOCOL_02._replace(requests=("ew", ""), opens=(1, 0)),
+            "told as done, and failed",
+            id="02, writes",
+        ),
+        pytest.param(
+            sessions.PROTOCOL_02._replace(requests=("ph", ""), opens=(1, 0)),
+            "a posted request is told as done, and failed",
+            id="02, posts",
+        ),
+        pytest.param(
+            sessions.PROTOCOL_02._replace(requests=("qq", ""), opens=(1, 0)), "a word is lost", id="02, queues"
+        ),
+        pytest.param(
+            sessions.PROTOCOL_02._replace(requests=("sh", ""), opens=(1, 0), echo=True),
+            "told as done, and not executed",
+            id="02, an echo",
+        ),
+        pytest.param(sessions.Rules(requests=("ww", "w"), seed=False), "told as done, and not executed", id="seed"),
+        pytest.param(
+            WITHOUT["way"]._replace(requests=("sh", ""), echo=True, count=False),
+            "told as done, and not executed",
+            id="way",
+        ),
+        pytest.param(sessions.Rules(numbers=1, refuse=False, resets=0), "told as done", id="refuse"),
+        pytest.param(sessions.Rules(numbers=2, opens=(1, 2), resets=0), "told as done", id="a number that comes again"),
+        pytest.param(sessions.Rules(requests=("w", "www"), proof=False), "told as not executed, and was", id="proof"),
+        pytest.param(WITHOUT["fate"]._replace(requests=("ew", "")), "told as done, and failed", id="fate"),
+        pytest.param(
+            WITHOUT["count"]._replace(requests=("ph", "")), "a posted request is told as done, and failed", id="count"
+        ),
+        pytest.param(WITHOUT["kept"]._replace(requests=("qq", "")), "a word is lost", id="kept"),
+        pytest.param(WITHOUT["spaced"]._replace(requests=("qq", ""), places=1), "a word is lost", id="spaced"),
+        pytest.param(
+            WITHOUT["newer"]._replace(requests=("wwww", ""), datagrams=True, resets=0),
+            "told as done, and not executed",
+            id="newer",
+        ),
+    ],
+)
+def test_two_hosts_on_one_line_are_told_wrong_without(rules: sessions.Rules, fault: str) -> None:
+    found = sessions.explored(rules, fault)
+    assert found.fault is not None, str(found)
 
 
 # The same over datagrams

@@ -1,0 +1,459 @@
+"""Two hosts on one line to one gateway: every interleaving of sending, losing, repeating, resetting and taking over.
+
+The line is that of a device server, or of a port that two programs have opened. What both hosts send is merged, and
+what the gateway answers reaches either of them, both or none. Any frame may be lost, the gateway may be reset at any
+instant, and either host may begin a session at any instant. Frames keep their order on a stream; as datagrams they come
+in any order and any number of times.
+
+Each rule of `Rules` can be left out, which shows what it is for. Each request has a host and a number beside its ID, at
+which no rule may look: by them the model sees what was executed twice, out of order or never, and whose answer an
+answer is. The requests, by the letter with which they stand in a host's window and on the line:
+
+    w  writes        e  writes, and fails         q  reads destructively
+    s  is posted     p  is posted, and fails      h  does nothing: the fence
+"""
+
+from collections.abc import Callable, Iterable, Iterator
+from functools import partial
+from typing import NamedTuple, TypeAlias, TypeVar
+
+from protocol_model.exploration import Exploration, Fault, explore
+
+T = TypeVar("T")
+
+RING = 4
+WINDOW = RING // 2
+POSTED = "sp"
+FAILING = "ep"
+DONE = "."
+
+Ghost: TypeAlias = tuple[int, int] | None
+"""Host and number of a request; None for what is about none. For the checks alone."""
+
+
+class Rules(NamedTuple):
+    """Rules of the protocol, and bounds of the exploration."""
+
+    seed: bool = True
+    """The number of the session is in the check: the gateway, and a host, drop what is of another."""
+    way: bool = True
+    """The direction is in the check: a host takes no echo for an answer."""
+    refuse: bool = True
+    """The gateway refuses a `K` with the number of the session under way."""
+    ask: bool = True
+    """A host in doubt asks which session is under way, and ends if it is not its own."""
+    proof: bool = True
+    """The refusal of a gateway without a session shows whose request it refused."""
+    fate: bool = True
+    """The gateway keeps how each request ended, and answers its repetition by that."""
+    count: bool = True
+    """The answer to `h` says how many posted writes failed; the host asks for each where it missed an error."""
+    kept: bool = True
+    """What a destructive read gave is kept, and given again."""
+    spaced: bool = True
+    """A host has no two unanswered destructive reads whose words are kept in the same place."""
+    newer: bool = True
+    """Datagrams have a count, by which what is late is dropped, and open only the session that is on offer."""
+    numbers: int = 0
+    """Numbers of sessions to choose from; 0 for another one each time."""
+    places: int = 2
+    """Places for words that are kept."""
+    requests: tuple[str, str] = ("www", "w")
+    """Requests of each host, in their order."""
+    opens: tuple[int, int] = (1, 1)
+    """Most sessions that each host begins."""
+    line: int = 2
+    """Most frames in each direction."""
+    resets: int = 1
+    echo: bool = False
+    """The adapter gives back what is sent."""
+    datagrams: bool = False
+
+
+PROTOCOL_02 = Rules(seed=False, way=False, refuse=False, ask=False, proof=False, fate=False, count=False, kept=False)
+"""Rules of the version before this one."""
+
+
+class Frame(NamedTuple):
+    """A frame; `kind` is a letter of a request, or the word for an answer."""
+
+    kind: str
+    session: int
+    ident: int = 0
+    extra: Ghost | int | str = 0
+    """Count of failed posts, word of a destructive read, or that it is an echo."""
+    ghost: Ghost = None
+    count: int = 0
+    """Count of its datagram."""
+
+
+class Request(NamedTuple):
+    """A request in a window."""
+
+    kind: str
+    again: bool = False
+    """True if it was sent more than once."""
+
+
+class Host(NamedTuple):
+    """A host: requests `first` and on are in its window, `base` is the ID of the first."""
+
+    phase: str = "away"
+    """`away`, `opening` or `open`."""
+    session: int = 0
+    base: int = 0
+    first: int = 0
+    window: tuple[Request, ...] = ()
+    opens: int = 0
+    known: int = 0
+    """Requests below this number are known to be executed."""
+    heard: int = 0
+    """Posted requests of the session of which it is known that they failed."""
+    newest: int = 0
+    sent: int = 0
+
+
+class Gateway(NamedTuple):
+    """The gateway; session 0 is none."""
+
+    session: int = 0
+    expected: int = 0
+    failed_at: tuple[bool, ...] = (False,) * WINDOW
+    """Whether the last request of each ID failed, modulo the window."""
+    failed: int = 0
+    kept: tuple[Ghost, ...] = ()
+    newest: int = 0
+    sent: int = 0
+    offer: int = 1
+
+
+class State(NamedTuple):
+    """Everything; `executed` and `never`, which was told as not executed, have a bit for each request of each host."""
+
+    hosts: tuple[Host, Host] = (Host(), Host())
+    gateway: Gateway = Gateway()
+    out: tuple[Frame, ...] = ()
+    back: tuple[Frame, ...] = ()
+    resets: int = 0
+    executed: tuple[int, int] = (0, 0)
+    never: tuple[int, int] = (0, 0)
+
+
+class _WrongError(Exception):
+    """Something that must not be."""
+
+
+def explored(rules: Rules, sought: str = "") -> Exploration:
+    """Return what happens under the rules; where a fault is sought, others are passed over."""
+    start = State(gateway=Gateway(kept=(None,) * rules.places))
+    return explore(start, lambda state: _moves(rules, state), lambda state: _all_told(rules, state), sought=sought)
+
+
+def _all_told(rules: Rules, state: State) -> bool:
+    return all(
+        host.phase == "away" or host.first == len(requests)
+        for host, requests in zip(state.hosts, rules.requests, strict=True)
+    )
+
+
+def _moves(rules: Rules, state: State) -> Iterator[tuple[str, State | Fault]]:
+    for who in (0, 1):
+        for name, after in _host_moves(rules, state, who):
+            yield f"{'AB'[who]}: {name}", after
+    for place, frame in enumerate(state.out if rules.datagrams else state.out[:1]):
+        rest = state._replace(out=state.out[:place] + state.out[place + 1 :])
+        yield f"lost: {frame}", rest
+        if len(state.back) < rules.line:
+            # A datagram may come once more.
+            for before in (rest, state) if rules.datagrams else (rest,):
+                yield f"the gateway takes {frame}", _tried(partial(_taken, rules, before, frame))
+    for place, frame in enumerate(state.back if rules.datagrams else state.back[:1]):
+        rest = state._replace(back=state.back[:place] + state.back[place + 1 :])
+        yield f"lost: {frame}", rest
+        for hearing in ((0,), (1,), (0, 1)):
+            names = " and ".join("AB"[who] for who in hearing)
+            yield f"{names} get {frame}", _tried(partial(_heard_by, rules, rest, frame, hearing))
+    if state.resets < rules.resets:
+        gateway = Gateway(kept=(None,) * rules.places, offer=state.gateway.offer)
+        yield "the gateway is reset", state._replace(gateway=gateway, resets=state.resets + 1)
+
+
+def _tried(step: Callable[[], State]) -> State | Fault:
+    try:
+        return step()
+    except _WrongError as wrong:
+        return Fault(str(wrong))
+
+
+def _put(items: tuple[T, ...], place: int, item: T) -> tuple[T, ...]:
+    return (*items[:place], item, *items[place + 1 :])
+
+
+def _of_host(pair: tuple[T, T], who: int, item: T) -> tuple[T, T]:
+    return (pair[0], item) if who else (item, pair[1])
+
+
+# The gateway
+
+
+def _taken(rules: Rules, state: State, frame: Frame) -> State:
+    """Return the state after the gateway took a frame."""
+    state, answer = _answered(rules, state, frame)
+    if answer is None:
+        return state
+    gateway = state.gateway._replace(sent=state.gateway.sent + rules.datagrams)
+    return state._replace(gateway=gateway, back=(*state.back, answer._replace(count=gateway.sent)))
+
+
+def _answered(rules: Rules, state: State, frame: Frame) -> tuple[State, Frame | None]:
+    gateway = state.gateway
+    if rules.datagrams and rules.newer and frame.kind not in "K?":
+        if gateway.session and (frame.session != gateway.session or frame.count <= gateway.newest):
+            return state, None
+        gateway = gateway._replace(newest=frame.count)
+    if frame.kind == "?":
+        return state, Frame("state", gateway.session)
+    if frame.kind == "K":
+        return _opened(rules, state, frame)
+    if not gateway.session:
+        return state, Frame("0A", frame.session if rules.proof else 0, frame.ident, ghost=frame.ghost)
+    if rules.seed and frame.session != gateway.session:
+        return state, None
+    return _in_order(rules, state._replace(gateway=gateway), frame)
+
+
+def _opened(rules: Rules, state: State, frame: Frame) -> tuple[State, Frame | None]:
+    before = state.gateway
+    is_old = rules.datagrams and rules.newer and frame.session != before.offer
+    if is_old or (rules.refuse and frame.session == before.session):
+        return state, None
+    gateway = Gateway(
+        frame.session,
+        frame.ident,
+        kept=(None,) * rules.places,
+        newest=frame.count,
+        offer=before.offer + (frame.session == before.offer),
+    )
+    return state._replace(gateway=gateway), Frame("k", frame.session, frame.ident)
+
+
+def _in_order(rules: Rules, state: State, frame: Frame) -> tuple[State, Frame | None]:
+    """Return what becomes of a request of the session."""
+    gateway, ident = state.gateway, frame.ident
+    ahead = (ident - gateway.expected) % RING
+    if ahead >= RING // 2:
+        return state, _repeated(rules, gateway, frame)
+    if ahead:
+        return state, Frame("n", gateway.session, gateway.expected)
+    assert frame.ghost is not None
+    who, number = frame.ghost
+    done = state.executed[who]
+    if done >> number:
+        raise _WrongError("executed twice" if done >> number & 1 else "executed out of order")
+    if state.never[who] >> number & 1:
+        raise _WrongError("executed, and was told as not executed")
+    fails = frame.kind in FAILING
+    gateway = gateway._replace(
+        expected=(ident + 1) % RING,
+        failed_at=_put(gateway.failed_at, ident % WINDOW, fails),
+        failed=(gateway.failed + (frame.kind == "p")) % RING,
+    )
+    if frame.kind == "q":
+        gateway = gateway._replace(kept=_put(gateway.kept, ident % rules.places, frame.ghost))
+    state = state._replace(gateway=gateway, executed=_of_host(state.executed, who, done | 1 << number))
+    if frame.kind == "s":
+        return state, None
+    extra = frame.ghost if frame.kind == "q" else gateway.failed
+    return state, Frame("x" if fails else frame.kind, gateway.session, ident, extra, frame.ghost)
+
+
+def _repeated(rules: Rules, gateway: Gateway, frame: Frame) -> Frame | None:
+    """Return the answer to a request that was executed before."""
+    about = gateway.session, frame.ident
+    if rules.fate and gateway.failed_at[frame.ident % WINDOW]:
+        return Frame("x", *about, ghost=frame.ghost)
+    if frame.kind == "q":
+        kept = gateway.kept[frame.ident % rules.places] if rules.kept else None
+        return Frame("q", *about, kept, frame.ghost)
+    if frame.kind in POSTED:
+        return None
+    return Frame("h" if frame.kind == "h" else "w", *about, gateway.failed, frame.ghost)
+
+
+# The hosts
+
+
+def _host_moves(rules: Rules, state: State, who: int) -> Iterator[tuple[str, State]]:
+    host, requests = state.hosts[who], rules.requests[who]
+    room = rules.line - max(len(state.out), len(state.back) if rules.echo else 0)
+    if host.opens < rules.opens[who] and room and (host.first < len(requests) or host.window):
+        for session in _numbers(rules, state, who):
+            ident = (2 * who + host.opens) % RING
+            begun = _ended(host)._replace(
+                phase="opening", session=session, base=ident, opens=host.opens + 1, heard=0, newest=0, sent=0
+            )
+            yield f"begins session {session}", _sent(rules, state, who, begun, Frame("K", session, ident))
+    elif host.phase == "opening" or (host.phase == "open" and not rules.ask):
+        yield "gives up", state._replace(hosts=_of_host(state.hosts, who, _ended(host)))
+    if host.phase != "open" or not room:
+        return
+    if rules.ask:
+        yield "asks for the session", _sent(rules, state, who, host, Frame("?", host.session))
+    if not rules.datagrams or host.sent <= 1:
+        yield from _request_moves(rules, state, who, room)
+
+
+def _numbers(rules: Rules, state: State, who: int) -> Iterable[int]:
+    if rules.datagrams:
+        return [state.gateway.offer]
+    return range(1, rules.numbers + 1) if rules.numbers else [2 * state.hosts[who].opens + who + 1]
+
+
+def _request_moves(rules: Rules, state: State, who: int, room: int) -> Iterator[tuple[str, State]]:
+    host, requests = state.hosts[who], rules.requests[who]
+    in_flight = len(host.window)
+    if in_flight < WINDOW and host.first + in_flight < len(requests):
+        kind = requests[host.first + in_flight]
+        shares = any(
+            request.kind == "q" and (place - in_flight) % rules.places == 0 for place, request in enumerate(host.window)
+        )
+        if not (kind == "q" and shares and rules.spaced):
+            issued = host._replace(window=(*host.window, Request(kind)))
+            yield f"sends {kind}", _sent(rules, state, who, issued, _frame(issued, who, in_flight))
+    open_places = tuple(place for place, request in enumerate(host.window) if request.kind != DONE)
+    for places in {open_places, *((place,) for place in open_places)}:
+        if 0 < len(places) <= room:
+            again = host
+            for place in places:
+                again = _marked(again, place)
+            frames = (_frame(host, who, place) for place in places)
+            yield f"sends {places} again", _sent(rules, state, who, again, *frames)
+    for place in open_places:
+        if rules.count and host.window[place].kind in POSTED and host.first + place < host.known:
+            question = _frame(host, who, place)._replace(kind="h")
+            yield f"asks how {place} ended", _sent(rules, state, who, _marked(host, place), question)
+
+
+def _marked(host: Host, place: int) -> Host:
+    return host._replace(window=_put(host.window, place, host.window[place]._replace(again=True)))
+
+
+def _frame(host: Host, who: int, place: int) -> Frame:
+    ident = (host.base + place) % RING
+    return Frame(host.window[place].kind, host.session, ident, ghost=(who, host.first + place))
+
+
+def _sent(rules: Rules, state: State, who: int, host: Host, *frames: Frame) -> State:
+    host = host._replace(sent=host.sent + rules.datagrams)
+    out = (*state.out, *(frame._replace(count=host.sent) for frame in frames))
+    # Of these alone a request and its answer look the same, but for the check.
+    echoes = tuple(frame._replace(extra="echo") for frame in frames if rules.echo and frame.kind in "Kh")
+    return state._replace(hosts=_of_host(state.hosts, who, host), out=out, back=state.back + echoes)
+
+
+def _ended(host: Host) -> Host:
+    """Return a host without a session: of what was in flight it has said that it does not know."""
+    return host._replace(phase="away", session=0, first=host.first + len(host.window), window=())
+
+
+def _heard_by(rules: Rules, state: State, frame: Frame, hearing: tuple[int, ...]) -> State:
+    for who in hearing:
+        state = _heard(rules, state, frame, who)
+    return state
+
+
+def _heard(rules: Rules, state: State, frame: Frame, who: int) -> State:
+    """Return the state after a host heard a frame."""
+    host, kind = state.hosts[who], frame.kind
+    if frame.extra == "echo":
+        if rules.way:
+            return state
+        kind = kind.lower()
+    is_other = frame.session != host.session
+    if host.phase != "open":
+        is_own = host.phase == "opening" and kind == "k" and frame.ident == host.base and not (rules.seed and is_other)
+        return _with(state, who, host._replace(phase="open", newest=frame.count)) if is_own else state
+    if kind == "state":
+        return _with(state, who, _ended(host)) if is_other else state
+    if rules.datagrams and rules.newer:
+        if is_other or frame.count <= host.newest:
+            return state
+        host = host._replace(newest=frame.count)
+    if kind == "0A":
+        return _refused(rules, state, frame, who, host)
+    return state if rules.seed and is_other else _told(rules, state, frame._replace(kind=kind), who, host)
+
+
+def _with(state: State, who: int, host: Host) -> State:
+    return state._replace(hosts=_of_host(state.hosts, who, host))
+
+
+def _refused(rules: Rules, state: State, frame: Frame, who: int, host: Host) -> State:
+    """Return the state after the news that the gateway had no session when a request came.
+
+    That request and those behind it were not executed, if each was sent once. Datagrams may be late, and tell nothing.
+    """
+    place = (frame.ident - host.base) % RING
+    if (rules.proof and frame.session != host.session) or place >= len(host.window):
+        return state
+    never = sum(1 << host.first + at for at in range(place, len(host.window)) if host.window[at].kind != DONE)
+    if rules.datagrams or any(request.again for request in host.window[place:]):
+        never = 0
+    if never & state.executed[who]:
+        raise _WrongError("told as not executed, and was")
+    return _with(state, who, _ended(host))._replace(never=_of_host(state.never, who, state.never[who] | never))
+
+
+def _told(rules: Rules, state: State, frame: Frame, who: int, host: Host) -> State:
+    """Return the state after an answer of the session, or one that is taken for such."""
+    place = (frame.ident - host.base) % RING
+    executed = state.executed[who]
+    if frame.kind == "n":
+        return _with(state, who, _confirmed(rules, host, place, executed)) if place <= len(host.window) else state
+    if frame.kind == "k" or place >= len(host.window) or host.window[place].kind == DONE:
+        return _with(state, who, host)
+    asked, number = host.window[place].kind, host.first + place
+    if frame.ghost != (who, number):
+        raise _WrongError("an answer in wrong hands")
+    is_fence = asked == "h"
+    if frame.kind == "x":
+        host = host._replace(heard=(host.heard + (asked in POSTED)) % RING)
+    else:
+        if is_fence and frame.extra != "echo" and rules.count:
+            host = _confirmed(rules, host, place + 1, executed)
+            if frame.extra != host.heard:
+                # The error of a posted one was lost: each is asked for.
+                return _with(state, who, host)
+        _check(asked, frame, done=bool(executed >> number & 1))
+    host = _confirmed(rules, host, place + 1, executed, fence=is_fence)
+    window = _put(host.window, number - host.first, Request(DONE))
+    return _with(state, who, _shrunk(host._replace(window=window)))
+
+
+def _check(asked: str, frame: Frame, *, done: bool) -> None:
+    if not done:
+        raise _WrongError("told as done, and not executed")
+    if asked in FAILING:
+        raise _WrongError("told as done, and failed")
+    if asked == "q" and frame.extra != frame.ghost:
+        raise _WrongError("a word is lost")
+
+
+def _confirmed(rules: Rules, host: Host, count: int, executed: int, *, fence: bool = False) -> Host:
+    """Return a host after the news that its first `count` requests were executed; a fence tells the posted ones."""
+    window = host.window
+    for place in range(count):
+        if window[place].kind in POSTED and (fence or not rules.count):
+            if not executed >> host.first + place & 1:
+                raise _WrongError("a posted request is told as done, and not executed")
+            if window[place].kind == "p":
+                raise _WrongError("a posted request is told as done, and failed")
+            window = _put(window, place, Request(DONE))
+    return _shrunk(host._replace(window=window, known=max(host.known, host.first + count)))
+
+
+def _shrunk(host: Host) -> Host:
+    told = 0
+    while told < len(host.window) and host.window[told].kind == DONE:
+        told += 1
+    return host._replace(first=host.first + told, window=host.window[told:], base=(host.base + told) % RING)
