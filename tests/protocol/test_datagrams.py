@@ -20,7 +20,7 @@ OFFER = 0x4F1C0A32
 CODEC = Codec(GatewayInfo())
 CHECKED = CODEC.framing.checked
 ANSWER = b"Q" + GatewayInfo().to_hex() + b"\r\n"
-SESSION = CHECKED(b"U4F1C0A3200000001") + CHECKED(b"K5A0")
+SESSION = CHECKED(b"U4F1C0A3200000001") + CHECKED(b"K5A00001")
 
 
 MOST_CARRIED = 200
@@ -43,7 +43,7 @@ class Gateway:
         self.side.take(b"Q\r", "A")
         self.side.put(ANSWER)
         self.side.take(SESSION, "A")
-        self.side.put(CHECKED(b"K5A0"))
+        self.side.put(CHECKED(b"K5A000010000"))
         self.executed.clear()
         self.sent.clear()
         return self
@@ -52,7 +52,7 @@ class Gateway:
 def opened_host(offer: int = OFFER) -> HostDatagrams:
     host = HostDatagrams()
     host.take(b"U%08X00000000\r\n" % offer + ANSWER)
-    host.put(CHECKED(b"K5A0"))
+    host.put(CHECKED(b"K5A00001"))
     return host
 
 
@@ -85,7 +85,7 @@ def test_a_host_opens_the_session_that_it_was_offered_and_counts_its_datagrams()
     assert host.put(b"\nQ\r") == [b"\nQ\r"]
     assert host.take(b"U4F1C0A3200000000\r\n" + ANSWER) == ANSWER
     assert host.put(CHECKED(b"Q")) == [CHECKED(b"Q")]
-    assert host.put(CHECKED(b"K5A0")) == [b"U4F1C0A32000000018428\nK5A05678\n"]
+    assert host.put(CHECKED(b"K5A00001")) == [b"U4F1C0A32000000018428\nK5A05678\n"]
     assert host.take(b"U4F1C0A32000000018428\nK5A05678\n") == b"K5A05678\n"
     assert host.put(b"r5A00A6198\nr5A10B66CB\n") == [b"U4F1C0A3200000002B44B\nr5A00A6198\nr5A10B66CB\n"]
     assert host.take(b"U4F1C0A3200000002B44B\nr5A000000012E884\n") == b"r5A000000012E884\n"
@@ -195,18 +195,18 @@ def test_empty_lines_before_a_header_are_nothing() -> None:
 
 def test_without_a_header_all_is_executed_that_needs_no_session() -> None:
     gateway = Gateway()
-    gateway.side.take(b"\nH\rK000\rR0A\rw0000A1\r" + CHECKED(b"r0000A") + b"zzz\n", "A")
-    assert gateway.executed == [b"H\r", b"R0A\rw0000A1\r", b"zzz\n"]
+    gateway.side.take(b"\nH\rK0000001\rR0A\rw0000A1\rK\r" + CHECKED(b"r0000A") + b"zzz\n", "A")
+    assert gateway.executed == [b"H\r", b"R0A\rw0000A1\rK\r", b"zzz\n"]
     assert gateway.sent == [
         (b"U4F1C0A3200000000\r\nX0A\r\n", "A"),
-        (b"U4F1C0A3200000000\r\n" + CHECKED(b"x0000A"), "A"),
+        (b"U4F1C0A3200000000\r\n" + CHECKED(b"x0000A0000"), "A"),
     ]
 
 
 @pytest.mark.parametrize("end", [b"\n\r", b"\n\n\r", b"\n"])
 def test_no_session_is_begun_without_a_header_whatever_ends_the_frame(end: bytes) -> None:
     gateway = Gateway()
-    gateway.side.take(b"\r" + CODEC.framing.checked(b"K000")[:-1] + end, "A")
+    gateway.side.take(b"\r" + CODEC.framing.checked(b"K0000001")[:-1] + end, "A")
     assert not gateway.executed
     assert gateway.sent == [(CHECKED(b"U4F1C0A3200000000") + CHECKED(b"X0A"), "A")]
 
@@ -226,12 +226,12 @@ def test_an_offer_stands_until_it_is_taken_and_another_is_made_then() -> None:
 def test_answers_to_questions_go_to_who_asks_and_all_else_to_who_opened_the_session() -> None:
     gateway = Gateway().opened()
     gateway.side.take(CHECKED(b"Q"), "B")
-    gateway.side.put(b"P0000\nr000\nQ02\nK000\nX01\n")
+    gateway.side.put(b"P0000\nr000\nQ02\nK00000010000\r\nK0001\r\nX01\n")
     assert [(datagram.partition(b"\n")[2], address) for datagram, address in gateway.sent] == [
         (b"P0000\nr000\n", "A"),
         (b"Q02\n", "B"),
-        (b"K000\n", "A"),
-        (b"X01\n", "B"),
+        (b"K00000010000\r\n", "A"),
+        (b"K0001\r\nX01\n", "B"),
     ]
     gateway.side.take(b"U4F1C0A3200000002\rQ\r", "A")
     gateway.side.put(ANSWER)
@@ -242,9 +242,9 @@ def test_who_opens_a_session_takes_the_gateway_and_who_had_it_is_told() -> None:
     gateway = Gateway().opened()
     gateway.side.take(b"Q\r", "B")
     gateway.side.put(ANSWER)
-    gateway.side.take(CHECKED(b"U4F1C0A3300000001") + CHECKED(b"K111"), "B")
+    gateway.side.take(CHECKED(b"U4F1C0A3300000001") + CHECKED(b"K1110002"), "B")
     refusal = CHECKED(b"U4F1C0A3200000000") + CHECKED(b"X0A")
-    assert gateway.executed == [b"Q\r\n", CHECKED(b"K111")]
+    assert gateway.executed == [b"Q\r\n", CHECKED(b"K1110002")]
     assert gateway.sent[1:] == [(refusal, "A")]
     gateway.side.take(b"U4F1C0A3200000002B44B\nr5A00A6198\n", "A")
     assert gateway.sent[2:] == [(refusal, "A")]
@@ -264,7 +264,7 @@ def test_frames_and_their_header_fit_into_the_largest_datagram() -> None:
         gateway.side.take(codec.framing.checked(b"Q"), "A")
         for asks in (True, False):
             if not asks:
-                session = codec.framing.checked(b"U4F1C0A3200000001") + codec.framing.checked(b"K000")
+                session = codec.framing.checked(b"U4F1C0A3200000001") + codec.framing.checked(b"K0000001")
                 gateway.side.take(session, "A")
             gateway.sent.clear()
             gateway.side.put(codec.framing.checked(b"H") * 1000)
@@ -320,15 +320,15 @@ def test_headers_of_a_node_have_its_prefix() -> None:
     gateway.side.take(b"Z05Q\r", "A")
     gateway.side.put(b"Z05" + ANSWER)
     assert host.take(gateway.sent[0][0]) == b"Z05" + ANSWER
-    (opening,) = host.put(checked(b"K000"))
-    assert opening == checked(b"U4F1C0A3200000001") + checked(b"K000")
+    (opening,) = host.put(checked(b"K0000001"))
+    assert opening == checked(b"U4F1C0A3200000001") + checked(b"K0000001")
     gateway.side.take(opening, "A")
-    assert gateway.executed == [b"Z05Q\r\n", checked(b"K000")]
+    assert gateway.executed == [b"Z05Q\r\n", checked(b"K0000001")]
 
 
 def test_a_session_cannot_be_opened_for_all_nodes_without_a_header() -> None:
     gateway = Gateway(Codec(GatewayInfo(), node=5))
-    gateway.side.take(b"ZFFK000\rZFFW0A1\r", "A")
+    gateway.side.take(b"ZFFK0000001\rZFFW0A1\r", "A")
     assert gateway.executed == [b"ZFFW0A1\r\n"]
     assert not any(b"X" in datagram for datagram, _ in gateway.sent)
 
@@ -389,8 +389,8 @@ def test_a_host_takes_the_crc_of_headers_from_the_configuration() -> None:
     host.take(b"U4F1C0A3200000000\r\nQ" + codec.info.to_hex() + b"\r\n")
     for damaged in (b"Q02\r\n", b"Q" + b"F" * 64 + b"\r\n", b"Q\xff\r\n"):
         assert host.take(b"U4F1C0A3200000000\r\n" + damaged) == damaged
-    assert host.put(codec.framing.checked(b"K000")) == [
-        codec.framing.checked(b"U4F1C0A3200000001") + codec.framing.checked(b"K000")
+    assert host.put(codec.framing.checked(b"K0000001")) == [
+        codec.framing.checked(b"U4F1C0A3200000001") + codec.framing.checked(b"K0000001")
     ]
 
 
