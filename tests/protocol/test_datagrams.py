@@ -85,11 +85,11 @@ def test_a_host_opens_the_session_that_it_was_offered_and_counts_its_datagrams()
     assert host.put(b"\nQ\r") == [b"\nQ\r"]
     assert host.take(b"U4F1C0A3200000000\r\n" + ANSWER) == ANSWER
     assert host.put(CHECKED(b"Q")) == [CHECKED(b"Q")]
-    assert host.put(CHECKED(b"K5A00001")) == [b"U4F1C0A32000000018428\nK5A05678\n"]
-    assert host.take(b"U4F1C0A32000000018428\nK5A05678\n") == b"K5A05678\n"
-    assert host.put(b"r5A00A6198\nr5A10B66CB\n") == [b"U4F1C0A3200000002B44B\nr5A00A6198\nr5A10B66CB\n"]
-    assert host.take(b"U4F1C0A3200000002B44B\nr5A000000012E884\n") == b"r5A000000012E884\n"
-    assert host.take(b"U4F1C0A3200000002B44B\nr5A000000012E884\n") == b""
+    assert host.put(CHECKED(b"K5A00001")) == [b"U4F1C0A32000000018428\nK5A00001E9A0\n"]
+    assert host.take(b"U4F1C0A32000000018428\nK5A000010000108B\n") == b"K5A000010000108B\n"
+    assert host.put(b"r5A00A251B\nr5A10B2248\n") == [b"U4F1C0A3200000002B44B\nr5A00A251B\nr5A10B2248\n"]
+    assert host.take(b"U4F1C0A3200000002B44B\nr5A000000012907E\n") == b"r5A000000012907E\n"
+    assert host.take(b"U4F1C0A3200000002B44B\nr5A000000012907E\n") == b""
 
 
 def test_a_gateway_offers_a_session_and_executes_each_datagram_of_it_once() -> None:
@@ -99,16 +99,16 @@ def test_a_gateway_offers_a_session_and_executes_each_datagram_of_it_once() -> N
     gateway.side.put(ANSWER)
     gateway.side.take(SESSION, "A")
     gateway.side.take(SESSION, "A")
-    assert gateway.executed[1:] == [b"K5A05678\n"]
-    gateway.side.put(b"K5A05678\n")
-    gateway.side.take(b"U4F1C0A3200000002B44B\nr5A00A6198\n", "A")
+    assert gateway.executed[1:] == [b"K5A00001E9A0\n"]
+    gateway.side.put(b"K5A000010000108B\n")
+    gateway.side.take(b"U4F1C0A3200000002B44B\nr5A00A251B\n", "A")
     gateway.side.take(SESSION, "A")
-    assert gateway.executed[2:] == [b"r5A00A6198\n"]
-    gateway.side.put(b"r5A000000012E884\n")
+    assert gateway.executed[2:] == [b"r5A00A251B\n"]
+    gateway.side.put(b"r5A000000012907E\n")
     assert gateway.sent == [
         (b"U4F1C0A3200000000\r\n" + ANSWER, "A"),
-        (b"U4F1C0A32000000018428\nK5A05678\n", "A"),
-        (b"U4F1C0A3200000002B44B\nr5A000000012E884\n", "A"),
+        (b"U4F1C0A32000000018428\nK5A000010000108B\n", "A"),
+        (b"U4F1C0A3200000002B44B\nr5A000000012907E\n", "A"),
     ]
 
 
@@ -246,7 +246,7 @@ def test_who_opens_a_session_takes_the_gateway_and_who_had_it_is_told() -> None:
     refusal = CHECKED(b"U4F1C0A3200000000") + CHECKED(b"X0A")
     assert gateway.executed == [b"Q\r\n", CHECKED(b"K1110002")]
     assert gateway.sent[1:] == [(refusal, "A")]
-    gateway.side.take(b"U4F1C0A3200000002B44B\nr5A00A6198\n", "A")
+    gateway.side.take(b"U4F1C0A3200000002B44B\nr5A00A251B\n", "A")
     assert gateway.sent[2:] == [(refusal, "A")]
 
 
