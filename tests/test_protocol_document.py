@@ -1,5 +1,6 @@
 """docs/protocol.md is right: checks, messages and answers in its examples are what the gateway model gives."""
 
+import itertools
 import re
 
 import fastcrc
@@ -7,6 +8,7 @@ import pytest
 
 from support.worked_examples import DOCUMENT, Example, worked_examples
 from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.crc import seed_of
 from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual.faults import Failing
 from unity_link.virtual.gateway import VirtualGateway
@@ -34,21 +36,15 @@ def test_the_gateway_model_answers_as_the_document_says(example: Example) -> Non
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda example: f"line {example.line}")
 def test_every_checked_frame_has_the_right_crc_unless_its_answer_says_otherwise(example: Example) -> None:
-    session, before = 0, 0
-    for sent, answered in example.exchange:
-        for frame in (sent + answered).splitlines(keepends=True):
-            if frame.endswith(b"\n") and not frame.endswith(b"\r\n") and frame != b"\n":
-                body, crc = frame[:-5], frame[-5:-1]
-                start = 3 if body.startswith(b"Z") else 0
-                of_session = body[start : start + 1].islower() or body.startswith(b"P")
-                seed = 2 * session + (frame != sent) if session and of_session else 0
-                begun = fastcrc.crc16.xmodem(body[:start]) ^ seed
-                right = crc.upper() == b"%04X" % fastcrc.crc16.xmodem(body[start:], begun)
-                assert right != (frame == sent and answered.startswith(b"X01")), frame
-        begins = re.match(rb"K...(....)(....)(?:....\n|\r\n)$", answered)
-        if begins:
-            assert before == session == int(begins[2], 16)
-            before = session = int(begins[1], 16)
+    for (frame, from_gateway, session), behind in itertools.pairwise([*example.frames_in_sessions, (b"", False, 0)]):
+        if frame.endswith(b"\r\n") or frame == b"\n" or not frame.endswith(b"\n"):
+            continue
+        body, crc = frame[:-5], frame[-5:-1]
+        start = 3 if body.startswith(b"Z") else 0
+        of_session = body[start : start + 1].islower() or (from_gateway and body.startswith(b"P"))
+        begun = fastcrc.crc16.xmodem(body[:start]) ^ (seed_of(session, from_gateway=from_gateway) * of_session)
+        right = crc.upper() == b"%04X" % fastcrc.crc16.xmodem(body[start:], begun)
+        assert right != (not from_gateway and behind[0].startswith(b"X01")), frame
 
 
 def test_the_examples_show_every_message() -> None:

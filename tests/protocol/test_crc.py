@@ -55,7 +55,13 @@ def test_rows_have_the_same_crc_as_each_alone(crc: Crc, data: st.DataObject) -> 
     length = data.draw(st.integers(1, 40))
     rows = data.draw(st.lists(st.binary(min_size=length, max_size=length), min_size=1, max_size=20))
     array = np.frombuffer(b"".join(rows), np.uint8).reshape(len(rows), length)
-    assert [row.tobytes() for row in crc_rows(crc, array)] == [crc.text(row) for row in rows]
+    begun = data.draw(st.integers(0, (1 << crc.bits) - 1))
+    assert [row.tobytes() for row in crc_rows(crc, array, begun)] == [crc.text(row, begun) for row in rows]
+
+
+@given(crc=crcs() | st.sampled_from([Crc(*usual) for usual in USUAL]), before=st.binary(), behind=st.binary())
+def test_a_crc_goes_on_from_what_is_before(crc: Crc, before: bytes, behind: bytes) -> None:
+    assert crc.of(behind, crc.of(before)) == crc.of(before + behind)
 
 
 @pytest.mark.parametrize("bits", [0, 4, 12, 24, 64])

@@ -15,6 +15,7 @@ from support.any_gateway import gateway_infos
 from support.worked_examples import Example, worked_examples
 from unity_link.protocol.arrays import parse_words, request_rows, response_rows
 from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.crc import seed_of
 from unity_link.protocol.messages import (
     COMMANDS,
     LISTS,
@@ -194,6 +195,10 @@ def test_what_is_no_row_of_numbers_is_read_neither_as_a_list_nor_as_an_array(dig
         assert parse_numbers(text, digits) == expected
 
 
+SEEDS = st.integers(0, 0xFF)
+"""Of sessions that each CRC can have."""
+
+
 @given(codec=ALL_FEATURES, data=st.data(), node=st.sampled_from([None, 0x5A]))
 def test_many_requests_are_written_as_each_alone(codec: Codec, data: st.DataObject, node: int | None) -> None:
     codec = Codec(codec.info, node)
@@ -203,17 +208,19 @@ def test_many_requests_are_written_as_each_alone(codec: Codec, data: st.DataObje
     rows = np.frombuffer(
         data.draw(st.text("0123456789ABCDEF", min_size=count * width, max_size=count * width)).encode(), np.uint8
     ).reshape(count, width)
-    alone = [codec.request("W", (first + index) % codec.ring, row.tobytes()) for index, row in enumerate(rows)]
-    assert request_rows(codec, "W", first, rows) == b"".join(alone)
+    seed = data.draw(SEEDS)
+    alone = [codec.request("W", (first + index) % codec.ring, row.tobytes(), seed) for index, row in enumerate(rows)]
+    assert request_rows(codec, "W", first, rows, seed) == b"".join(alone)
 
 
-def answers(codec: Codec, command: str, first: int, words: list[int]) -> list[bytes]:
+def answers(codec: Codec, command: str, first: int, words: list[int], seed: int) -> list[bytes]:
     reads = words if command == "R" else [None] * len(words)
     return [
         codec.framing.checked(
             codec.response(
                 DecodedRequest(command, (first + index) % codec.ring, (0,) if command == "R" else (0, 0)), word
-            )
+            ),
+            seed,
         )
         for index, word in enumerate(reads)
     ]
@@ -226,14 +233,15 @@ def test_many_responses_are_read_as_each_alone_up_to_the_first_that_is_not_as_ex
     codec = Codec(codec.info, node)
     words = data.draw(st.lists(field(codec, "d"), min_size=1, max_size=20))
     first = data.draw(st.integers(0, codec.ring - 1) | st.just(codec.ring - 1))
-    frames = answers(codec, command, first, words)
+    seed = data.draw(SEEDS)
+    frames = answers(codec, command, first, words, seed)
     digits = codec.info.data_digits if command == "R" else 0
     wrong = data.draw(st.integers(0, len(words)))
     if wrong < len(words):
         frame = bytearray(frames[wrong])
         frame[data.draw(st.integers(0, len(frame) - 1))] ^= 1 << data.draw(st.integers(0, 7))
         frames[wrong] = bytes(frame)
-    taken = response_rows(codec, command, first, b"".join(frames), digits)
+    taken = response_rows(codec, command, first, b"".join(frames), digits, seed)
     expected = words[:wrong] if command == "R" else [0] * wrong
     assert ([] if taken is None else taken.tolist()) == expected
 
@@ -248,21 +256,26 @@ def test_a_right_crc_around_what_is_no_word_is_left_to_the_reader_of_single_fram
 @pytest.mark.parametrize("example", worked_examples(), ids=lambda example: f"line {example.line}")
 def test_the_host_reads_every_answer_of_the_document(example: Example) -> None:
     codec = Codec(GatewayInfo(), example.node)
-    for _, answered in example.exchange:
-        for line in answered.splitlines(keepends=True):
-            codec.decode_response(codec.framing.open(line[:-1]))
+    for frame, from_gateway, session in example.frames_in_sessions:
+        if from_gateway:
+            codec.decode_response(codec.framing.open(frame[:-1], seed_of(session, from_gateway=True)))
 
 
-@pytest.mark.parametrize("example", worked_examples(), ids=lambda example: f"line {example.line}")
-def test_the_host_writes_every_checked_request_of_the_document(example: Example) -> None:
-    codec = Codec(GatewayInfo(), example.node)
-    for sent, _ in example.exchange:
-        body = re.fullmatch(rb"(?:Z05)?([G-Zg-z][^\r\n]*)..\n", sent)
-        if body is None or (example.node is not None and not sent.startswith(b"Z05")):
-            continue
-        try:
-            request = codec.decode_request(body[1])
-        except RequestError:
-            continue
-        if codec.framing.checked(body[1]) == sent:
-            assert codec.framing.checked(body_of(codec, request)) == sent
+def test_the_host_writes_every_checked_request_of_the_document() -> None:
+    written = 0
+    for example in worked_examples():
+        codec = Codec(GatewayInfo(), example.node)
+        for frame, from_gateway, session in example.frames_in_sessions:
+            body = re.fullmatch(rb"%b([G-Zg-z][^\r\n]*)....\n" % codec.framing.prefix, frame)
+            if from_gateway or body is None:
+                continue
+            try:
+                request = codec.decode_request(body[1])
+            except RequestError:
+                continue
+            seed = seed_of(session, from_gateway=False) if body[1].islower() else 0
+            if codec.framing.checked(body[1], seed) == frame:
+                seed = seed_of(session, from_gateway=False) if request.id is not None else 0
+                assert codec.framing.checked(body_of(codec, request), seed) == frame
+                written += 1
+    assert written > 40

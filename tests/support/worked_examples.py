@@ -27,7 +27,20 @@ class Example(msgspec.Struct, frozen=True):
     @property
     def frames(self) -> list[bytes]:
         """All frames of both directions, with their ends."""
-        return [frame for pair in self.exchange for text in pair for frame in text.splitlines(keepends=True)]
+        return [frame for frame, _, _ in self.frames_in_sessions]
+
+    @property
+    def frames_in_sessions(self) -> list[tuple[bytes, bool, int]]:
+        """All frames with their ends, True for those of the gateway, and the session under way for each."""
+        found, session = list[tuple[bytes, bool, int]](), 0
+        for pair in self.exchange:
+            for text, from_gateway in zip(pair, (False, True), strict=True):
+                for frame in text.splitlines(keepends=True):
+                    found.append((frame, from_gateway, session))
+                    # ID, its session, the one that it ended, and the check of a checked one.
+                    if from_gateway and re.fullmatch(rb"K[0-9A-F]{11}([0-9A-F]{4}|\r)\n", frame):
+                        session = int(frame[4:8], 16)
+        return found
 
 
 def worked_examples() -> list[Example]:

@@ -156,17 +156,32 @@ def rows_of(data: bytes, start: int, count: int, size: int) -> NDArray[np.uint8]
     return np.frombuffer(data, np.uint8, count * size, start).reshape(count, size)
 
 
-def crc_rows(crc: Crc, rows: NDArray[np.uint8]) -> NDArray[np.uint8]:
+def crc_rows(crc: Crc, rows: NDArray[np.uint8], begun: int = 0) -> NDArray[np.uint8]:
     """Return the CRC of each row of bytes, shape (n, length), as hex digits, shape (n, digits).
 
-    With an initial value of 0 the CRC is linear, so it is one table look-up a column and an xor over the columns.
+    With an initial value of 0 the CRC is linear, so it is one table look-up a column and an xor over the columns; what
+    it begins with adds the same to all.
+
+    Args:
+        crc: the check in use.
+        rows: the bytes.
+        begun: value with which the CRC of each row begins.
     """
-    table, places = _column_table(crc.bits, crc.polynomial, rows.shape[1])
+    length = rows.shape[1]
+    table, places = _column_table(crc.bits, crc.polynomial, length)
     # In columns, as numpy reduces few long rows in less time than many short ones.
     crcs = np.bitwise_xor.reduce(table.take(rows.T + places), axis=0)
+    if begun:
+        crcs ^= crcs.dtype.type(_behind_zeros(crc, length, begun))
     octets = crcs.astype(crcs.dtype.newbyteorder(">")).view(np.uint8)
     digits: NDArray[np.uint8] = _HEX_OF_BYTE.take(octets).view(np.uint8).reshape(-1, crc.digits)
     return digits
+
+
+@lru_cache(maxsize=256)
+def _behind_zeros(crc: Crc, length: int, begun: int) -> int:
+    """Return what a value has become in a CRC by so many characters."""
+    return crc.of(bytes(length), begun)
 
 
 @lru_cache(maxsize=64)
@@ -191,20 +206,21 @@ def _count_alike(rows: NDArray[np.uint8], expected: NDArray[np.uint8]) -> int:
     return len(rows) if alike.all() else int(alike.all(axis=1).argmin())
 
 
-def open_rows(framing: Framing, rows: NDArray[np.uint8], head: bytes) -> NDArray[np.uint8]:
+def open_rows(framing: Framing, rows: NDArray[np.uint8], head: bytes, seed: int = 0) -> NDArray[np.uint8]:
     """Return the bodies of checked frames of one length that stand side by side, up to the first that is none.
 
     Args:
         framing: puts them into frames.
         rows: the frames with their LF, shape (n, length).
         head: what all of them begin with, the prefix among it.
+        seed: of their session and direction.
     """
-    end = rows.shape[1] - framing.crc.digits - len(LF)
+    start, end = len(framing.prefix), rows.shape[1] - framing.crc.digits - len(LF)
     expected = rows.copy()
     expected[:, : len(head)] = np.frombuffer(head, np.uint8)
-    expected[:, end : -len(LF)] = crc_rows(framing.crc, rows[:, :end])
+    expected[:, end : -len(LF)] = crc_rows(framing.crc, rows[:, start:end], framing.begun ^ seed)
     expected[:, -1] = LF[0]
-    return rows[: _count_alike(rows, expected), len(framing.prefix) : end]
+    return rows[: _count_alike(rows, expected), start:end]
 
 
 class FrameCodec(Protocol):
@@ -217,8 +233,8 @@ class FrameCodec(Protocol):
     lower: dict[str, bytes]
     """Letters of each command on the wire."""
 
-    def request(self, command: str, number: int, fields: bytes) -> bytes:
-        """Return the checked frame of a request with an ID."""
+    def request(self, command: str, number: int, fields: bytes, seed: int = 0) -> bytes:
+        """Return the checked frame of a request with an ID, with the seed of its session."""
 
 
 @lru_cache
@@ -232,7 +248,7 @@ def _ids(codec: FrameCodec, first: int, count: int) -> NDArray[np.uint8]:
     return _id_rows(codec.info.id_digits)[first : first + count]
 
 
-def request_rows(codec: FrameCodec, command: str, first: int, fields: NDArray[np.uint8]) -> bytes:
+def request_rows(codec: FrameCodec, command: str, first: int, fields: NDArray[np.uint8], seed: int = 0) -> bytes:
     """Return the checked frames of many requests of one command under consecutive IDs.
 
     Args:
@@ -240,23 +256,27 @@ def request_rows(codec: FrameCodec, command: str, first: int, fields: NDArray[np
         command: the command, in upper case.
         first: ID of the first.
         fields: hex digits of the fields, shape (n, width).
+        seed: of their session and direction.
     """
     count = len(fields)
     if count < _FEWEST_ROWS:
         # A turn of numpy costs as much as so many frames.
         text, width = fields.tobytes(), fields.shape[1]
         return b"".join(
-            codec.request(command, first + place & codec.ring - 1, text[place * width : (place + 1) * width])
+            codec.request(command, first + place & codec.ring - 1, text[place * width : (place + 1) * width], seed)
             for place in range(count)
         )
     framing = codec.framing
     head = np.frombuffer(framing.prefix + codec.lower[command], np.uint8)
     covered = np.concatenate((np.broadcast_to(head, (count, len(head))), _ids(codec, first, count), fields), axis=1)
+    checks = crc_rows(framing.crc, covered[:, len(framing.prefix) :], framing.begun ^ seed)
     ends = np.full((count, 1), LF[0], np.uint8)
-    return np.concatenate((covered, crc_rows(framing.crc, covered), ends), axis=1).tobytes()
+    return np.concatenate((covered, checks, ends), axis=1).tobytes()
 
 
-def matching_rows(codec: FrameCodec, command: str, first: int, data: bytes, digits: int) -> NDArray[np.uint8]:
+def matching_rows(
+    codec: FrameCodec, command: str, first: int, data: bytes, digits: int, seed: int = 0
+) -> NDArray[np.uint8]:
     """Check frames of one command under consecutive IDs, be they requests or responses.
 
     Args:
@@ -265,6 +285,7 @@ def matching_rows(codec: FrameCodec, command: str, first: int, data: bytes, digi
         first: ID of the first.
         data: whole frames of equal size.
         digits: characters between the ID and the CRC.
+        seed: of their session and direction.
 
     Returns:
         These characters, shape (n, digits), of the frames up to the first that is anything else than expected.
@@ -277,12 +298,15 @@ def matching_rows(codec: FrameCodec, command: str, first: int, data: bytes, digi
     expected = rows.copy()
     expected[:, : len(head)] = head
     expected[:, len(head) : before] = _ids(codec, first, len(rows))
-    expected[:, -1 - crc_digits : -1] = crc_rows(framing.crc, rows[:, : before + digits])
+    body = rows[:, len(framing.prefix) : before + digits]
+    expected[:, -1 - crc_digits : -1] = crc_rows(framing.crc, body, framing.begun ^ seed)
     expected[:, -1] = LF[0]
     return rows[: _count_alike(rows, expected), before : before + digits]
 
 
-def response_rows(codec: FrameCodec, command: str, first: int, data: bytes, digits: int) -> Words | None:
+def response_rows(
+    codec: FrameCodec, command: str, first: int, data: bytes, digits: int, seed: int = 0
+) -> Words | None:
     """Read the responses to many requests of one command under consecutive IDs, as long as they are as expected.
 
     Args:
@@ -291,12 +315,13 @@ def response_rows(codec: FrameCodec, command: str, first: int, data: bytes, digi
         first: ID of the first.
         data: whole frames of equal size.
         digits: hex digits after the ID: those of one word, or 0.
+        seed: of their session and of what a gateway sends.
 
     Returns:
         The words of the frames up to the first that is anything else than the expected response (zeros where
         `digits` is 0), or None where there is none.
     """
-    rows = matching_rows(codec, command, first, data, digits)
+    rows = matching_rows(codec, command, first, data, digits, seed)
     if not len(rows):
         return None
     if not digits:

@@ -210,7 +210,7 @@ class Codec:
         layout, digits = self._layouts[command]
         if digits:
             return layout % (*values[:-1], hex_text(values[-1], digits))
-        return layout % values
+        return layout % values if values else b""
 
     def _write_fields(self) -> Callable[[int, int], bytes]:
         digits = self.info.address_digits, self.info.data_digits
