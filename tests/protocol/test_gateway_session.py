@@ -6,7 +6,7 @@ import pytest
 
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.gateway_session import GatewaySession
-from unity_link.protocol.messages import Codec
+from unity_link.protocol.messages import Codec, ErrorCode
 
 
 def test_there_is_a_session_from_its_first_id_on_whatever_that_is_until_a_reset() -> None:
@@ -26,5 +26,16 @@ def test_a_session_has_a_number_that_fits_in_the_check_beside_the_direction(crc_
         session.take(codec.opening(0, number), plain=True)
         assert not session.begun
     session.take(codec.opening(0, last), plain=True)
-    assert session.number == last
-    assert max(session.seeds) < 1 << crc_bits
+    assert session.state.number == last
+    assert max(session.state.seeds) < 1 << crc_bits
+
+
+def test_what_ends_behind_its_session_changes_nothing_of_the_next() -> None:
+    session = GatewaySession(Codec(GatewayInfo()))
+    session.begin(1, 0)
+    late = session.state
+    session.begin(2, 0)
+    late.fail(0, ErrorCode.BUS_ERROR, posted=True)
+    late.keep(0, [5])
+    session.sequence.expected = 1
+    assert (session.sequence.fate(0), session.state.failed, session.state.kept[0]) == (0, 0, 0)

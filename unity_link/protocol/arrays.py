@@ -304,9 +304,7 @@ def matching_rows(
     return rows[: _count_alike(rows, expected), before : before + digits]
 
 
-def response_rows(
-    codec: FrameCodec, command: str, first: int, data: bytes, digits: int, seed: int = 0
-) -> Words | None:
+def response_rows(codec: FrameCodec, command: str, first: int, data: bytes, digits: int, seed: int = 0) -> Words | None:
     """Read the responses to many requests of one command under consecutive IDs, as long as they are as expected.
 
     Args:

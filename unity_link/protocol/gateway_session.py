@@ -35,8 +35,49 @@ UNDER_WAY: Final = Answer(b"\n")
 """Stands for an answer where the request is a repetition of one that is awaited."""
 
 
+class SessionState:
+    """One session, or the time without one.
+
+    Args:
+        number: of the session.
+        for_program: True if a checked `K` began it, so that what is not in its order is shut out.
+        ring: number of IDs.
+        fates: of `Sequence`.
+        kept: words of destructive reads, which as in the gateware neither a reset nor a session changes.
+    """
+
+    __slots__ = ("awaited", "failed", "fates", "for_program", "kept", "number", "seeds")
+
+    def __init__(self, number: int, *, for_program: bool, ring: int, fates: bytearray, kept: list[int]) -> None:
+        self.number = number
+        self.seeds = seed_of(number, from_gateway=False), seed_of(number, from_gateway=True)
+        """Seeds of what the host sends, and of what the gateway sends."""
+        self.for_program = for_program
+        self.failed = 0
+        """Number of stateless writes that failed, modulo the ring."""
+        self.awaited = bytearray(ring)
+        """Flags by ID: 1 if its request is under way. A gateway that answers at once has none."""
+        self.fates = fates
+        self.kept = kept
+
+    def fail(self, number: int, code: ErrorCode, *, posted: bool) -> None:
+        """Note that a request ended in error 04, 05 or 06."""
+        self.fates[number % len(self.fates)] = code
+        if posted:
+            self.failed = self.failed + 1 & len(self.awaited) - 1
+
+    def keep(self, number: int, words: Words[int]) -> None:
+        """Keep what a destructive read gave."""
+        for place, word in enumerate(words, number):
+            self.kept[place % MOST_KEPT_WORDS] = word
+
+    def end(self) -> None:
+        """Let what is still under way change nothing of the sessions behind this one."""
+        self.fates, self.kept = bytearray(self.fates), list(self.kept)
+
+
 class GatewaySession:
-    """The session of one host, none at first.
+    """The sessions of one host, one after the other, none at first.
 
     Args:
         codec: the messages of the gateway.
@@ -44,21 +85,10 @@ class GatewaySession:
 
     def __init__(self, codec: Codec) -> None:
         self.sequence = Sequence(codec.ring)
-        self.number = NO_SESSION
-        """Number of the session under way."""
-        self.seeds = (0, 0)
-        """Its seeds, of what the host sends and of what the gateway sends."""
         self.ended = NO_SESSION
         """Number of the session that the last `K` has ended."""
-        self.for_program = False
-        """True in a session that a checked `K` began, which shuts out what is not in its order."""
-        self.failed = 0
-        """Number of stateless writes of the session that failed, modulo the ring."""
-        self.kept = [0] * MOST_KEPT_WORDS
-        """Words of destructive reads, which as in the gateware neither a reset nor a session changes."""
-        self.awaited: bytearray
-        """Flags by ID: 1 if its request is under way. A gateway that answers at once has none."""
         self._codec = codec
+        self.state = self._state(NO_SESSION, self.sequence.fates, [0] * MOST_KEPT_WORDS)
         self.reception = Reception(codec)
         self.most_kept = self.reception.longest + len(codec.framing.prefix) + 1
         """Characters of an endless line by which it is known to be too long."""
@@ -67,7 +97,7 @@ class GatewaySession:
     @property
     def begun(self) -> bool:
         """Return whether there is a session: a `K` has come since the reset."""
-        return self.number != NO_SESSION
+        return self.state.number != NO_SESSION
 
     def reset(self) -> None:
         """End the session: nothing with an ID is executed until the next `K`."""
@@ -86,23 +116,13 @@ class GatewaySession:
         self._begin(number, for_program=for_program)
 
     def _begin(self, number: int, *, for_program: bool) -> None:
-        self.ended, self.number, self.for_program = self.number, number, for_program
-        self.seeds = seed_of(number, from_gateway=False), seed_of(number, from_gateway=True)
-        self.failed = 0
-        self._forget_awaited()
+        before = self.state
+        self.ended = before.number
+        self.state = self._state(number, before.fates, before.kept, for_program=for_program)
+        before.end()
 
-    def fail(self, request: DecodedRequest, code: ErrorCode) -> None:
-        """Note that a request ended in error 04, 05 or 06, if it is one of the session."""
-        if request.id is not None and not request.repeated:
-            self.sequence.fail(request.id, code)
-            self.failed += request.command == "WS"
-            self.failed &= self.sequence.mask
-
-    def keep(self, request: DecodedRequest, words: Words[int]) -> None:
-        """Keep what a destructive read gave, if it is one of the session."""
-        if request.id is not None:
-            for place, word in enumerate(words, request.id):
-                self.kept[place % MOST_KEPT_WORDS] = word
+    def _state(self, number: int, fates: bytearray, kept: list[int], *, for_program: bool = False) -> SessionState:
+        return SessionState(number, for_program=for_program, ring=self._codec.ring, fates=fates, kept=kept)
 
     def take(
         self, line: bytes, *, plain: bool, prefix: bytes = b"", bytes_lost: bool = False
@@ -119,10 +139,12 @@ class GatewaySession:
             The request that is to be executed, or the answer where none is. With a `K` the session has begun.
         """
         try:
-            request = self.reception.read(line, plain=plain, prefix=prefix, session=self.number, bytes_lost=bytes_lost)
+            request = self.reception.read(
+                line, plain=plain, prefix=prefix, session=self.state.number, bytes_lost=bytes_lost
+            )
         except RequestError as refusal:
             return Answer(self._codec.error(refusal.code))
-        if self.for_program and (plain if request.id is not None else request.command not in LOOKING):
+        if self.state.for_program and (plain if request.id is not None else request.command not in LOOKING):
             return Answer(self._codec.error(ErrorCode.SESSION_UNDER_WAY, request.id))
         if request.id is not None:
             return self._in_order(request, request.id)
@@ -143,7 +165,7 @@ class GatewaySession:
     def _open(self, request: DecodedRequest, *, for_program: bool) -> DecodedRequest | Answer:
         """Begin the session that a `K` asks for, if it may be."""
         first, number = request.values
-        if number == self.number:
+        if number == self.state.number:
             return Answer(self._codec.error(ErrorCode.SESSION_UNDER_WAY))
         if not 0 < number <= self._codec.info.last_session:
             return Answer(self._codec.error(ErrorCode.OUT_OF_RANGE))
@@ -152,7 +174,7 @@ class GatewaySession:
 
     def _repeat(self, request: DecodedRequest, number: int) -> DecodedRequest | Answer:
         """Return what becomes of a request that was taken before."""
-        if self.awaited[number]:
+        if self.state.awaited[number]:
             return UNDER_WAY
         fate = self.sequence.fate(number)
         if fate:
@@ -167,13 +189,10 @@ class GatewaySession:
     def _once_more(self, request: DecodedRequest, number: int) -> int | list[int] | None:
         """Return what the answer to a repetition has beside the ID."""
         if request.command == "H":
-            return self.failed
+            return self.state.failed
+        kept = self.state.kept
         if request.command == "WK":
-            return self.kept[number % MOST_KEPT_WORDS]
+            return kept[number % MOST_KEPT_WORDS]
         if request.command == "RQ":
-            return [self.kept[place % MOST_KEPT_WORDS] for place in range(number, number + request.values[1])]
+            return [kept[place % MOST_KEPT_WORDS] for place in range(number, number + request.values[1])]
         return None
-
-    def _forget_awaited(self) -> None:
-        # A new one: what is under way belongs to the session before, and is noted in the old one.
-        self.awaited = bytearray(self._codec.ring)

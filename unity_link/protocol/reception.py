@@ -160,10 +160,6 @@ class Sequence:
         """Return the error with which a request ended that was executed, 0 if it ended well."""
         return self.fates[number % self._half]
 
-    def fail(self, number: int, code: ErrorCode) -> None:
-        """Note that a request ended in an error."""
-        self.fates[number % self._half] = code
-
     def place(self, number: int) -> SequencePlace:
         """Return where a request stands, and count it if it is the next."""
         if self.expected < 0:

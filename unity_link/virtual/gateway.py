@@ -145,7 +145,7 @@ class VirtualGateway(BareGateway):
     @property
     def session(self) -> int:
         """Number of the session under way, 0 for none."""
-        return self._session.number
+        return self._session.state.number
 
     def begin(self, session: int, first: int) -> None:
         """Begin a program's session, as a checked `K` does."""
@@ -275,7 +275,7 @@ class VirtualGateway(BareGateway):
     def _frame(self, body: bytes, plain: bool) -> bytes:  # noqa: FBT001  (the form of a frame, everywhere)
         if plain:
             return self._framing.plain_reply(body)
-        return self._framing.checked(body, self._session.seeds[1] if in_session(body[0]) else 0)
+        return self._framing.checked(body, self._session.state.seeds[1] if in_session(body[0]) else 0)
 
     def _answer(self, line: bytes, now: float, *, plain: bool) -> bytes:
         """Return the reply to what stood before an end, behind the samples that come before it."""
@@ -309,7 +309,7 @@ class VirtualGateway(BareGateway):
             request = self._session.reception.read(line, plain=plain, prefix=prefix, bytes_lost=bytes_lost)
         except RequestError:
             return
-        if request.command == "WS" and request.id is None and not (plain and self._session.for_program):
+        if request.command == "WS" and request.id is None and not (plain and self._session.state.for_program):
             self._execute(request, now)
 
     def _execute(self, request: DecodedRequest, now: float) -> bytes:
@@ -317,26 +317,27 @@ class VirtualGateway(BareGateway):
         if command == "Q":
             return b"Q" + self.info.to_hex()
         if command == "H":
-            return self._codec.response(request, self._session.failed)
+            return self._codec.response(request, self._session.state.failed)
         if command == "K":
             return self._start_or_tell_session(request)
         try:
             reads = self._commands.run[command](now, *request.values)
         except (FieldRangeError, AccessError) as fault:
-            self._session.fail(request, fault.code)
+            if request.id is not None and not request.repeated:
+                self._session.state.fail(request.id, fault.code, posted=command == "WS")
             body = self._codec.error(fault.code, request.id)
         else:
             body = b"" if command == "WS" else self._codec.response(request, reads)
-            if COMMANDS[command].repetition is Repetition.KEPT:
-                self._session.keep(request, [reads] if isinstance(reads, int) else reads or ())
+            if request.id is not None and COMMANDS[command].repetition is Repetition.KEPT:
+                self._session.state.keep(request.id, [reads] if isinstance(reads, int) else reads or ())
         if command in _BEHIND_SAMPLES:
             self.groups.ring.send_all()
         return body
 
     def _start_or_tell_session(self, request: DecodedRequest) -> bytes:
         if not request.values:
-            return self._codec.response(request, self._session.number)
-        self._commands.start_session(for_program=self._session.for_program)
+            return self._codec.response(request, self._session.state.number)
+        self._commands.start_session(for_program=self._session.state.for_program)
         return self._codec.response(request, self._session.ended)
 
     # The short way for single words
@@ -362,7 +363,7 @@ class VirtualGateway(BareGateway):
         if self._sequence.expected < 0:
             return None
         digits = self._crc_digits
-        check = self._crc_text(line[:-digits], self._session.seeds[0])
+        check = self._crc_text(line[:-digits], self._session.state.seeds[0])
         if check != line[-digits:]:
             return None if check == line[-digits:].upper() else self._damage_reply
         # The second digit may be no X, for int() would take 0X for a prefix.
@@ -389,7 +390,7 @@ class VirtualGateway(BareGateway):
         elif sequence.fate(number):
             return None
         body = self._word_form % (self._codec.id_text[number], self.bus.memory[address])
-        return b"%b%b\n" % (body, self._crc_text(body, self._session.seeds[1]))
+        return b"%b%b\n" % (body, self._crc_text(body, self._session.state.seeds[1]))
 
     def _quick_write(self, fields: int) -> bytes | None:
         """Answer `w` to plain memory with the expected ID, or give up."""
@@ -397,7 +398,7 @@ class VirtualGateway(BareGateway):
         if self._quick_post(fields) is None:
             return None
         body = b"w" + self._codec.id_text[number]
-        return b"%b%b\n" % (body, self._crc_text(body, self._session.seeds[1]))
+        return b"%b%b\n" % (body, self._crc_text(body, self._session.state.seeds[1]))
 
     def _quick_post(self, fields: int) -> bytes | None:
         """Do the same for `ws`, which has no answer."""
