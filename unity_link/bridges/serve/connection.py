@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
     from unity_link.bridges.serve.groups import ClientGroup
     from unity_link.bridges.serve.shared import SharedLink
+    from unity_link.protocol.gateway_session import SessionState
 
 MOST_UNDER_WAY = 65_536
 """Bytes of requests and answers under way for one client, beyond which it is not listened to."""
@@ -177,8 +178,9 @@ class ClientConnection(asyncio.Protocol):
         """
         self._shared.turns.follow(self.queue, (other.queue for other in self._shared.clients if other is not self))
 
-    def hand_on(self, relayed: Relayed, awaited: bytearray) -> None:
-        """Put a request into the line; where it has an ID, note it in `awaited` until it is answered."""
+    def hand_on(self, relayed: Relayed, state: SessionState) -> None:
+        """Put a request of a session into the line; where it has an ID, it is awaited there until it is answered."""
+        relayed.state = state
         room = max(relayed.cost, COST_ALONE)
         self._under_way += room
         self._asked = relayed.order = self._asked + 1
@@ -190,8 +192,7 @@ class ClientConnection(asyncio.Protocol):
             relayed.room = room + self._posted
             self._posted = 0
             if relayed.number is not None:
-                awaited[relayed.number] = 1
-                relayed.awaited = awaited
+                state.awaited[relayed.number] = 1
             self._pending.append(relayed)
         if self._shared.away:
             relayed.refuse(ErrorCode.BUS_TIMEOUT)
@@ -200,13 +201,13 @@ class ClientConnection(asyncio.Protocol):
         if self.room <= 0:
             self._listen()
 
-    def hand_on_rows(self, rows: RelayedRows, awaited: bytearray) -> None:
-        """Put many requests into the line."""
+    def hand_on_rows(self, rows: RelayedRows, state: SessionState) -> None:
+        """Put many requests of a session into the line."""
         self._under_way += rows.cost * rows.count
         rows.room, self._posted = self._posted, 0
         self._asked = rows.order = self._asked + 1
-        _mark(rows.number, rows.count, awaited, 1)
-        rows.awaited = awaited
+        _mark(rows.number, rows.count, state.awaited, 1)
+        rows.state = state
         self._pending.append(rows)
         self.queue.requests.append(rows)
         if self.room <= 0:
@@ -265,7 +266,7 @@ class ClientConnection(asyncio.Protocol):
         if not body or request.silent:
             request.reply = b""
         else:
-            request.reply = framing.plain_reply(body) if request.plain else framing.checked(body)
+            request.reply = framing.plain_reply(body) if request.plain else framing.checked(body, _seed(request, body))
         self._over(request)
         if request.posted:
             self._answer_posted(request.reply, request.order)
@@ -303,19 +304,20 @@ class ClientConnection(asyncio.Protocol):
             else:
                 if isinstance(entry, Said):
                     self._under_way -= len(entry.reply)
-                elif entry.awaited is not None and entry.number is not None:
-                    entry.awaited[entry.number] = 0
+                elif entry.state is not None and entry.number is not None:
+                    entry.state.awaited[entry.number] = 0
                 self.write(entry.reply)
             pending.popleft()
 
     def _write_rows(self, rows: RelayedRows) -> None:
-        first = rows.number + rows.answered & len(rows.awaited) - 1
+        awaited = rows.state.awaited
+        first = rows.number + rows.answered & len(awaited) - 1
         count, sent, frames = rows.ready()
         if count:
             self._under_way -= count * rows.cost + rows.room
             rows.room = 0
             self._shared.turns.arrived(self.queue, sent * rows.cost)
-            _mark(first, count, rows.awaited, 0)
+            _mark(first, count, awaited, 0)
             self.write(frames)
 
     def posted(self, request: Relayed) -> None:  # noqa: ARG002  (its room is that of what is answered behind it)
@@ -353,6 +355,11 @@ class ClientConnection(asyncio.Protocol):
             self._listen()
             if self._said_all and not self._pending and not self.queue.requests:
                 self._transport.close()
+
+
+def _seed(request: Relayed, body: bytes) -> int:
+    """Return the seed of the answer to a request, which has that of its session if it has an ID."""
+    return 0 if request.state is None or not body[:1].islower() else request.state.seeds[1]
 
 
 def _mark(first: int, count: int, awaited: bytearray, value: int) -> None:

@@ -17,7 +17,7 @@ from unity_link.bridges.serve.leases import ArmRequest
 from unity_link.bridges.serve.requests import Relayed, RelayedRows, answer_digits
 from unity_link.protocol.arrays import matching_rows
 from unity_link.protocol.configuration import Feature
-from unity_link.protocol.frames import LF
+from unity_link.protocol.frames import LF, in_session
 from unity_link.protocol.gateway_session import UNDER_WAY, Answer, GatewaySession
 from unity_link.protocol.messages import Codec, DecodedRequest, ErrorCode
 from unity_link.protocol.reception import group_fits
@@ -141,12 +141,15 @@ class Conversation:
             self._relay(request, codec.fields(command, *values), digits, plain=plain)
 
     def _start_session(self, request: DecodedRequest, *, plain: bool) -> None:
+        if not request.values:
+            self._say(self._codec.response(request, self._session.state.number), plain=plain)
+            return
         for group in self._groups.values():
             if group.slot is not None:
                 # Also where it does not run: behind the answer to this, none of its samples may come.
                 self._relay_silently("GX", group.slot)
         self._choose_mode(ADAPTIVE)
-        self._say(self._codec.response(request), plain=plain)
+        self._say(self._codec.response(request, self._session.ended), plain=plain)
 
     def _relay(
         self,
@@ -165,9 +168,12 @@ class Conversation:
             # many posted writes are under way; the client hears errors.
             command, head, digits = "W", b"", 0
         relayed = Relayed(self._shared.to_gateway, command, fields, digits, self._client, head, request.id, plain=plain)
+        if command != request.command:
+            relayed.stateless = True
+            relayed.characters += 1
         relayed.after = after
         relayed.stored = stored
-        self._client.hand_on(relayed, self._session.awaited)
+        self._client.hand_on(relayed, self._session.state)
 
     def _relay_silently(self, command: str, slot: Slot, settings: GroupSettings | None = None) -> None:
         """Relay a setting of a slot that the client did not ask for; its next requests are answered behind it."""
@@ -176,7 +182,7 @@ class Conversation:
         relayed.silent = True
         relayed.after = self._shared.naming(slot, command, settings)
         relayed.stored = None if settings is None else self._shared.slots.storing(slot)
-        self._client.hand_on(relayed, self._session.awaited)
+        self._client.hand_on(relayed, self._session.state)
 
     # Leases
 
@@ -235,7 +241,8 @@ class Conversation:
         count = min((len(data) - start) // size, room, codec.ring // 2)
         head = 1 + self._id_digits
         width = size - head - self._crc_digits - 1
-        fields = matching_rows(codec, command, expected, data[start : start + count * size], width)
+        rows = data[start : start + count * size]
+        fields = matching_rows(codec, command, expected, rows, width, self._session.state.seeds[0])
         good = _IS_HEX[fields].all(axis=1)
         leases = self._shared.leases
         if letter == b"w" and leases is not None:
@@ -245,8 +252,8 @@ class Conversation:
         if not count:
             return start
         self._sequence.advance(count)
-        rows = RelayedRows(self._shared.to_gateway, codec, command, fields[:count], self._client, expected)
-        self._client.hand_on_rows(rows, self._session.awaited)
+        relayed = RelayedRows(self._shared.to_gateway, codec, command, fields[:count], self._client, expected)
+        self._client.hand_on_rows(relayed, self._session.state)
         return start + count * size
 
     def _relay_quickly(self, line: bytes) -> bool:
@@ -270,7 +277,8 @@ class Conversation:
         after = head + self._id_digits
         number = self._id_number.get(line[head:after])
         sequence = self._sequence
-        if number != sequence.expected or self._crc_text(body) != line[-self._crc_digits :]:
+        check = self._crc_text(body, self._session.state.seeds[0])
+        if number != sequence.expected or check != line[-self._crc_digits :]:
             return False
         fields = body[after:]
         if fields.translate(None, _HEX):
@@ -285,7 +293,7 @@ class Conversation:
         sequence.advance()
         self._client.hand_on(
             Relayed(self._shared.to_gateway, command, fields, digits, self._client, line[:after], number),
-            self._session.awaited,
+            self._session.state,
         )
         return True
 
@@ -294,12 +302,14 @@ class Conversation:
     def _set_up_group(self, request: DecodedRequest, *, plain: bool) -> None:
         number, flags, divisor, _, addresses = request.values
         # The gateway's own: of its medium the client sees nothing, but what it publishes depends on it.
-        if not group_fits(self._shared.gateway, number, flags, divisor, addresses):
+        for_program = self._session.state.for_program
+        if not group_fits(self._shared.gateway, number, flags, divisor, addresses, for_program=for_program):
             self._refuse(request, plain=plain)
             return
         settings = GroupSettings(self._codec, flags, divisor, addresses)
         group = self._groups.setdefault(number, ClientGroup(number, self._client, settings))
         group.settings = settings
+        group.seed = self._session.state.seeds[1]
         if group.slot is None:
             self._say(self._codec.response(request), request.id, plain=plain)
         else:
@@ -311,10 +321,10 @@ class Conversation:
         if group is None:
             self._refuse(request, plain=plain)
             return
-        slot = group.slot
+        slot, group.seed = group.slot, self._session.state.seeds[1]
         if self._shared.away and command != "GX":
             # Nothing is to begin by itself when the gateway is back.
-            self._say(self._codec.error(ErrorCode.BUS_TIMEOUT, request.id), request.id, plain=plain)
+            self._refuse(request, ErrorCode.BUS_TIMEOUT, plain=plain)
             return
         if slot is None and command == "GX":
             self._say(self._codec.response(request), request.id, plain=plain)
@@ -343,6 +353,8 @@ class Conversation:
     # Answers
 
     def _refuse(self, request: DecodedRequest, error: ErrorCode = ErrorCode.OUT_OF_RANGE, *, plain: bool) -> None:
+        if request.id is not None and not request.repeated:
+            self._session.state.fail(request.id, error, posted=request.command == "WS")
         self._say(self._codec.error(error, request.id), request.id, plain=plain)
 
     def _say(self, body: bytes, number: int | None = None, *, plain: bool) -> None:
@@ -354,6 +366,9 @@ class Conversation:
         framing = self._codec.framing
         if self._session.begun and self._client.posts_unconfirmed and body[:1].islower():
             fence = Relayed(self._shared.to_gateway, "H", b"", 0, self._client, body, number, plain=plain)
-            self._client.hand_on(fence, self._session.awaited)
+            self._client.hand_on(fence, self._session.state)
         else:
-            self._client.say(framing.plain_reply(body) if plain else framing.checked(body))
+            self._client.say(framing.plain_reply(body) if plain else framing.checked(body, self._seed(body)))
+
+    def _seed(self, body: bytes) -> int:
+        return self._session.state.seeds[1] if in_session(body[0]) else 0

@@ -44,20 +44,23 @@ class GroupSettings:
     The gateway publishes checked frames in any case; a plain one would reach the server without protection.
     """
 
-    __slots__ = ("fields", "frame", "has_trigger", "seconds_each", "size")
+    __slots__ = ("_framing", "_is_plain", "fields", "has_trigger", "seconds_each", "size")
 
     def __init__(self, codec: Codec, flags: int, divisor: int, addresses: list[int]) -> None:
         layout = codec.fields("GS", 0, flags & ~GroupFlag.PLAIN, divisor, len(addresses), addresses)
         self.fields = layout[2:]
         """Fields of `GS` behind the number, as the gateway gets them."""
-        self.frame: Callable[[bytes], bytes] = (
-            codec.framing.plain_reply if flags & GroupFlag.PLAIN else codec.framing.checked
-        )
+        self._is_plain = bool(flags & GroupFlag.PLAIN)
+        self._framing = codec.framing
         self.has_trigger = bool(flags & GroupFlag.TRIGGER)
         stamp = TIMESTAMP_DIGITS if flags & GroupFlag.TIMESTAMP else 0
         self.size = SAMPLE_HEAD + stamp + codec.info.data_digits * len(addresses)
         """Characters of the body of a sample."""
         self.seconds_each = divisor / codec.info.base_frequency_hz if flags & GroupFlag.PERIODIC else None
+
+    def frame(self, body: bytes, seed: int) -> bytes:
+        """Return the frame of a sample for the client, in whose session it has a seed."""
+        return self._framing.plain_reply(body) if self._is_plain else self._framing.checked(body, seed)
 
 
 class ClientGroup:
@@ -73,6 +76,8 @@ class ClientGroup:
         self.number = number
         self.settings = settings
         """Settings that the client asked for last."""
+        self.seed = 0
+        """Seed of its samples: that of the session in which it was set up, started or published last."""
         self.slot: Slot | None = None
         self._head = b"P%02X" % number
         self._taker = taker
@@ -102,7 +107,7 @@ class ClientGroup:
         except ValueError:
             return
         self._next = sequence + 1
-        self._taker.sample(settings.frame(b"%b%02X%b" % (self._head, sequence, body[SAMPLE_HEAD:])))
+        self._taker.sample(settings.frame(b"%b%02X%b" % (self._head, sequence, body[SAMPLE_HEAD:]), self.seed))
 
 
 class Slot:

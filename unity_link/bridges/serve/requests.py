@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from unity_link.errors import GatewayError, Outcome, UnansweredError, UnityLinkError, UnsupportedError
 from unity_link.protocol.arrays import matching_rows, request_rows
-from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode, Repetition
+from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode, Repetition, parse_numbers
 from unity_link.protocol.requests import BatchRun, Request, WordBatch
 
 if TYPE_CHECKING:
@@ -19,7 +19,11 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from unity_link.protocol.gateway_session import SessionState
     from unity_link.protocol.requests import Events
+
+FATES = {ErrorCode.BUS_ERROR, ErrorCode.BUS_TIMEOUT, ErrorCode.OUT_OF_RANGE}
+"""Errors of a request that was executed."""
 
 
 class Asker(Protocol):
@@ -30,6 +34,13 @@ class Asker(Protocol):
 
     def posted(self, request: Relayed) -> None:
         """Record that a posted write is on its way."""
+
+
+def no_session(to_client: Codec, state: SessionState, number: int, characters: int) -> bytes:
+    """Return the body of error 0A about a request that came whole in a session, of so many characters."""
+    return to_client.no_session(
+        number, to_client.framing.crc.of(bytes(characters), state.seeds[0] if characters else 0)
+    )
 
 
 def answer_digits(codec: Codec, command: str, count: int) -> int | None:
@@ -64,6 +75,7 @@ class Relayed(Request):
         "_asker",
         "after",
         "awaited",
+        "characters",
         "cost",
         "executed",
         "head",
@@ -73,6 +85,8 @@ class Relayed(Request):
         "reply",
         "room",
         "silent",
+        "state",
+        "stateless",
         "stored",
     )
 
@@ -102,8 +116,12 @@ class Relayed(Request):
         """Its place among all that the client has asked for."""
         self.reply: bytes | None = None
         """The frame for the client, once there is one."""
-        self.awaited: bytearray | None = None
-        """Set of the client that marks the IDs under way."""
+        self.state: SessionState | None = None
+        """Session of the client in which it was asked for; None once it is refused as that is over."""
+        self.stateless = command == "WS"
+        """True of a posted write, also where the gateway is to answer it."""
+        self.characters = len(command) + codec.info.id_digits + len(fields)
+        """Characters of the client's request before its check."""
         self.executed = False
         """True if the gateway has executed it without an error."""
         self.after: Callable[[bool], None] | None = None
@@ -136,13 +154,34 @@ class Relayed(Request):
             self._asker.posted(self)
         elif self.error is None:
             self.executed = True
-            self._asker.answer(self, self.head + self.answer)
+            self._asker.answer(self, self.head + self._told())
         else:
             code = _code_of(self.error, self.command)
             if code is ErrorCode.NO_SESSION and self.number is None:
                 code = ErrorCode.BUS_TIMEOUT
             self.executed = code is None
-            self._asker.answer(self, self.head if code is None else self.codec.error(code, self.number))
+            self._asker.answer(self, self.head if code is None else self._refusal(code))
+
+    def _told(self) -> bytes:
+        """Return what the client's answer has behind its ID or echo, and keep it if it cannot be read again."""
+        if self.number is None or self.state is None:
+            return self.answer
+        if self.command == "H":
+            return self.codec.id_text[self.state.failed] if self.head == b"h" + self.codec.id_text[self.number] else b""
+        if COMMANDS[self.command].repetition is Repetition.KEPT:
+            self.state.keep(self.number, parse_numbers(self.answer, self.codec.info.data_digits))
+        return self.answer
+
+    def _refusal(self, code: ErrorCode) -> bytes:
+        """Return the body of an error for the client, and note that the request ended so."""
+        if self.number is None or self.state is None:
+            return self.codec.error(code, self.number)
+        if code is ErrorCode.NO_SESSION:
+            state, self.state = self.state, None
+            return no_session(self.codec, state, self.number, 0 if self.plain else self.characters)
+        if code in FATES:
+            self.state.fail(self.number, code, posted=self.stateless)
+        return self.codec.error(code, self.number)
 
     def refuse(self, unsent: ErrorCode) -> None:
         """End it without an answer of the gateway: nothing on the bus answered.
@@ -152,7 +191,7 @@ class Relayed(Request):
         """
         self.given_up = True
         code = ErrorCode.BUS_TIMEOUT if self.sent or self.number is None else unsent
-        self._asker.answer(self, self.codec.error(code, self.number))
+        self._asker.answer(self, self._refusal(code))
 
     @property
     def of_no_session(self) -> bool:
@@ -187,7 +226,8 @@ class RelayedRows(WordBatch):
         """Bytes of posted writes before them that are free again when the first is answered."""
         self.order = 0
         """Its place among all that the client has asked for."""
-        self.awaited: bytearray
+        self.state: SessionState
+        """Session of the client in which they were asked for."""
         self.answered = 0
         """Number of requests answered to the client."""
         self._fields = fields
@@ -231,17 +271,24 @@ class RelayedRows(WordBatch):
         self._asker.answer_rows(self)
 
     def error_frame(self, offset: int, code: ErrorCode) -> bytes:
-        """Return the frame of an error for the client."""
-        return self._to_client.framing.checked(self.codec.error(code, self._number(offset)))
+        """Return the frame of an error for the client, and note that the request ended so."""
+        number, to_client = self._number(offset), self._to_client
+        if code is ErrorCode.NO_SESSION:
+            characters = len(self.command) + to_client.info.id_digits + self._fields.shape[1]
+            return to_client.framing.checked(no_session(to_client, self.state, number, characters))
+        if code in FATES:
+            self.state.fail(number, code, posted=False)
+        return to_client.framing.checked(to_client.error(code, number), self.state.seeds[1])
 
     def reply(self, offset: int, data: bytes) -> bytes:
         """Return the frame of an answer for the client."""
         codec = self._to_client
-        return codec.framing.checked(codec.lower[self.command] + codec.id_text[self._number(offset)] + data)
+        body = codec.lower[self.command] + codec.id_text[self._number(offset)] + data
+        return codec.framing.checked(body, self.state.seeds[1])
 
     def replies(self, offset: int, data: NDArray[np.uint8]) -> bytes:
         """Return the frames of many answers for the client."""
-        return request_rows(self._to_client, self.command, self._number(offset), data)
+        return request_rows(self._to_client, self.command, self._number(offset), data, self.state.seeds[1])
 
     def _number(self, offset: int) -> int:
         return self.number + offset & self.codec.ring - 1
@@ -309,8 +356,8 @@ def _code_of(error: UnityLinkError, command: str) -> ErrorCode | None:
     if isinstance(error, UnsupportedError):
         return ErrorCode.OUT_OF_RANGE
     if isinstance(error, UnansweredError) and error.outcome is Outcome.EXECUTED:
-        refused = COMMANDS[command].repetition is Repetition.REFUSE
-        return ErrorCode.ALREADY_EXECUTED if refused else None
+        # What a destructive read gave is not known.
+        return ErrorCode.BUS_TIMEOUT if COMMANDS[command].repetition is Repetition.KEPT else None
     if isinstance(error, UnansweredError) and error.outcome is Outcome.NOT_EXECUTED:
         return ErrorCode.NO_SESSION
     return ErrorCode.BUS_TIMEOUT
