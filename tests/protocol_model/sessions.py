@@ -46,7 +46,7 @@ class Rules(NamedTuple):
     """The refusal of a gateway without a session shows whose request it refused."""
     fate: bool = True
     """The gateway keeps how each request ended, and answers its repetition by that."""
-    count: bool = True
+    counts: bool = True
     """The answer to `h` says how many posted writes failed; the host asks for each where it missed an error."""
     kept: bool = True
     """What a destructive read gave is kept, and given again."""
@@ -70,7 +70,7 @@ class Rules(NamedTuple):
     datagrams: bool = False
 
 
-PROTOCOL_02 = Rules(seed=False, way=False, refuse=False, ask=False, proof=False, fate=False, count=False, kept=False)
+PROTOCOL_02 = Rules(seed=False, way=False, refuse=False, ask=False, proof=False, fate=False, counts=False, kept=False)
 """Rules of the version before this one."""
 
 
@@ -83,7 +83,7 @@ class Frame(NamedTuple):
     extra: Ghost | int | str = 0
     """Count of failed posts, word of a destructive read, or that it is an echo."""
     ghost: Ghost = None
-    count: int = 0
+    serial: int = 0
     """Count of its datagram."""
 
 
@@ -202,15 +202,15 @@ def _taken(rules: Rules, state: State, frame: Frame) -> State:
     if answer is None:
         return state
     gateway = state.gateway._replace(sent=state.gateway.sent + rules.datagrams)
-    return state._replace(gateway=gateway, back=(*state.back, answer._replace(count=gateway.sent)))
+    return state._replace(gateway=gateway, back=(*state.back, answer._replace(serial=gateway.sent)))
 
 
 def _answered(rules: Rules, state: State, frame: Frame) -> tuple[State, Frame | None]:
     gateway = state.gateway
     if rules.datagrams and rules.newer and frame.kind not in "K?":
-        if gateway.session and (frame.session != gateway.session or frame.count <= gateway.newest):
+        if gateway.session and (frame.session != gateway.session or frame.serial <= gateway.newest):
             return state, None
-        gateway = gateway._replace(newest=frame.count)
+        gateway = gateway._replace(newest=frame.serial)
     if frame.kind == "?":
         return state, Frame("state", gateway.session)
     if frame.kind == "K":
@@ -231,7 +231,7 @@ def _opened(rules: Rules, state: State, frame: Frame) -> tuple[State, Frame | No
         frame.session,
         frame.ident,
         kept=(None,) * rules.places,
-        newest=frame.count,
+        newest=frame.serial,
         offer=before.offer + (frame.session == before.offer),
     )
     return state._replace(gateway=gateway), Frame("k", frame.session, frame.ident)
@@ -329,7 +329,7 @@ def _request_moves(rules: Rules, state: State, who: int, room: int) -> Iterator[
             frames = (_frame(host, who, place) for place in places)
             yield f"sends {places} again", _sent(rules, state, who, again, *frames)
     for place in open_places:
-        if rules.count and host.window[place].kind in POSTED and host.first + place < host.known:
+        if rules.counts and host.window[place].kind in POSTED and host.first + place < host.known:
             question = _frame(host, who, place)._replace(kind="h")
             yield f"asks how {place} ended", _sent(rules, state, who, _marked(host, place), question)
 
@@ -345,7 +345,7 @@ def _frame(host: Host, who: int, place: int) -> Frame:
 
 def _sent(rules: Rules, state: State, who: int, host: Host, *frames: Frame) -> State:
     host = host._replace(sent=host.sent + rules.datagrams)
-    out = (*state.out, *(frame._replace(count=host.sent) for frame in frames))
+    out = (*state.out, *(frame._replace(serial=host.sent) for frame in frames))
     # Of these alone a request and its answer look the same, but for the check.
     echoes = tuple(frame._replace(extra="echo") for frame in frames if rules.echo and frame.kind in "Kh")
     return state._replace(hosts=_of_host(state.hosts, who, host), out=out, back=state.back + echoes)
@@ -372,13 +372,13 @@ def _heard(rules: Rules, state: State, frame: Frame, who: int) -> State:
     is_other = frame.session != host.session
     if host.phase != "open":
         is_own = host.phase == "opening" and kind == "k" and frame.ident == host.base and not (rules.seed and is_other)
-        return _with(state, who, host._replace(phase="open", newest=frame.count)) if is_own else state
+        return _with(state, who, host._replace(phase="open", newest=frame.serial)) if is_own else state
     if kind == "state":
         return _with(state, who, _ended(host)) if is_other else state
     if rules.datagrams and rules.newer:
-        if is_other or frame.count <= host.newest:
+        if is_other or frame.serial <= host.newest:
             return state
-        host = host._replace(newest=frame.count)
+        host = host._replace(newest=frame.serial)
     if kind == "0A":
         return _refused(rules, state, frame, who, host)
     return state if rules.seed and is_other else _told(rules, state, frame._replace(kind=kind), who, host)
@@ -419,7 +419,7 @@ def _told(rules: Rules, state: State, frame: Frame, who: int, host: Host) -> Sta
     if frame.kind == "x":
         host = host._replace(heard=(host.heard + (asked in POSTED)) % RING)
     else:
-        if is_fence and frame.extra != "echo" and rules.count:
+        if is_fence and frame.extra != "echo" and rules.counts:
             host = _confirmed(rules, host, place + 1, executed)
             if frame.extra != host.heard:
                 # The error of a posted one was lost: each is asked for.
@@ -443,7 +443,7 @@ def _confirmed(rules: Rules, host: Host, count: int, executed: int, *, fence: bo
     """Return a host after the news that its first `count` requests were executed; a fence tells the posted ones."""
     window = host.window
     for place in range(count):
-        if window[place].kind in POSTED and (fence or not rules.count):
+        if window[place].kind in POSTED and (fence or not rules.counts):
             if not executed >> host.first + place & 1:
                 raise _WrongError("a posted request is told as done, and not executed")
             if window[place].kind == "p":

@@ -164,13 +164,15 @@ class Relayed(Request):
 
     def _told(self) -> bytes:
         """Return what the client's answer has behind its ID or echo, and keep it if it cannot be read again."""
+        answer: bytes = self.answer
         if self.number is None or self.state is None:
-            return self.answer
+            return answer
         if self.command == "H":
-            return self.codec.id_text[self.state.failed] if self.head == b"h" + self.codec.id_text[self.number] else b""
-        if COMMANDS[self.command].repetition is Repetition.KEPT:
-            self.state.keep(self.number, parse_numbers(self.answer, self.codec.info.data_digits))
-        return self.answer
+            is_fence = self.head == b"h" + self.codec.id_text[self.number]
+            answer = self.codec.id_text[self.state.failed] if is_fence else b""
+        elif COMMANDS[self.command].repetition is Repetition.KEPT:
+            self.state.keep(self.number, parse_numbers(answer, self.codec.info.data_digits))
+        return answer
 
     def _refusal(self, code: ErrorCode) -> bytes:
         """Return the body of an error for the client, and note that the request ended so."""
