@@ -55,7 +55,8 @@ def words(*lines: bytes) -> list[str]:
         (b"I02", "send-immediate: adaptive"),
         (b"H", "do nothing, and answer"),
         (b"Q", "what are you?"),
-        (b"K0AB", "begin a session, the next ID is 0AB"),
+        (b"K0AB1234", "begin session 1234, the next ID is 0AB"),
+        (b"K", "which session is under way?"),
         (b"r0FF0A", "read 0x0A (ID 0FF)"),
     ],
 )
@@ -76,7 +77,17 @@ def test_each_command_has_words_for_its_answer() -> None:
         (b"wk0030AFFFFFFFF00000001", b"wk00300000007", "masked write to 0x0A done, it held 0x00000007 (7) (ID 003)"),
         (b"gs00403010001010A", b"gs004", "group 3 is set up (ID 004)"),
         (b"i00502", b"i005", "send-immediate is adaptive (ID 005)"),
-        (b"h006", b"x0060A", "error 0A: no session has begun since the gateway's reset: begin with K000 (ID 006)"),
+        (
+            b"h006",
+            b"x0060A0000",
+            "error 0A: no session has begun since the gateway's reset: begin with K0000001 (ID 006)",
+        ),
+        (b"h008", b"h008000", "nothing, done (ID 008)"),
+        (b"h009", b"h009002", "nothing, done; 2 posted writes of the session have failed (ID 009)"),
+        (b"K0001234", b"K00012340000", "session 1234 has begun, the next ID expected is 000; no session ended"),
+        (b"K0001234", b"K00012344321", "session 1234 has begun, the next ID expected is 000; session 4321 ended"),
+        (b"K", b"K1234", "session 1234 is under way"),
+        (b"K", b"K0000", "no session is under way"),
         (b"h007", b"n006", "out of sequence: the next ID expected is 006"),
     ]
     for request, answer, text in lines:
@@ -93,10 +104,10 @@ def test_each_command_has_words_for_its_answer() -> None:
         (b"05", "nothing on the bus answered"),
         (b"06", "out of range"),
         (b"07", "longer than"),
-        (b"08", "its answer is gone"),
         (b"09", "the gateway's receive FIFO was full"),
         (b"0A", "no session has begun"),
-        (b"0B", "error 0B"),
+        (b"0B", "the session of a program"),
+        (b"0C", "error 0C"),
     ],
 )
 def test_each_error_has_the_words_of_its_own_code(code: bytes, text: str) -> None:
@@ -121,7 +132,7 @@ def test_samples_follow_the_settings_that_an_answer_has_confirmed() -> None:
         b"<" + checked(b"P030000000007"),
         b"<" + checked(b"P0301000000070"),
         b"<" + checked(b"P03010000000700000008"),
-        b"<" + checked(b"h001"),
+        b"<" + checked(b"h001000"),
         b"<" + checked(b"P030002FAF0800000000100000002"),
     )
     assert said[3] == "sample 0 of group 3: 0x0A = 7"
@@ -147,7 +158,7 @@ def test_settings_that_were_refused_change_nothing() -> None:
         b"<" + checked(b"gs000"),
         b">" + checked(b"gs0010301000A020A0B"),
         b"<" + checked(b"x00106"),
-        b"<" + checked(b"h002"),
+        b"<" + checked(b"h002000"),
         b"<" + checked(b"P030000000007"),
     )
     assert said[-1] == "sample 0 of group 3: 0x0A = 7"
@@ -155,7 +166,7 @@ def test_settings_that_were_refused_change_nothing() -> None:
 
 def test_a_request_that_is_sent_again_is_known_by_its_id_and_has_no_round_trip() -> None:
     frames = frames_of(
-        b">" + checked(b"KFFF"),
+        b">" + checked(b"KFFF1234"),
         b">" + checked(b"rFFF0A"),
         b">" + checked(b"r0000B"),
         b"<" + checked(b"rFFF00000001"),
@@ -184,15 +195,15 @@ def test_frames_of_a_shared_medium_are_read_without_their_prefix() -> None:
         b">Z1AQ\r",
         b"<Z1AQ" + info.to_hex() + b"\r\n",
         b">" + checked(b"Z1AR0A"),
-        b">" + checked(b"ZFFW0A00000001"),
+        b">" + checked(b"ZFFWS0A00000001"),
         b"<" + checked(b"Z06R0A00000001"),
     )
     assert said[0] == "what are you?"
-    assert said[2:4] == ["read 0x0A", "to all nodes: write 0x00000001 (1) to 0x0A"]
+    assert said[2:4] == ["read 0x0A", "to all nodes: post 0x00000001 (1) to 0x0A"]
     assert said[4].startswith("damaged: not from node 1A")
 
 
-WHOLE = b"".join((b"\nQ\r", checked(b"K000"), checked(b"r0000A"), b"R0A\r\n", checked(b"h001")))
+WHOLE = b"".join((b"\nQ\r", checked(b"K0001234"), checked(b"r0000A"), b"R0A\r\n", checked(b"h001000")))
 
 
 @given(st.lists(st.integers(0, len(WHOLE))), st.booleans())

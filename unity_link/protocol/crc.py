@@ -81,6 +81,16 @@ class Crc:
 
         return text
 
+    def begun(self, data: bytes, crc: int) -> int:
+        """Return the value with which the CRC of bytes began, given the one with which it ended."""
+        table, shift = byte_table(self.bits, self.polynomial), self.bits - 8
+        # The lowest byte tells which entry went in last: each has another one, for a polynomial with the term 1.
+        entries = {entry & 0xFF: place for place, entry in enumerate(table)}
+        for byte in reversed(data):
+            place = entries[crc & 0xFF]
+            crc = (crc ^ table[place]) >> 8 | (place ^ byte) << shift
+        return crc
+
     def _by_table(self, data: bytes, begun: int = 0) -> int:
         table, shift, mask = byte_table(self.bits, self.polynomial), self.bits - 8, (1 << self.bits) - 1
         crc = begun

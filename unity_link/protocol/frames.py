@@ -50,10 +50,6 @@ class CheckError(FrameError):
 class OtherNodeError(FrameError):
     """A frame of another node on a shared medium."""
 
-    def __str__(self) -> str:
-        """Return which frame it is."""
-        return f"from another node: {self.args[0][:80]!r}"
-
 
 class Framing:
     """Puts bodies into frames and takes them out again.
@@ -99,7 +95,9 @@ class Framing:
         """
         if self.prefix:
             if not line.startswith(self.prefix):
-                raise (OtherNodeError if line[:1] == b"Z" else CheckError)(line)
+                if line[:1] == b"Z":
+                    raise OtherNodeError(f"not from node {self.prefix[1:].decode()}: {line[:80]!r}")
+                raise CheckError(line)
             line = line[len(self.prefix) :]
         if line and line[-1] == _CR_BYTE:
             return line[:-1]

@@ -23,6 +23,7 @@ from unity_link.protocol.messages import (
     parse_numbers,
 )
 from unity_link.protocol.numbers import Format, address_text, as_decimal, feature_names, in_form, in_words
+from unity_link.protocol.overheard_session import OverheardSession
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -35,9 +36,9 @@ ERRORS = {
     5: "nothing on the bus answered",
     6: "out of range",
     7: "longer than this gateway's longest request",
-    8: "already executed, and its answer is gone",
     9: "bytes were lost: the gateway's receive FIFO was full",
     10: "no session has begun since the gateway's reset: begin with {session}",
+    11: "the session of a program is under way, or that of this number",
 }
 _MODES = {0: "off", 1: "always", 2: "adaptive"}
 # {a} address, {d} word, {n} count, {D} words, {g} group, {s} mode, {i} ID; what a response lacks is from its request.
@@ -55,8 +56,9 @@ _TEXTS = {
     "GP": "group {g} published once",
     "I": "send-immediate is {s}",
     "H": "nothing, done",
-    "K": "session started, the next ID expected is {i}",
+    "K": "{k} has begun, the next ID expected is {i}; {b} ended",
 }
+_SESSION_TOLD = "{k} is under way"
 
 
 # The same letters, {m} for a mask, and of a group its {f} flags and divisor and its {A} addresses.
@@ -76,8 +78,9 @@ _REQUESTS = {
     "I": "send-immediate: {s}",
     "H": "do nothing, and answer",
     "Q": "what are you?",
-    "K": "begin a session, the next ID is {i}",
+    "K": "begin {k}, the next ID is {i}",
 }
+_SESSION_ASKED = "which session is under way?"
 _FLAGS = {
     GroupFlag.TRIGGER: "at its trigger",
     GroupFlag.IMMEDIATE: "sent immediately",
@@ -128,6 +131,7 @@ class Interpreter:
         self._asked: dict[int, DecodedRequest] = {}
         """Settings of groups that the gateway has not confirmed yet."""
         node = codec.framing.prefix
+        self.session = OverheardSession(codec.framing)
         self._to_all = Framing(codec.framing.crc, _BROADCAST) if node else None
 
     # Requests
@@ -147,15 +151,15 @@ class Interpreter:
     def explain_request(self, line: bytes) -> Meaning:
         """Put a frame that a host sent, given without its LF, into words."""
         to_all = self._to_all is not None and line.startswith(self._to_all.prefix)
-        framing = self._to_all if to_all and self._to_all is not None else self._codec.framing
         try:
-            body = framing.open(line)
+            body = self._to_all.open(line) if to_all and self._to_all else self.session.open(line, from_gateway=False)
         except FrameError as error:
             return Meaning(FrameKind.DAMAGED, f"damaged: {error}")
         request = self.listen(body)
         if request is None:
             return Meaning(FrameKind.UNKNOWN, "not a request to this gateway")
-        text = _REQUESTS[request.command].format_map(self._in_words(self._fields(request)))
+        asks = request.command == "K" and not request.values
+        text = _SESSION_ASKED if asks else _REQUESTS[request.command].format_map(self._in_words(self._fields(request)))
         return Meaning(
             FrameKind.REQUEST,
             f"to all nodes: {text}" if to_all else self._with_id(text, request.id),
@@ -164,7 +168,7 @@ class Interpreter:
         )
 
     def _fields(self, request: DecodedRequest) -> dict[str, Any]:
-        fields = dict(zip(COMMANDS[request.command].fields, request.values, strict=True))
+        fields = dict(zip(COMMANDS[request.command].fields, request.values, strict=bool(request.values)))
         if "D" in fields:
             fields["n"] = len(fields["D"])
         if "f" in fields:
@@ -176,11 +180,13 @@ class Interpreter:
     def explain(self, line: bytes) -> Meaning:
         """Put a frame of the gateway, given without its LF, into words."""
         try:
-            body = self._codec.framing.open(line)
+            body = self.session.open(line, from_gateway=True)
         except FrameError as error:
             return Meaning(FrameKind.DAMAGED, f"damaged: {error}")
         try:
-            return self._explain(self._codec.decode_response(body))
+            response = self._codec.decode_response(body)
+            self.session.hear(response)
+            return self._explain(response)
         except UnsupportedError as error:
             return Meaning(FrameKind.ANSWER, str(error), "Q")
         except ValueError:
@@ -189,7 +195,7 @@ class Interpreter:
     def body(self, line: bytes) -> bytes:
         """Return what a frame says without its CRC or CR; for a damaged one, all of it."""
         try:
-            return self._codec.framing.open(line)
+            return self.session.open(line, from_gateway=True)
         except FrameError:
             return line.removesuffix(CR)
 
@@ -210,7 +216,9 @@ class Interpreter:
         self._confirmed(response)
         request = None if number is None else self._requests.get(number)
         values = dict.fromkeys("adnDgsi", "?") | self._in_words(self._known(request) | response.fields)
-        text = _TEXTS[command].format_map(values)
+        text = (_SESSION_TOLD if command == "K" and "i" not in response.fields else _TEXTS[command]).format_map(values)
+        if failed := response.fields.get("c"):
+            text += f"; {failed} posted writes of the session have failed"
         return Meaning(FrameKind.ANSWER, self._with_id(text, number), command, number)
 
     # Which settings of a group its samples follow (docs/protocol.md, "Groups"): those that an answer has confirmed.
@@ -259,6 +267,8 @@ class Interpreter:
                 text = _when(*value)
             case "i":
                 text = self._id(value)
+            case "k" | "b":
+                text = f"session {value:0{info.session_digits}X}" if value else "no session"
             case "s":
                 text = _MODES.get(value, f"mode {value:02X}")
             case _:
@@ -270,7 +280,9 @@ class Interpreter:
 
     def _error(self, response: DecodedResponse) -> str:
         code = response.fields["e"]
-        meaning = ERRORS.get(code, "unknown to this program").format(session=f"K{self._id(0)}")
+        meaning = ERRORS.get(code, "unknown to this program").format(
+            session=f"K{self._id(0)}{1:0{self._codec.info.session_digits}X}"
+        )
         return self._with_id(f"error {code:02X}: {meaning}", response.id)
 
     def _with_id(self, text: str, number: int | None) -> str:

@@ -18,7 +18,9 @@ import msgspec
 from unity_link.errors import ArgumentError, ConnectError
 from unity_link.files import Writing, head_of, is_device
 from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.crc import seed_of
 from unity_link.protocol.messages import Codec, ErrorCode, GroupFlag
+from unity_link.protocol.overheard_session import OverheardSession
 from unity_link.protocol.transcript import FrameCutter
 from unity_link.virtual.bus import AccessError
 from unity_link.virtual.rtl.configurations import configurations
@@ -122,6 +124,7 @@ class Retrace(RtlGateway):
         self._library.ul_set_only_device(self._handle)
         self._snooped = snooped
         self._codec = Codec(self.info, build.node)
+        self._overheard = OverheardSession(self._codec.framing)
         self._same = not differing(self.info, snooped.info)
         # In step with the groups: where the clocks differ, a base tick takes as long as it did.
         self._cycle_ns = 1e12 / (snooped.info.base_frequency_millihertz or 1) / self._base_tick
@@ -316,7 +319,9 @@ class Retrace(RtlGateway):
 
     def _collect(self) -> None:
         for frame in self._cutter.cut(self._pull()):
-            body = self._codec.framing.open(frame.removesuffix(b"\n"))
+            body = self._overheard.open(frame.removesuffix(b"\n"), from_gateway=True)
+            if body.startswith(b"K"):
+                self._overheard.hear(self._codec.decode_response(body))
             if body.startswith(b"P"):
                 self._compare_sample(frame, body)
             else:
@@ -346,7 +351,8 @@ class Retrace(RtlGateway):
         if recorded is None or self._is_triggered(group):
             return
         self.report.samples += 1
-        if sample_body(self._codec, frame, settings.flags) != recorded.body:
+        seed = seed_of(self._overheard.number, from_gateway=True)
+        if sample_body(self._codec, frame, settings.flags, seed) != recorded.body:
             self.report.differ(Difference(recorded.time / 1e9, b"", recorded.frame, frame))
 
     def _compare_missing(self, group: int) -> None:

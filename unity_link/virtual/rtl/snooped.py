@@ -27,6 +27,7 @@ from unity_link.protocol.messages import (
     GroupFlag,
     parse_numbers,
 )
+from unity_link.protocol.overheard_session import OverheardSession
 from unity_link.protocol.transcript import CONFIGURATION, QUESTION, FrameCutter
 from unity_link.transport.snoop import Connected, Passed
 
@@ -192,6 +193,7 @@ class _Reader:
         self._prefix = codec.framing.prefix
         self.node = int(self._prefix[1:], 16) if self._prefix else None
         self._session = GatewaySession(codec)
+        self._overheard = OverheardSession(codec.framing)
         self.begin()
 
     def begin(self) -> None:
@@ -253,8 +255,9 @@ class _Reader:
     # What the gateway sent
 
     def _take_received(self, frame: bytes, time: float) -> None:
+        self._overheard.number = self._session.state.number
         try:
-            body = self._codec.framing.open(frame.removesuffix(LF))
+            body = self._overheard.open(frame.removesuffix(LF), from_gateway=True)
             response = self._codec.decode_response(body)
         except ValueError:
             self.astray += 1
@@ -318,7 +321,7 @@ class _Reader:
                 return step.owes or (not with_id and response.fields["e"] in _OF_BUS)
             refusal = self._codec.error(response.fields["e"], response.id)
             executed = step.request is not None and response.fields["e"] in _OF_BUS
-            return self._id_of(step) == response.id and (executed or step.refusal == refusal)
+            return self._id_of(step) == response.id and (executed or step.refusal.startswith(refusal))
         if step.request is not None:
             return response.command == step.request.command and response.id == number
         return with_id and response.id is not None and self._id_of(step) == response.id
@@ -334,7 +337,7 @@ class _Reader:
             self.astray += 1
             return
         settings = self.groups[group][-1]
-        body = sample_body(self._codec, frame, settings.flags)
+        body = sample_body(self._codec, frame, settings.flags, self._session.state.seeds[1])
         text = text[TIMESTAMP_DIGITS:] if settings.flags & GroupFlag.TIMESTAMP else text
         try:
             words = parse_numbers(text, self._codec.info.data_digits)
@@ -354,13 +357,19 @@ def _damaged(frame: bytes) -> bytes:
     return frame[:-2] + (b"1" if frame[-2:-1] == b"0" else b"0") + LF
 
 
-def sample_body(codec: Codec, frame: bytes, flags: GroupFlag) -> bytes:
+def sample_body(codec: Codec, frame: bytes, flags: GroupFlag, seed: int) -> bytes:
     """Return what a sample says without its timestamp, which is of a clock of its own in each gateway.
+
+    Args:
+        codec: the messages of the gateway.
+        frame: with its end.
+        flags: of its group.
+        seed: of its session.
 
     Raises:
         FrameError: where it is damaged.
     """
-    body = codec.framing.open(frame.removesuffix(LF))
+    body = codec.framing.open(frame.removesuffix(LF), seed)
     head = len("P0000")
     return body[:head] + body[head + TIMESTAMP_DIGITS :] if flags & GroupFlag.TIMESTAMP else body
 
