@@ -191,7 +191,7 @@ architecture rtl of unity_link_core is
   function q_answer return std_logic_vector is
   begin
 
-    return x"02" & digits(data_bits, 8) & digits(address_bits, 8) & digits(id_digits, 8) & digits(crc_bits, 8)
+    return x"03" & digits(data_bits, 8) & digits(address_bits, 8) & digits(id_digits, 8) & digits(crc_bits, 8)
            & crc_polynomial & digits(block_words, 8) & digits(groups, 16) & digits(group_words, 8)
            & digits(base_frequency_millihertz, 40) & digits(clock_hz, 32) & digits(rx_fifo_depth + medium_bytes, 16)
            & digits(tx_fifo_depth, 16) & features & build_id;
@@ -215,6 +215,13 @@ architecture rtl of unity_link_core is
   signal body_plain  : std_logic;
   signal body_error  : error_t;
   signal body_silent : std_logic;
+  signal residue     : std_logic_vector(crc_bits - 1 downto 0);
+
+  -- Session.
+  signal session      : std_logic_vector(4 * session_digits_of(crc_bits) - 1 downto 0);
+  signal in_session   : std_logic;
+  signal for_program  : std_logic;
+  signal drop_samples : std_logic;
 
   -- Request.
   signal request_valid  : std_logic;
@@ -231,7 +238,10 @@ architecture rtl of unity_link_core is
   signal count          : std_logic_vector(7 downto 0);
   signal group_number   : std_logic_vector(7 downto 0);
   signal group_flags    : std_logic_vector(5 downto 0);
-  signal group_divisor  : std_logic_vector(15 downto 0);
+  signal asks           : std_logic;
+  signal number         : std_logic_vector(number_bits_of(crc_bits, groups) - 1 downto 0);
+  signal number_shift   : std_logic;
+  signal hold_letters   : std_logic;
   signal last_word      : std_logic_vector(data_bits - 1 downto 0);
   signal store          : std_logic;
   signal store_index    : std_logic_vector(7 downto 0);
@@ -254,6 +264,8 @@ architecture rtl of unity_link_core is
   signal access_exclusive : std_logic;
   signal access_address   : std_logic_vector(address_bits - 1 downto 0);
   signal access_data      : std_logic_vector(data_bits - 1 downto 0);
+  signal access_kept      : std_logic;
+  signal kept_word        : std_logic_vector(data_bits - 1 downto 0);
   signal access_granted   : std_logic;
   signal access_done      : std_logic;
   signal access_last      : std_logic;
@@ -290,6 +302,11 @@ architecture rtl of unity_link_core is
   signal answer_id       : std_logic_vector(id_width - 1 downto 0);
   signal answer_pair     : std_logic_vector(7 downto 0);
   signal answer_words    : std_logic_vector(7 downto 0);
+  signal tail            : std_logic;
+  signal tail_more       : unsigned(2 downto 0);
+  signal tail_digit      : std_logic_vector(3 downto 0);
+  signal tail_left       : unsigned(2 downto 0);
+  signal tail_taken      : std_logic;
 
   -- Bodies and bytes out.
   signal writer_data  : std_logic_vector(7 downto 0);
@@ -404,20 +421,23 @@ begin
         node           => node
       )
       port map (
-        clk        => clk,
-        rst        => rst,
-        in_data    => character_in(7 downto 0),
-        in_lost    => character_in(8),
-        in_valid   => character_valid,
-        in_ready   => character_ready,
-        out_data   => body_data,
-        out_valid  => body_valid,
-        out_ready  => body_ready,
-        out_last   => body_last,
-        out_plain  => body_plain,
-        out_error  => body_error,
-        out_silent => body_silent,
-        busy       => datalink_busy
+        clk         => clk,
+        rst         => rst,
+        in_data     => character_in(7 downto 0),
+        in_lost     => character_in(8),
+        in_valid    => character_valid,
+        in_ready    => character_ready,
+        session     => session,
+        in_session  => in_session,
+        out_data    => body_data,
+        out_valid   => body_valid,
+        out_ready   => body_ready,
+        out_last    => body_last,
+        out_plain   => body_plain,
+        out_error   => body_error,
+        out_silent  => body_silent,
+        out_residue => residue,
+        busy        => datalink_busy
       );
 
   end generate with_datalink_rx;
@@ -426,6 +446,7 @@ begin
 
     body_plain  <= '1';
     body_silent <= '0';
+    residue     <= (others => '0');
 
     plain_rx_inst : entity work.ul_plain_rx
       port map (
@@ -452,6 +473,7 @@ begin
       data_bits      => data_bits,
       address_bits   => address_bits,
       id_digits      => id_digits,
+      crc_bits       => crc_bits,
       block_words    => block_words,
       groups         => groups,
       group_words    => group_words,
@@ -472,9 +494,13 @@ begin
       in_plain             => body_plain,
       in_error             => body_error,
       in_silent            => body_silent,
+      in_residue           => residue,
+      in_session           => in_session,
+      for_program          => for_program,
       request_valid        => request_valid,
       request_accept       => request_accept,
       hold                 => hold,
+      hold_letters         => hold_letters,
       request_command      => command,
       request_has_id       => has_id,
       request_plain        => plain,
@@ -486,7 +512,9 @@ begin
       request_count        => count,
       request_group        => group_number,
       request_flags        => group_flags,
-      request_divisor      => group_divisor,
+      request_asks         => asks,
+      request_number       => number,
+      number_shift         => number_shift,
       request_word         => last_word,
       store                => store,
       store_index          => store_index,
@@ -513,8 +541,10 @@ begin
       data_bits      => data_bits,
       address_bits   => address_bits,
       id_digits      => id_digits,
+      crc_bits       => crc_bits,
       groups         => groups,
       masked_write   => masked_write,
+      queue_commands => queue_commands,
       send_immediate => send_immediate,
       room_bits      => response_bits
     )
@@ -524,6 +554,7 @@ begin
       request_valid        => request_valid,
       request_accept       => request_accept,
       hold                 => hold,
+      hold_letters         => hold_letters,
       request_command      => command,
       request_has_id       => has_id,
       request_plain        => plain,
@@ -535,6 +566,12 @@ begin
       request_count        => count,
       request_group        => group_number,
       request_word         => last_word,
+      request_asks         => asks,
+      request_number       => number,
+      number_shift         => number_shift,
+      session              => session,
+      in_session           => in_session,
+      for_program          => for_program,
       memory_index         => memory_index,
       memory_word          => memory_word(data_bits - 1 downto 0),
       ring_write           => response_write,
@@ -547,6 +584,8 @@ begin
       access_exclusive     => access_exclusive,
       access_address       => access_address,
       access_data          => access_data,
+      access_kept          => access_kept,
+      kept_word            => kept_word,
       access_granted       => access_granted,
       access_done          => access_done,
       access_last          => access_last,
@@ -559,6 +598,7 @@ begin
       list_write           => list_write,
       list_index           => list_index,
       epoch                => epoch,
+      drop_samples         => drop_samples,
       answer_valid         => answer_valid,
       answer_taken         => answer_taken,
       answer_message       => answer_message,
@@ -570,7 +610,12 @@ begin
       answer_has_pair      => answer_has_pair,
       answer_id            => answer_id,
       answer_pair          => answer_pair,
-      answer_words         => answer_words
+      answer_words         => answer_words,
+      tail                 => tail,
+      tail_more            => tail_more,
+      tail_digit           => tail_digit,
+      tail_left            => tail_left,
+      tail_taken           => tail_taken
     );
 
   response_ring_inst : entity work.ul_word_ring
@@ -607,6 +652,8 @@ begin
       request_exclusive => access_exclusive,
       request_address   => access_address,
       request_data      => access_data,
+      request_kept      => access_kept,
+      kept_word         => kept_word,
       request_granted   => access_granted,
       request_done      => access_done,
       request_last      => access_last,
@@ -640,8 +687,12 @@ begin
     signal ring_commit   : std_logic;
     signal ring_rollback : std_logic;
     signal ring_room     : unsigned(room_bits - 1 downto 0);
+    signal ring_reset    : std_logic;
 
   begin
+
+    -- No group runs at that time, and no sample is being sent.
+    ring_reset <= rst or drop_samples;
 
     subscription_manager_inst : entity work.ul_subscription_manager
       generic map (
@@ -664,7 +715,7 @@ begin
         group_done       => group_done,
         group_number     => group_number,
         group_flags      => group_flags,
-        group_divisor    => group_divisor,
+        group_divisor    => number(15 downto 0),
         group_count      => count,
         group_is_set     => group_is_set,
         list_write       => list_write,
@@ -694,7 +745,7 @@ begin
       )
       port map (
         clk        => clk,
-        rst        => rst,
+        rst        => ring_reset,
         write      => ring_write,
         write_data => ring_data,
         commit     => ring_commit,
@@ -756,6 +807,11 @@ begin
       answer_address     => address,
       answer_pair        => answer_pair,
       answer_words       => answer_words,
+      tail               => tail,
+      tail_more          => tail_more,
+      tail_digit         => tail_digit,
+      tail_left          => tail_left,
+      tail_taken         => tail_taken,
       response_word      => response_word,
       response_pop       => response_pop,
       sample_available   => sample_available,
@@ -788,6 +844,8 @@ begin
         in_last   => writer_last,
         in_plain  => writer_plain,
         in_mark   => writer_mark,
+        session   => session,
+        in_session => in_session,
         out_data  => sent_data,
         out_mark  => sent_mark,
         out_valid => sent_valid,

@@ -49,9 +49,9 @@ package unity_link_pkg is
   constant error_timeout   : error_t := x"5";
   constant error_range     : error_t := x"6";
   constant error_too_long  : error_t := x"7";
-  constant error_repeated  : error_t := x"8";
   constant error_overflow  : error_t := x"9";
   constant error_session   : error_t := x"A";
+  constant error_under_way : error_t := x"B";
 
   constant character_lf : std_logic_vector(7 downto 0) := x"0A";
   constant character_cr : std_logic_vector(7 downto 0) := x"0D";
@@ -86,6 +86,12 @@ package unity_link_pkg is
   -- Hex digits of a field of this many bits.
   function digits_of (bits : positive) return positive;
 
+  -- Hex digits of the number of a session, with a check of this many bits.
+  function session_digits_of (crc_bits : positive) return positive;
+
+  -- Bits of the field that holds divisors, numbers of sessions and what checks left.
+  function number_bits_of (crc_bits : positive; groups : natural) return positive;
+
   -- The most characters before LF that a valid checked request can have, its CRC included (X07 beyond).
   function longest_request (
     data_bits, address_bits, id_digits, crc_bits, block_words, groups, group_words : natural;
@@ -116,6 +122,26 @@ package body unity_link_pkg is
     return (bits + 3) / 4;
 
   end function digits_of;
+
+  function session_digits_of (crc_bits : positive) return positive is
+  begin
+
+    if crc_bits = 8 then
+      return 2;
+    end if;
+    return 4;
+
+  end function session_digits_of;
+
+  function number_bits_of (crc_bits : positive; groups : natural) return positive is
+  begin
+
+    if crc_bits = 8 and groups > 0 then
+      return 16;
+    end if;
+    return crc_bits;
+
+  end function number_bits_of;
 
   function longest_request (
     data_bits, address_bits, id_digits, crc_bits, block_words, groups, group_words : natural;

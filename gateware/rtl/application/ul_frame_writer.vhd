@@ -2,7 +2,8 @@
 --
 -- Writes the bodies of all frames that the gateway sends: answers and samples, one character a cycle.
 --
--- A body is a walk: letters, then the head (ID or address), the pair (a number of two digits), the words. A sample is
+-- A body is a walk: letters, then the head (ID or address), the pair (a number of two digits), the words or the tail,
+-- whose digits whoever answers has ready while it is sent. A sample is
 -- letter and words alone, because its number, sequence and timestamp stand before its words in the sample ring, which
 -- is laid out as they are sent. Where both wait, answers and samples take turns; but a sample of another epoch than the
 -- present one goes first, because the answer is that of the request which ended it.
@@ -44,6 +45,12 @@ entity ul_frame_writer is
     answer_address     : in    std_logic_vector(4 * digits_of(address_bits) - 1 downto 0);
     answer_pair        : in    std_logic_vector(7 downto 0);
     answer_words       : in    std_logic_vector(7 downto 0);
+    -- The answer that was taken last has a tail of so many digits behind its first one.
+    tail       : in    std_logic;
+    tail_more  : in    unsigned(2 downto 0);
+    tail_digit : in    std_logic_vector(3 downto 0);
+    tail_left  : out   unsigned(2 downto 0);
+    tail_taken : out   std_logic;
     -- Words of answers.
     response_word : in    std_logic_vector(data_bits - 1 downto 0);
     response_pop  : out   std_logic;
@@ -75,7 +82,7 @@ architecture rtl of ul_frame_writer is
   constant config_digits  : positive := 64;
 
   type state_t is (
-    state_idle, state_letter, state_second_letter, state_head, state_pair, state_words, state_configuration
+    state_idle, state_letter, state_second_letter, state_head, state_pair, state_words, state_tail, state_configuration
   );
 
   type registers_t is record
@@ -260,6 +267,8 @@ begin
 
   answer_taken <= take_answer;
   response_pop <= load_word and not r.from_sample;
+  tail_left    <= r.left(2 downto 0);
+  tail_taken   <= advance and to_std_logic(r.state = state_tail);
   sample_pop   <= take_sample or (load_word and r.from_sample);
   out_data     <= r.out_data;
   out_valid    <= r.out_valid;
@@ -320,7 +329,10 @@ begin
 
       v.left  := to_unsigned(data_digits - 1, v.left'length);
       v.state := state_words;
-      if r.words = 0 then
+      if tail = '1' then
+        v.left  := resize(tail_more, v.left'length);
+        v.state := state_tail;
+      elsif r.words = 0 then
         finish_frame;
       end if;
 
@@ -375,6 +387,9 @@ begin
 
         when state_pair =>
           nibble := r.pair(7 downto 4);
+
+        when state_tail =>
+          nibble := tail_digit;
 
         when state_configuration =>
           nibble := config_table(to_integer(r.left));
@@ -499,7 +514,7 @@ begin
               finish_word;
             end if;
 
-          when state_configuration =>
+          when state_tail | state_configuration =>
             put_digit;
             if r.left = 0 then
               finish_frame;

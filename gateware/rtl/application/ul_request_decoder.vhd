@@ -23,6 +23,7 @@ entity ul_request_decoder is
     data_bits      : positive := 32;
     address_bits   : positive := 8;
     id_digits      : positive := 3;
+    crc_bits       : positive := 16;
     block_words    : positive := 255;
     groups         : natural  := 16;
     group_words    : natural  := 32;
@@ -44,10 +45,17 @@ entity ul_request_decoder is
     in_plain  : in    std_logic;
     in_error  : in    error_t;
     in_silent : in    std_logic;
+    -- What the check of the frame left, with in_last.
+    in_residue : in    std_logic_vector(crc_bits - 1 downto 0);
+    -- A session is under way, and it is one that a checked frame began.
+    in_session  : in    std_logic;
+    for_program : in    std_logic;
     -- A request, valid until accepted for one cycle; then its fields stand still while `hold`.
     request_valid        : out   std_logic;
     request_accept       : in    std_logic;
     hold                 : in    std_logic;
+    -- With hold: nothing of the next frame is taken, not a letter either.
+    hold_letters         : in    std_logic;
     request_command      : out   command_t;
     request_has_id       : out   std_logic;
     request_plain        : out   std_logic;
@@ -60,7 +68,13 @@ entity ul_request_decoder is
     request_count   : out   std_logic_vector(7 downto 0);
     request_group   : out   std_logic_vector(7 downto 0);
     request_flags   : out   std_logic_vector(5 downto 0);
-    request_divisor : out   std_logic_vector(15 downto 0);
+    -- K has no fields.
+    request_asks : out   std_logic;
+    -- The divisor of GS, the session of K, or of a request with an ID that comes without a session what its check left.
+    -- By number_shift, in a cycle of hold, a digit leaves at the top, and the highest one of a session comes in again at
+    -- the lowest place.
+    request_number : out   std_logic_vector(number_bits_of(crc_bits, groups) - 1 downto 0);
+    number_shift   : in    std_logic;
     -- The last word of the request.
     request_word : out   std_logic_vector(data_bits - 1 downto 0);
     -- Write port of the request memory.
@@ -77,6 +91,8 @@ architecture rtl of ul_request_decoder is
   constant address_digits : positive := digits_of(address_bits);
   constant data_digits    : positive := digits_of(data_bits);
   constant word_digits    : positive := maximum(address_digits, data_digits);
+  constant session_digits : positive := session_digits_of(crc_bits);
+  constant number_bits    : positive := number_bits_of(crc_bits, groups);
 
   -- '0' and a command, or one of those below.
   subtype node_t is std_logic_vector(4 downto 0);
@@ -89,7 +105,7 @@ architecture rtl of ul_request_decoder is
 
   type field_t is (
     field_command, field_id, field_address, field_count, field_words,
-    field_group, field_flags, field_divisor, field_list_count, field_list, field_none
+    field_group, field_flags, field_divisor, field_list_count, field_list, field_session, field_none
   );
 
   function offered (is_built_in : boolean; command : command_t) return node_t is
@@ -261,7 +277,7 @@ architecture rtl of ul_request_decoder is
 
       when field_id =>
         if command = command_k then
-          return field_none;
+          return field_session;
         end if;
         return field_behind_id(command);
 
@@ -315,6 +331,9 @@ architecture rtl of ul_request_decoder is
 
       when field_divisor =>
         return to_unsigned(3, 4);
+
+      when field_session =>
+        return to_unsigned(session_digits - 1, 4);
 
       when others =>
         return to_unsigned(1, 4);
@@ -370,7 +389,9 @@ architecture rtl of ul_request_decoder is
     count        : std_logic_vector(7 downto 0);
     group_number : std_logic_vector(7 downto 0);
     flags        : std_logic_vector(7 downto 0);
-    divisor      : std_logic_vector(15 downto 0);
+    number       : std_logic_vector(number_bits - 1 downto 0);
+    -- A digit of a divisor or session is not 0.
+    some_number : std_logic;
     word         : std_logic_vector(4 * word_digits - 1 downto 0);
     -- Whole words; 256 stands for more than a count can say.
     words         : unsigned(8 downto 0);
@@ -408,7 +429,7 @@ begin
                   r.field;
   left         <= further_digits(first_field(r.node(3 downto 0), r.has_id)) when r.field = field_command else
                   r.left;
-  touches_held <= in_last or (not letter and to_std_logic(field /= field_id));
+  touches_held <= in_last or (not letter and to_std_logic(field /= field_id)) or hold_letters;
 
   take <= in_valid and not r.valid and not (hold and touches_held);
   -- A plain end with part of a word before it is looked at twice: the word is completed first.
@@ -429,7 +450,8 @@ begin
   request_count        <= r.request_count;
   request_group        <= r.group_number;
   request_flags        <= r.flags(5 downto 0);
-  request_divisor      <= r.divisor;
+  request_asks         <= to_std_logic(r.field = field_command);
+  request_number       <= r.number;
   request_word         <= r.word(data_bits - 1 downto 0);
   store                <= r.store;
   store_index          <= std_logic_vector(r.store_index);
@@ -450,6 +472,7 @@ begin
       v.field      := field_command;
       v.bad        := '0';
       v.flushed    := '0';
+      v.some_number := '0';
 
     end procedure begin_frame;
 
@@ -500,8 +523,9 @@ begin
         when field_flags =>
           v.flags := r.flags(3 downto 0) & nibble;
 
-        when field_divisor =>
-          v.divisor := r.divisor(11 downto 0) & nibble;
+        when field_divisor | field_session =>
+          v.number      := r.number(r.number'high - 4 downto 0) & nibble;
+          v.some_number := r.some_number or to_std_logic(unsigned(nibble) /= 0);
 
         when field_words | field_list =>
           v.word := r.word(r.word'high - 4 downto 0) & nibble;
@@ -552,6 +576,9 @@ begin
         when field_none =>
           return true;
 
+        when field_id =>
+          return r.field = field_command and r.has_id = '0';
+
         when field_words =>
           if r.field = field_command or r.partial = '1' or r.words = 0 or r.words(8) = '1' then
             return false;
@@ -601,7 +628,8 @@ begin
           return (r.words > block_words and command /= command_wk) or v.word_exceeds = '1';
 
         when command_gs =>
-          return is_no_group(r.group_number) or (r.flags and missing_flags) /= x"00" or unsigned(r.divisor) = 0
+          return is_no_group(r.group_number) or (r.flags and missing_flags) /= x"00" or r.some_number = '0'
+                 or (r.flags(flag_plain) and for_program) = '1'
                  or unsigned(r.count) = 0 or unsigned(r.count) > group_words or v.word_exceeds = '1';
 
         when command_gn | command_gx | command_gp =>
@@ -609,6 +637,9 @@ begin
 
         when command_i =>
           return unsigned(r.group_number) > 2;
+
+        when command_k =>
+          return r.some_number = '0' or r.number(4 * session_digits - 1) = '1';
 
         when others =>
           return false;
@@ -627,6 +658,12 @@ begin
       v.request_count := r.count;
       if r.node(2) = '1' then
         v.request_count := std_logic_vector(r.words(7 downto 0));
+      end if;
+      if r.has_id = '1' and in_session = '0' then
+        v.number(crc_bits - 1 downto 0) := in_residue;
+        if in_plain = '1' then
+          v.number := (others => '0');
+        end if;
       end if;
 
       if in_error /= error_none then
@@ -672,6 +709,11 @@ begin
         end if;
       end if;
 
+      if number_shift = '1' then
+        v.number             := r.number(r.number'high - 4 downto 0) & "0000";
+        v.number(3 downto 0) := r.number(4 * session_digits - 1 downto 4 * session_digits - 4);
+      end if;
+
       if r.valid = '1' and request_accept = '1' then
         v.valid := '0';
         begin_frame;
@@ -686,7 +728,7 @@ begin
         v.count         := (others => '0');
         v.group_number  := (others => '0');
         v.flags         := (others => '0');
-        v.divisor       := (others => '0');
+        v.number        := (others => '0');
         v.word          := (others => '0');
         v.words         := (others => '0');
         v.partial       := '0';

@@ -10,10 +10,17 @@
 -- error alone. The words of a block to write, and the mask of WK, stand in the request memory, whose read port follows
 -- `memory_index` one cycle later; a single word comes straight from the decoder.
 --
--- Each request about groups and each K begins an epoch, of which the subscription manager makes a note in each sample:
--- the frame writer sends all samples of the epoch before first, and then the answer, also if that is an error. A request
--- that is not answered leaves that to the next one that is, whatever it asks for: so two epochs can be told from each
--- other by one bit.
+-- Each request about groups begins an epoch, of which the subscription manager makes a note in each sample: the frame
+-- writer sends all samples of the epoch before first, and then the answer, also if that is an error. A K has the samples
+-- that wait discarded when its answer is begun.
+--
+-- How requests with an ID ended, and what destructive reads gave, stands in two memories that no reset clears. A kept
+-- word is read again by an access that the bus master answers itself.
+--
+-- Some answers have a tail behind all else: the number of a session or what a check left, from the decoder's register,
+-- the session under way, the count of writes that failed. Its digits are taken while they are sent, and meanwhile
+-- nothing else is executed. A new number moves into the session's register while the old one is sent, and is that of the
+-- session with the last digit.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -28,8 +35,10 @@ entity ul_request_executor is
     data_bits      : positive := 32;
     address_bits   : positive := 8;
     id_digits      : positive := 3;
+    crc_bits       : positive := 16;
     groups         : natural  := 16;
     masked_write   : boolean  := true;
+    queue_commands : boolean  := true;
     send_immediate : boolean  := true;
     -- Bits that count the words of the response ring.
     room_bits : positive := 9
@@ -41,6 +50,7 @@ entity ul_request_executor is
     request_valid        : in    std_logic;
     request_accept       : out   std_logic;
     hold                 : out   std_logic;
+    hold_letters         : out   std_logic;
     request_command      : in    command_t;
     request_has_id       : in    std_logic;
     request_plain        : in    std_logic;
@@ -52,6 +62,13 @@ entity ul_request_executor is
     request_count        : in    std_logic_vector(7 downto 0);
     request_group        : in    std_logic_vector(7 downto 0);
     request_word         : in    std_logic_vector(data_bits - 1 downto 0);
+    request_asks         : in    std_logic;
+    request_number       : in    std_logic_vector(number_bits_of(crc_bits, groups) - 1 downto 0);
+    number_shift         : out   std_logic;
+    -- The session under way, 0 for none; a checked frame began it. The number moves while a K is answered.
+    session     : out   std_logic_vector(4 * session_digits_of(crc_bits) - 1 downto 0);
+    in_session  : out   std_logic;
+    for_program : out   std_logic;
     -- Request memory.
     memory_index : out   std_logic_vector(7 downto 0);
     memory_word  : in    std_logic_vector(data_bits - 1 downto 0);
@@ -67,6 +84,9 @@ entity ul_request_executor is
     access_exclusive : out   std_logic;
     access_address   : out   std_logic_vector(address_bits - 1 downto 0);
     access_data      : out   std_logic_vector(data_bits - 1 downto 0);
+    -- No access to the bus: kept_word is what is read.
+    access_kept      : out   std_logic;
+    kept_word        : out   std_logic_vector(data_bits - 1 downto 0);
     access_granted   : in    std_logic;
     access_done      : in    std_logic;
     -- With done: no other access of the transaction is under way.
@@ -82,6 +102,8 @@ entity ul_request_executor is
     list_write : out   std_logic;
     list_index : out   std_logic_vector(7 downto 0);
     epoch      : out   std_logic;
+    -- The samples that wait are of a session that is over.
+    drop_samples : out   std_logic;
     -- Answer, to the frame writer; it stands until taken.
     answer_valid       : out   std_logic;
     answer_taken       : in    std_logic;
@@ -94,7 +116,14 @@ entity ul_request_executor is
     answer_has_pair    : out   std_logic;
     answer_id          : out   std_logic_vector(4 * id_digits - 1 downto 0);
     answer_pair        : out   std_logic_vector(7 downto 0);
-    answer_words       : out   std_logic_vector(7 downto 0)
+    answer_words       : out   std_logic_vector(7 downto 0);
+    -- The answer that was taken last has a tail: digits of it behind the first one; the digit to send, of which so many
+    -- are left, and that it is sent, with the last of them.
+    tail       : out   std_logic;
+    tail_more  : out   unsigned(2 downto 0);
+    tail_digit : out   std_logic_vector(3 downto 0);
+    tail_left  : in    unsigned(2 downto 0);
+    tail_taken : in    std_logic
   );
 end entity ul_request_executor;
 
@@ -102,7 +131,18 @@ architecture rtl of ul_request_executor is
 
   subtype id_t is std_logic_vector(4 * id_digits - 1 downto 0);
 
-  type state_t is (state_idle, state_room, state_load, state_access, state_stop, state_copy, state_group, state_answer);
+  constant session_digits : positive := session_digits_of(crc_bits);
+  constant crc_digits     : positive := crc_bits / 4;
+  constant keeps          : boolean  := masked_write or queue_commands;
+
+  subtype session_t is std_logic_vector(4 * session_digits - 1 downto 0);
+
+  -- How a request ended: "00" well, or one of errors 04, 05 and 06.
+  subtype fate_t is std_logic_vector(1 downto 0);
+
+  type state_t is (
+    state_idle, state_room, state_load, state_access, state_stop, state_copy, state_group, state_answer, state_tail
+  );
 
   constant mode_off      : std_logic_vector(1 downto 0) := "00";
   constant mode_always   : std_logic_vector(1 downto 0) := "01";
@@ -111,10 +151,15 @@ architecture rtl of ul_request_executor is
   type registers_t is record
     state : state_t;
     -- The session.
-    in_session : std_logic;
-    expected   : unsigned(id_t'range);
-    gap_told   : std_logic;
-    mode       : std_logic_vector(1 downto 0);
+    in_session  : std_logic;
+    for_program : std_logic;
+    session     : session_t;
+    expected    : unsigned(id_t'range);
+    gap_told    : std_logic;
+    failures    : unsigned(id_t'range);
+    mode        : std_logic_vector(1 downto 0);
+    -- The number of the request being looked at is that of the session.
+    is_same : std_logic;
     -- How the ID of the request being looked at stands to the one expected.
     is_expected : std_logic;
     is_ahead    : std_logic;
@@ -124,6 +169,11 @@ architecture rtl of ul_request_executor is
     plain   : std_logic;
     silent  : std_logic;
     id      : id_t;
+    asks    : std_logic;
+    -- It has its turn in the order.
+    counted : std_logic;
+    -- Its words were kept.
+    replays : std_logic;
     -- Its execution.
     address : unsigned(address_bits - 1 downto 0);
     -- Words that were not asked for yet.
@@ -139,14 +189,19 @@ architecture rtl of ul_request_executor is
     -- Its answer, where that is no plain acknowledgement.
     error        : error_t;
     out_of_order : std_logic;
-    -- The next answer begins an epoch.
-    owes_epoch : std_logic;
   end record registers_t;
 
   constant after_reset : registers_t :=
   (
     state          => state_idle,
     in_session     => '0',
+    for_program    => '0',
+    session        => (others => '0'),
+    failures       => (others => '0'),
+    is_same        => '0',
+    asks           => '0',
+    counted        => '0',
+    replays        => '0',
     expected       => (others => '0'),
     gap_told       => '0',
     mode           => mode_adaptive,
@@ -168,8 +223,7 @@ architecture rtl of ul_request_executor is
     list_index     => (others => '0'),
     epoch          => '0',
     error          => error_none,
-    out_of_order   => '0',
-    owes_epoch     => '0'
+    out_of_order   => '0'
   );
 
   -- The upper half of the ring is behind.
@@ -184,9 +238,69 @@ architecture rtl of ul_request_executor is
   function ends_samples (command : command_t) return boolean is
   begin
 
-    return command(3 downto 2) = "10" or command = command_k;
+    return command(3 downto 2) = "10";
 
   end function ends_samples;
+
+  -- Changes nothing: R, RM, H, Q, K.
+  function looks (command : command_t) return boolean is
+  begin
+
+    return command = command_r or command = command_rm or command = command_h or command = command_q or
+           command = command_k;
+
+  end function looks;
+
+  function fate_of (error : error_t) return fate_t is
+  begin
+
+    case error is
+
+      when error_bus =>
+        return "01";
+
+      when error_timeout =>
+        return "10";
+
+      when error_range =>
+        return "11";
+
+      when others =>
+        return "00";
+
+    end case;
+
+  end function fate_of;
+
+  function error_of (fate : fate_t) return error_t is
+  begin
+
+    case fate is
+
+      when "01" =>
+        return error_bus;
+
+      when "10" =>
+        return error_timeout;
+
+      when others =>
+        return error_range;
+
+    end case;
+
+  end function error_of;
+
+  -- Three digits of four bits each, or two, by place from the right.
+  function digit_at (number : unsigned; place : unsigned(1 downto 0)) return std_logic_vector is
+
+    variable padded : unsigned(15 downto 0);
+
+  begin
+
+    padded := resize(number, 16);
+    return std_logic_vector(padded(4 * to_integer(place) + 3 downto 4 * to_integer(place)));
+
+  end function digit_at;
 
   signal r           : registers_t;
   signal is_write    : std_logic;
@@ -197,10 +311,18 @@ architecture rtl of ul_request_executor is
   signal ok_done     : std_logic;
   signal failed      : std_logic;
   signal memory_kept : std_logic_vector(data_bits - 1 downto 0);
+  signal is_opening  : std_logic;
+  signal has_tail    : std_logic;
+  signal from_number : std_logic;
+  signal moves       : std_logic;
+  signal number_top  : std_logic_vector(3 downto 0);
+  signal session_top : std_logic_vector(3 downto 0);
+  signal fate_write  : std_logic;
+  signal fate        : fate_t;
 
 begin
 
-  is_masked <= to_std_logic(masked_write and r.command = command_wk);
+  is_masked <= to_std_logic(masked_write and r.command = command_wk) and not r.replays;
   is_write  <= r.command(2) or r.modifying;
   is_block  <= to_std_logic(r.command = command_wm or r.command = command_wq);
   is_queue  <= to_std_logic(r.command = command_rq or r.command = command_wq);
@@ -210,6 +332,7 @@ begin
 
   request_accept <= to_std_logic(r.state = state_idle);
   hold           <= to_std_logic(r.state /= state_idle);
+  hold_letters   <= to_std_logic(r.state /= state_idle and r.command = command_k);
   memory_index   <= std_logic_vector(r.index);
 
   access_request   <= r.access_request and to_std_logic(r.left /= 0);
@@ -223,13 +346,93 @@ begin
 
   ring_write    <= ok_done and not is_write;
   ring_commit   <= to_std_logic(r.state = state_answer) and answer_taken;
-  ring_rollback <= failed or (to_std_logic(r.state = state_answer) and r.silent);
+  ring_rollback <= failed;
 
   group_request   <= to_std_logic(r.state = state_stop or r.state = state_group);
   group_operation <= r.operation;
   list_write      <= r.list_write;
   list_index      <= std_logic_vector(r.list_index);
   epoch           <= r.epoch;
+
+  session     <= r.session;
+  in_session  <= r.in_session;
+  for_program <= r.for_program;
+
+  -- Memories.
+
+  fate_write <= r.counted and to_std_logic(r.state /= state_idle);
+
+  fates_inst : entity work.ul_word_memory
+    generic map (
+      width => 2,
+      depth => 2 ** (4 * id_digits - 1)
+    )
+    port map (
+      clk         => clk,
+      write       => fate_write,
+      write_index => unsigned(r.id(4 * id_digits - 2 downto 0)),
+      write_data  => fate_of(r.error),
+      read_index  => unsigned(request_id(4 * id_digits - 2 downto 0)),
+      read_data   => fate
+    );
+
+  with_kept : if keeps generate
+
+    signal keep  : std_logic;
+    signal place : unsigned(7 downto 0);
+
+  begin
+
+    keep        <= ok_done and not is_write and r.counted and to_std_logic(r.command(3 downto 1) = "001");
+    place       <= unsigned(r.id(7 downto 0)) + r.index;
+    access_kept <= r.replays;
+
+    kept_inst : entity work.ul_word_memory
+      generic map (
+        width => data_bits,
+        depth => 256
+      )
+      port map (
+        clk         => clk,
+        write       => keep,
+        write_index => place,
+        write_data  => access_read_data,
+        read_index  => place,
+        read_data   => kept_word
+      );
+
+  end generate with_kept;
+
+  without_kept : if not keeps generate
+
+    access_kept <= '0';
+    kept_word   <= (others => '0');
+
+  end generate without_kept;
+
+  -- The tail.
+
+  is_opening  <= to_std_logic(r.command = command_k) and not r.asks;
+  has_tail    <= to_std_logic(r.error = error_session) or
+                 (to_std_logic(r.error = error_none) and
+                  (to_std_logic(r.command = command_k) or
+                   (to_std_logic(r.command = command_h) and r.has_id and not r.out_of_order)));
+  from_number <= to_std_logic(r.error = error_session) or (is_opening and to_std_logic(tail_left >= session_digits));
+  number_top  <= request_number(crc_bits - 1 downto crc_bits - 4) when r.error = error_session else
+                 request_number(4 * session_digits - 1 downto 4 * session_digits - 4);
+  session_top <= r.session(r.session'high downto r.session'high - 3);
+
+  tail         <= to_std_logic(r.state = state_tail);
+  tail_more    <= to_unsigned(crc_digits - 1, 3) when r.error = error_session else
+                  to_unsigned(id_digits - 1, 3) when r.command = command_h else
+                  to_unsigned(session_digits - 1, 3) when r.asks = '1' else
+                  to_unsigned(2 * session_digits - 1, 3);
+  tail_digit   <= number_top when from_number = '1' else
+                  digit_at(r.failures, tail_left(1 downto 0)) when r.command = command_h else
+                  session_top;
+  number_shift <= tail_taken;
+  moves        <= tail_taken and not from_number and to_std_logic(r.command = command_k);
+  drop_samples <= to_std_logic(r.state = state_answer and r.error = error_none) and answer_taken and is_opening;
 
   answer : process (all) is
 
@@ -238,12 +441,12 @@ begin
   begin
 
     is_error       := to_std_logic(r.error /= error_none);
-    answer_valid   <= to_std_logic(r.state = state_answer) and not r.silent;
+    answer_valid   <= to_std_logic(r.state = state_answer);
     answer_message <= '0' & r.command;
     answer_lower   <= r.has_id;
     answer_plain   <= r.plain;
     answer_id      <= r.id;
-    answer_has_id  <= r.has_id or to_std_logic(r.command = command_k and is_error = '0');
+    answer_has_id  <= r.has_id or (is_opening and not is_error);
     answer_pair    <= request_count;
     answer_words   <= (others => '0');
     if r.command(3) = '1' then
@@ -311,16 +514,22 @@ begin
       if ends_samples(v.command) then
         begin_group_operation(group_nothing, state_group);
       end if;
+      if v.silent = '1' then
+        v.state := state_idle;
+      end if;
+      if v.counted = '1' and v.command = command_ws then
+        v.failures := r.failures + 1;
+      end if;
 
     end procedure refuse;
 
     procedure start_session is
     begin
 
-      v.in_session := '1';
-      v.expected   := unsigned(request_id);
-      v.gap_told   := '0';
-      v.mode       := mode_adaptive;
+      v.expected := unsigned(request_id);
+      v.gap_told := '0';
+      v.failures := (others => '0');
+      v.mode     := mode_adaptive;
       begin_group_operation(group_stop_all, state_group);
 
     end procedure start_session;
@@ -331,7 +540,7 @@ begin
     begin
 
       v.state := state_answer;
-      if request_out_of_range = '1' then
+      if request_out_of_range = '1' and not (request_command = command_k and request_asks = '1') then
         refuse(error_range, request_has_id);
         return;
       end if;
@@ -374,7 +583,9 @@ begin
           v.mode := request_group(1 downto 0);
 
         when command_k =>
-          start_session;
+          if request_asks = '0' then
+            start_session;
+          end if;
 
         when others =>
           null;
@@ -388,13 +599,19 @@ begin
     procedure repeat is
     begin
 
+      if fate /= "00" then
+        refuse(error_of(fate), '1');
+        return;
+      end if;
+
       case request_command is
 
         when command_r | command_rm =>
           execute;
 
         when command_rq | command_wk =>
-          refuse(error_repeated, '1');
+          v.replays := to_std_logic(keeps);
+          execute;
 
         when command_ws =>
           null;
@@ -406,6 +623,16 @@ begin
 
     end procedure repeat;
 
+    -- A frame to all nodes is a WS, which a program's session takes from programs alone, or nothing.
+    impure function is_for_nobody return boolean is
+    begin
+
+      return request_silent = '1' and
+             (request_error /= error_none or request_has_id = '1' or request_command /= command_ws or
+              (r.for_program and request_plain) = '1');
+
+    end function is_for_nobody;
+
     procedure accept_request is
     begin
 
@@ -416,19 +643,33 @@ begin
       v.id           := request_id;
       v.address      := unsigned(request_address(address_bits - 1 downto 0));
       v.left         := unsigned(request_count);
+      v.asks         := request_asks;
+      v.counted      := '0';
+      v.replays      := '0';
       v.modifying    := '0';
       v.error        := error_none;
       v.out_of_order := '0';
 
-      if request_error /= error_none then
+      if is_for_nobody then
+        null;
+      elsif request_error /= error_none then
         refuse(request_error, '0');
       elsif request_has_id = '0' then
-        execute;
+        if r.for_program = '1' and request_silent = '0' and not looks(request_command) then
+          refuse(error_under_way, '0');
+        elsif request_command = command_k and request_asks = '0' and (r.is_same and r.in_session) = '1' then
+          refuse(error_under_way, '0');
+        else
+          execute;
+        end if;
+      elsif (r.for_program and request_plain) = '1' then
+        refuse(error_under_way, '1');
       elsif r.in_session = '0' then
         refuse(error_session, '1');
       elsif r.is_expected = '1' then
         v.expected := r.expected + 1;
         v.gap_told := '0';
+        v.counted  := '1';
         execute;
       elsif r.is_ahead = '0' then
         repeat;
@@ -485,6 +726,7 @@ begin
       v.is_expected := to_std_logic(distance = 0);
       v.is_ahead    := not half_ring(distance);
       v.enough_room := to_std_logic(ring_room >= unsigned(request_count));
+      v.is_same     := to_std_logic(request_number(session_t'range) = r.session);
       v.list_write  := '0';
 
       case r.state is
@@ -518,6 +760,9 @@ begin
               v.left := r.left - 1;
             end if;
           end if;
+          if ok_done = '1' and r.command = command_rq then
+            v.index := r.index + 1;
+          end if;
           if access_done = '1' then
             finish_access;
           end if;
@@ -532,21 +777,34 @@ begin
 
         when state_group =>
           if group_done = '1' then
-            v.state      := state_answer;
-            v.epoch      := r.epoch xor not r.silent;
-            v.owes_epoch := r.silent;
+            v.state := state_answer;
+            v.epoch := r.epoch xor not r.command(2);
           end if;
 
         when state_answer =>
-          if answer_taken = '1' or r.silent = '1' then
+          if answer_taken = '1' then
             v.state := state_idle;
+            if has_tail = '1' then
+              v.state := state_tail;
+            end if;
+          end if;
+
+        when state_tail =>
+          if tail_taken = '1' and tail_left = 0 then
+            v.state := state_idle;
+            if r.command = command_k and r.asks = '0' then
+              v.in_session  := '1';
+              v.for_program := not r.plain;
+            end if;
           end if;
 
       end case;
 
-      if v.owes_epoch = '1' and v.silent = '0' and v.state = state_answer and r.state /= state_answer then
-        v.epoch      := not r.epoch;
-        v.owes_epoch := '0';
+      if moves = '1' then
+        v.session             := r.session(r.session'high - 4 downto 0) & session_top;
+        if r.asks = '0' then
+          v.session(3 downto 0) := number_top;
+        end if;
       end if;
 
       r <= v;

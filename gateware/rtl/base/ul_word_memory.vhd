@@ -2,7 +2,7 @@
 --
 -- A memory with one write port and one registered read port, as every vendor's block RAM is.
 --
--- Whether a word that is read in the cycle in which it is written is the old or the new one is left open: nobody asks.
+-- A word that was never written is 0; a reset changes none. Whether a word that is read in the cycle in which it is written is the old or the new one is left open: nobody asks.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -32,7 +32,9 @@ architecture rtl of ul_word_memory is
 
   type memory_t is array (0 to depth - 1) of std_logic_vector(width - 1 downto 0);
 
-  signal memory : memory_t;
+  -- vsg_off signal_007
+  signal memory : memory_t := (others => (others => '0'));
+  -- vsg_on signal_007
 
 begin
 

@@ -23,6 +23,8 @@
 -- are told in order. The first that fails is told at once and is the last to be told. What is under way behind it is
 -- answered before anything else is asked for. Writes, exclusive transactions and single accesses go one by one.
 --
+-- A request of a kept word is an access like any other, but the bus sees nothing of it, and the word is what is read.
+--
 -- After an access that timed out nothing is asked of the bus for `timeout` cycles, in which the bus is taken back: a
 -- slave that answers late does so then, when nobody listens. Where several may have been under way it is twice as long,
 -- as the youngest may just have been taken. The access is told before, so only the next one waits.
@@ -54,6 +56,8 @@ entity ul_bus_master is
     request_exclusive : in    std_logic;
     request_address   : in    std_logic_vector(address_bits - 1 downto 0);
     request_data      : in    std_logic_vector(data_bits - 1 downto 0);
+    request_kept      : in    std_logic;
+    kept_word         : in    std_logic_vector(data_bits - 1 downto 0);
     request_granted   : out   std_logic;
     request_done      : out   std_logic;
     -- With done: no other access of the transaction is under way.
@@ -104,6 +108,7 @@ architecture rtl of ul_bus_master is
   signal under_way    : unsigned(2 downto 0);
   signal still        : unsigned(2 downto 0);
   signal stands       : std_logic;
+  signal kept         : std_logic;
   signal told_ahead   : std_logic;
   signal goes_on      : std_logic;
   signal free         : std_logic;
@@ -212,11 +217,14 @@ begin
           time_left   <= time_left - 1;
           failure     <= error_none;
           bus_request <= stands;
-          if bus_done = '1' then
-            time_left  <= to_unsigned(timeout - 1, time_left'length);
-            read_data  <= bus_read_data;
+          if (bus_done or kept) = '1' then
+            time_left <= to_unsigned(timeout - 1, time_left'length);
+            read_data <= bus_read_data;
+            if kept = '1' then
+              read_data <= kept_word;
+            end if;
             told_ahead <= '1';
-            if bus_error = '1' then
+            if (bus_error and not kept) = '1' then
               failure <= error_bus;
               state   <= state_drain;
             end if;
@@ -279,7 +287,8 @@ begin
         request_lock <= request_more;
       end if;
       if grant_sample = '1' or grant = '1' then
-        bus_request    <= '1';
+        kept           <= grant and request_kept;
+        bus_request    <= not (grant and request_kept);
         bus_write      <= grant and request_write;
         bus_write_data <= request_data;
         bus_address    <= request_address;
@@ -301,6 +310,7 @@ begin
         time_left      <= (others => '0');
         failure        <= error_none;
         read_data      <= (others => '0');
+        kept           <= '0';
         bus_request    <= '0';
         bus_write      <= '0';
         bus_address    <= (others => '0');

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
 -- The check of a frame (docs/protocol.md, "Frames"): a CRC of 8, 16 or 32 bits, not reflected, initial value 0, no final
--- xor.
+-- xor. In a session its number is xored into it before the first letter of some frames: the seed.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -14,6 +14,9 @@ package ul_crc_pkg is
     character  : std_logic_vector(7 downto 0);
     polynomial : std_logic_vector(31 downto 0)
   ) return std_logic_vector;
+
+  -- What a session of this number xors into a CRC of so many bits: twice the number and the direction.
+  function seed_of (session : std_logic_vector; direction : std_logic; crc_bits : positive) return std_logic_vector;
 
 end package ul_crc_pkg;
 
@@ -48,5 +51,16 @@ package body ul_crc_pkg is
     return remainder;
 
   end function crc_after;
+
+  function seed_of (session : std_logic_vector; direction : std_logic; crc_bits : positive) return std_logic_vector is
+
+    variable seed : std_logic_vector(crc_bits - 1 downto 0) := (others => '0');
+
+  begin
+
+    seed(session'length - 1 downto 0) := session(session'length - 2 downto 0) & direction;
+    return seed;
+
+  end function seed_of;
 
 end package body ul_crc_pkg;

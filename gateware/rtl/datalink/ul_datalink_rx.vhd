@@ -7,8 +7,9 @@
 --
 -- A frame's last `crc_bits / 4` characters are its check if it ends in LF and part of its body if it ends in CR, and
 -- only the end tells. So characters pass a delay line of that length: at LF it holds just the check, which is compared
--- in the same cycle, and at CR it is emptied into the body. The CRC is taken of what leaves the line (and, on a shared
--- medium, of the prefix, which never enters it).
+-- while the event stands, and at CR it is emptied into the body. The CRC is taken of what leaves this entity (and, on a
+-- shared medium, of the prefix, which never enters the line). So a first letter that is not taken yet is not checked
+-- either: whoever holds it back until a session has begun has that session's number in its check.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -35,6 +36,9 @@ entity ul_datalink_rx is
     in_lost  : in    std_logic;
     in_valid : in    std_logic;
     in_ready : out   std_logic;
+    -- The session under way, 0 for none; counts when a first letter is taken.
+    session    : in    std_logic_vector(4 * session_digits_of(crc_bits) - 1 downto 0);
+    in_session : in    std_logic;
     -- A character of a body, or with out_last the end of the frame.
     out_data  : out   std_logic_vector(7 downto 0);
     out_valid : out   std_logic;
@@ -44,6 +48,9 @@ entity ul_datalink_rx is
     out_plain  : out   std_logic;
     out_error  : out   error_t;
     out_silent : out   std_logic;
+    -- With out_last: what the check of a checked frame left of the CRC of its text. Without a session that is no error
+    -- where the first letter is small.
+    out_residue : out   std_logic_vector(crc_bits - 1 downto 0);
     -- A frame has begun and its end was not given out yet.
     busy : out   std_logic
   );
@@ -60,6 +67,9 @@ architecture rtl of ul_datalink_rx is
     delayed : line_t;
     filled  : std_logic_vector(0 to crc_digits - 1);
     crc     : std_logic_vector(crc_bits - 1 downto 0);
+    -- A letter was taken; the first one is small.
+    text_begun : std_logic;
+    small      : std_logic;
     -- Characters that may still come before the frame is too long.
     left     : unsigned(log2_ceil(longest + 1) - 1 downto 0);
     too_long : std_logic;
@@ -83,6 +93,8 @@ architecture rtl of ul_datalink_rx is
     delayed    => (others => (others => '0')),
     filled     => (others => '0'),
     crc        => (others => '0'),
+    text_begun => '0',
+    small      => '0',
     left       => to_unsigned(longest, log2_ceil(longest + 1)),
     too_long   => '0',
     lost       => '0',
@@ -101,26 +113,49 @@ architecture rtl of ul_datalink_rx is
 
   signal r       : registers_t;
   signal advance : std_logic;
+  signal residue : std_logic_vector(crc_bits - 1 downto 0);
+  signal damaged : std_logic;
 
-  -- Whether the delay line holds this CRC in hex digits of either case.
-  function holds (now : registers_t) return boolean is
+  -- The number that the delay line holds in hex digits of either case.
+  function number_in (line : line_t) return std_logic_vector is
 
-    variable nibble : std_logic_vector(3 downto 0);
-    variable same   : boolean := true;
+    variable number : std_logic_vector(crc_bits - 1 downto 0);
 
   begin
 
-    for digit in 0 to crc_digits - 1 loop
+    for digit in line'range loop
 
-      nibble := now.crc(4 * digit + 3 downto 4 * digit);
-      same   := same and now.filled(digit) = '1' and is_hex(now.delayed(digit)) = '1';
-      same   := same and hex_value(now.delayed(digit)) = nibble;
+      number(4 * digit + 3 downto 4 * digit) := hex_value(line(digit));
 
     end loop;
 
-    return same;
+    return number;
 
-  end function holds;
+  end function number_in;
+
+  function all_hex (line : line_t) return std_logic is
+
+    variable result : std_logic := '1';
+
+  begin
+
+    for digit in line'range loop
+
+      result := result and is_hex(line(digit));
+
+    end loop;
+
+    return result;
+
+  end function all_hex;
+
+  -- Of the letters of both sizes, a small one.
+  function is_small (code : std_logic_vector(7 downto 0)) return std_logic is
+  begin
+
+    return to_std_logic(code(7 downto 5) = "011" and unsigned(code(4 downto 0)) >= 1 and unsigned(code(4 downto 0)) <= 26);
+
+  end function is_small;
 
   -- Whether a character is the first or the second hex digit of a node's number.
   function is_digit_of (code : std_logic_vector(7 downto 0); number : natural; first : boolean) return std_logic is
@@ -152,8 +187,14 @@ begin
   out_valid  <= r.out_valid;
   out_last   <= r.out_last;
   out_plain  <= r.out_plain;
-  out_error  <= r.out_error;
   out_silent <= r.out_silent;
+  -- The errors that go before this one have its bit.
+  out_error  <= r.out_error(3 downto 1) & (r.out_error(0) or damaged);
+
+  residue     <= number_in(r.delayed) xor r.crc;
+  damaged     <= not r.out_plain and (not all_hex(r.delayed) or
+                                      (to_std_logic(unsigned(residue) /= 0) and (in_session or not r.small)));
+  out_residue <= residue;
   busy       <= r.begun or r.out_valid;
 
   assert crc_bits = 8 or crc_bits = 16 or crc_bits = 32
@@ -176,14 +217,42 @@ begin
       v.out_data := r.delayed(crc_digits - 1);
       if r.filled(crc_digits - 1) = '1' then
         v.out_valid := '1';
-        v.crc       := crc_after(r.crc, r.delayed(crc_digits - 1), crc_polynomial);
       end if;
       v.delayed := newest & r.delayed(0 to crc_digits - 2);
       v.filled  := newest_valid & r.filled(0 to crc_digits - 2);
 
     end procedure step_line;
 
-    procedure finish_frame (plain : std_logic; check_is_right : boolean) is
+    -- A character of the text has gone to whoever acts.
+
+    procedure count_character is
+
+      variable begun : std_logic_vector(crc_bits - 1 downto 0);
+
+    begin
+
+      begun := r.crc;
+      if r.text_begun = '0' then
+        v.small := is_small(r.out_data);
+        if v.small = '1' then
+          begun := r.crc xor seed_of(session, '0', crc_bits);
+        end if;
+      end if;
+      v.crc        := crc_after(begun, r.out_data, crc_polynomial);
+      v.text_begun := '1';
+
+    end procedure count_character;
+
+    procedure forget_text is
+    begin
+
+      v.crc        := (others => '0');
+      v.text_begun := '0';
+      v.small      := '0';
+
+    end procedure forget_text;
+
+    procedure finish_frame (plain : std_logic) is
     begin
 
       v.out_valid  := '1';
@@ -194,7 +263,7 @@ begin
         v.out_error := error_overflow;
       elsif r.too_long = '1' then
         v.out_error := error_too_long;
-      elsif not check_is_right then
+      elsif plain = '0' and r.filled(crc_digits - 1) = '0' then
         v.out_error := error_crc;
       else
         v.out_error := error_none;
@@ -206,7 +275,6 @@ begin
     begin
 
       v.filled   := (others => '0');
-      v.crc      := (others => '0');
       v.left     := after_reset.left;
       v.too_long := '0';
       v.lost     := '0';
@@ -219,9 +287,16 @@ begin
     end procedure forget_frame;
 
     procedure take_prefix is
+
+      variable begun : std_logic_vector(crc_bits - 1 downto 0);
+
     begin
 
-      v.crc    := crc_after(r.crc, in_data, crc_polynomial);
+      begun := r.crc;
+      if r.prefix = 0 then
+        begun := (others => '0');
+      end if;
+      v.crc    := crc_after(begun, in_data, crc_polynomial);
       v.prefix := r.prefix + 1;
       if r.prefix = 0 then
         v.to_me  := to_std_logic(in_data = character_z);
@@ -261,7 +336,7 @@ begin
       elsif in_data = character_cr then
         v.draining := '1';
       else
-        finish_frame('0', holds(r));
+        finish_frame('0');
         forget_frame;
       end if;
 
@@ -274,9 +349,14 @@ begin
       if advance = '1' then
         v.out_valid := '0';
         v.out_last  := '0';
+        if r.out_valid = '1' and r.out_last = '1' then
+          forget_text;
+        elsif r.out_valid = '1' then
+          count_character;
+        end if;
         if r.draining = '1' then
           if unsigned(r.filled) = 0 then
-            finish_frame('1', true);
+            finish_frame('1');
             forget_frame;
           else
             step_line(r.delayed(0), '0');

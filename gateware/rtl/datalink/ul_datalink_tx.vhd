@@ -4,6 +4,8 @@
 --
 -- One character a cycle, ends included: while the check of a frame goes out, whoever writes bodies prepares the next
 -- one. The send-immediate mark of a frame stands beside its very last character.
+--
+-- The session is in the check of samples and of all that begins with a small letter.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -31,6 +33,9 @@ entity ul_datalink_tx is
     in_last   : in    std_logic;
     in_plain  : in    std_logic;
     in_mark   : in    flush_mark_t;
+    -- The session under way, 0 for none; counts when the first letter of a body is taken.
+    session    : in    std_logic_vector(4 * session_digits_of(crc_bits) - 1 downto 0);
+    in_session : in    std_logic;
     out_data  : out   std_logic_vector(7 downto 0);
     out_mark  : out   flush_mark_t;
     out_valid : out   std_logic;
@@ -61,6 +66,8 @@ architecture rtl of ul_datalink_tx is
     state     : state_t;
     left      : unsigned(log2_ceil(crc_digits + 1) - 1 downto 0);
     crc       : std_logic_vector(crc_bits - 1 downto 0);
+    -- A character behind the prefix was taken.
+    text_begun : std_logic;
     mark      : flush_mark_t;
     out_data  : std_logic_vector(7 downto 0);
     out_mark  : flush_mark_t;
@@ -72,6 +79,7 @@ architecture rtl of ul_datalink_tx is
     state     => first_state,
     left      => (others => '0'),
     crc       => (others => '0'),
+    text_begun => '0',
     mark      => flush_none,
     out_data  => (others => '0'),
     out_mark  => flush_none,
@@ -118,12 +126,19 @@ begin
 
     -- One character of what the CRC covers.
 
-    procedure put_covered (code : std_logic_vector(7 downto 0)) is
+    procedure put_covered (code : std_logic_vector(7 downto 0); seeded : std_logic) is
+
+      variable begun : std_logic_vector(crc_bits - 1 downto 0);
+
     begin
 
+      begun := r.crc;
+      if seeded = '1' then
+        begun := r.crc xor seed_of(session, in_session, crc_bits);
+      end if;
       v.out_data  := code;
       v.out_valid := '1';
-      v.crc       := crc_after(r.crc, code, crc_polynomial);
+      v.crc       := crc_after(begun, code, crc_polynomial);
 
     end procedure put_covered;
 
@@ -139,7 +154,7 @@ begin
 
           when state_prefix =>
             if in_valid = '1' then
-              put_covered(prefix_character(to_integer(r.left)));
+              put_covered(prefix_character(to_integer(r.left)), '0');
               v.left := r.left + 1;
               if r.left = 2 then
                 v.state := state_body;
@@ -148,7 +163,9 @@ begin
 
           when state_body =>
             if in_valid = '1' then
-              put_covered(in_data);
+              -- Of the letters that a body begins with, P alone has four low bits of 0.
+              put_covered(in_data, not r.text_begun and (in_data(5) or to_std_logic(unsigned(in_data(3 downto 0)) = 0)));
+              v.text_begun := '1';
             end if;
             v.left := to_unsigned(crc_digits, v.left'length);
             v.mark := in_mark;
@@ -183,6 +200,7 @@ begin
             v.out_valid := '1';
             v.out_mark  := r.mark;
             v.crc       := (others => '0');
+            v.text_begun := '0';
             v.left      := (others => '0');
             v.state     := first_state;
 
