@@ -298,7 +298,19 @@ architecture rtl of ul_request_executor is
   begin
 
     padded := resize(number, 16);
-    return std_logic_vector(padded(4 * to_integer(place) + 3 downto 4 * to_integer(place)));
+
+    case place is
+
+      when "00" =>
+        return std_logic_vector(padded(3 downto 0));
+
+      when "01" =>
+        return std_logic_vector(padded(7 downto 4));
+
+      when others =>
+        return std_logic_vector(padded(11 downto 8));
+
+    end case;
 
   end function digit_at;
 
@@ -319,6 +331,7 @@ architecture rtl of ul_request_executor is
   signal session_top : std_logic_vector(3 downto 0);
   signal fate_write  : std_logic;
   signal fate        : fate_t;
+  signal new_fate    : fate_t;
 
 begin
 
@@ -360,6 +373,7 @@ begin
 
   -- Memories.
 
+  new_fate   <= fate_of(r.error);
   fate_write <= r.counted and to_std_logic(r.state /= state_idle);
 
   fates_inst : entity work.ul_word_memory
@@ -371,7 +385,7 @@ begin
       clk         => clk,
       write       => fate_write,
       write_index => unsigned(r.id(4 * id_digits - 2 downto 0)),
-      write_data  => fate_of(r.error),
+      write_data  => new_fate,
       read_index  => unsigned(request_id(4 * id_digits - 2 downto 0)),
       read_data   => fate
     );
