@@ -165,7 +165,7 @@ class GatewaySession:
     def _open(self, request: DecodedRequest, *, for_program: bool) -> DecodedRequest | Answer:
         """Begin the session that a `K` asks for, if it may be."""
         first, number = request.values
-        if number == self.state.number:
+        if self.begun and number == self.state.number:
             return Answer(self._codec.error(ErrorCode.SESSION_UNDER_WAY))
         if not 0 < number <= self._codec.info.last_session:
             return Answer(self._codec.error(ErrorCode.OUT_OF_RANGE))
@@ -184,7 +184,16 @@ class GatewaySession:
             return request._replace(repeated=True)
         if repetition is Repetition.SILENCE:
             return SILENCE
+        if repetition is Repetition.KEPT and not self._fits(request):
+            return Answer(self._codec.error(ErrorCode.OUT_OF_RANGE, number), number)
         return Answer(self._codec.response(request, self._once_more(request, number)), number)
+
+    def _fits(self, request: DecodedRequest) -> bool:
+        """Return whether a destructive read asks for what this gateway has."""
+        info, (address, *rest) = self._codec.info, request.values
+        if request.command == "RQ":
+            return address < 1 << info.address_bits and 1 <= rest[0] <= info.block_words
+        return address < 1 << info.address_bits and max(rest) < 1 << info.data_bits
 
     def _once_more(self, request: DecodedRequest, number: int) -> int | list[int] | None:
         """Return what the answer to a repetition has beside the ID."""

@@ -16,7 +16,7 @@ import cocotb
 
 from gateware.bench.unity_link.gateway import IDS, Gateway, with_id
 from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.crc import Crc
+from unity_link.protocol.crc import Crc, seed_of
 from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
@@ -70,12 +70,19 @@ class Frames:
             "WK": lambda: self._address() + self._digits(16),
             "GN": lambda: b"%02X" % rng.randrange(18),
             "I": lambda: b"%02X" % rng.randrange(4),
-            "K": lambda: self._digits(GatewayInfo().id_digits),
+            "K": self._session,
             "R": self._address,
             "H": lambda: b"",
         }
         same = {"RQ": "RM", "WS": "W", "WQ": "WM", "GX": "GN", "GP": "GN", "Q": "H"}
         return makers[same.get(command, command)]()
+
+    def _session(self) -> bytes:
+        rng = self._rng
+        if rng.random() < 0.4:
+            return b""
+        session = rng.choice((rng.randrange(1 << 15), rng.randrange(1 << 16), self._model.session, 0, 1))
+        return self._digits(GatewayInfo().id_digits) + b"%04X" % session
 
     def _settings(self) -> bytes:
         rng = self._rng
@@ -132,7 +139,10 @@ class Frames:
                 body = body[: rng.randrange(4, 14)]
             frame = body + b"\r"
         else:
-            frame = body + self._crc.text(body) + b"\n"
+            # Of the session, of one that is over, or of none, as the gateway would send it.
+            session = self._model.session if rng.random() < 0.95 else rng.choice((0, 1, rng.randrange(1 << 15)))
+            seed = seed_of(session, from_gateway=rng.random() < 0.01) if body[:1].islower() else 0
+            frame = body + self._crc.text(body, seed) + b"\n"
         # Damaged on its way.
         if rng.random() < 0.08:
             frame = self._spoilt(frame)

@@ -16,7 +16,8 @@ from cocotb.triggers import ClockCycles, RisingEdge
 
 from gateware.bench.streams import start
 from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.crc import Crc
+from unity_link.protocol.crc import Crc, seed_of
+from unity_link.protocol.frames import in_session
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
@@ -36,16 +37,26 @@ def note_figure(name: str, value: float) -> None:
 IDS = 16 ** GatewayInfo().id_digits
 
 
-def checked(body: bytes) -> bytes:
-    """Return the checked frame of a body."""
-    return body + Crc().text(body) + b"\n"
+SESSION = 0x1234
+"""Number of the sessions of benches that need only one."""
 
 
-def body_of(frame: bytes) -> bytes:
-    """Return the body of a checked frame, whose check must be right."""
+def checked(body: bytes, session: int = 0, *, answers: bool = False) -> bytes:
+    """Return the checked frame of a body that the host sends in a session, or the gateway if it answers."""
+    seed = seed_of(session, from_gateway=answers) if in_session(body[0]) else 0
+    return body + Crc().text(body, seed) + b"\n"
+
+
+def body_of(frame: bytes, session: int = 0) -> bytes:
+    """Return the body of a checked frame of the gateway, whose check must be right."""
     body = frame[: -Crc().digits - 1]
-    assert frame == checked(body), frame
+    assert frame == checked(body, session, answers=True), frame
     return body
+
+
+def opening(first: int = 0, session: int = SESSION) -> bytes:
+    """Return the body of a `K` that begins a session."""
+    return with_id(b"K", first, b"%04X" % session)
 
 
 def with_id(letters: bytes, number: int, fields: bytes = b"") -> bytes:
@@ -67,6 +78,8 @@ class Gateway:
         self.pause_in = pause_in
         self.pause_out = pause_out
         self.cycle = 0
+        self.session = 0
+        """Number of the session that `begin` or `open` began."""
         self.received = bytearray()
         self.sent_at: list[int] = []
         """The cycle at whose end each byte was taken by the gateway."""
@@ -91,8 +104,23 @@ class Gateway:
         dut.wait_states.value = 0
         await start(dut.clk, dut.rst)
         cocotb.start_soon(self._run())
+        self.session = 0
         if session:
-            await self.ask(with_id(b"K", 0))
+            await self.open()
+
+    async def open(self, first: int = 0, session: int = SESSION) -> None:
+        """Begin a session by a plain frame: a person's, which takes what has no ID as well."""
+        body, ended = opening(first, session), b"%04X" % self.session
+        assert await self.answer(body + b"\r") == body + ended + b"\r\n"
+        self.session = session
+
+    def checked(self, *bodies: bytes) -> bytes:
+        """Return checked frames of the session."""
+        return b"".join(checked(body, self.session) for body in bodies)
+
+    def answered(self, *bodies: bytes) -> bytes:
+        """Return checked frames as the gateway sends them in the session."""
+        return b"".join(checked(body, self.session, answers=True) for body in bodies)
 
     async def _run(self) -> None:
         dut, rng = self.dut, self._rng
@@ -178,4 +206,4 @@ class Gateway:
 
     async def ask(self, body: bytes) -> bytes:
         """Send a body in a checked frame and return the body of the answer."""
-        return body_of(await self.answer(checked(body)))
+        return body_of(await self.answer(self.checked(body)), self.session)
