@@ -639,7 +639,7 @@ begin
           return unsigned(r.group_number) > 2;
 
         when command_k =>
-          return r.some_number = '0' or r.number(4 * session_digits - 1) = '1';
+          return r.field /= field_command and (r.some_number = '0' or r.number(4 * session_digits - 1) = '1');
 
         when others =>
           return false;

@@ -242,7 +242,7 @@ architecture rtl of ul_request_executor is
 
   end function ends_samples;
 
-  -- Changes nothing: R, RM, H, Q, K.
+  -- Changes nothing, or begins a session.
   function looks (command : command_t) return boolean is
   begin
 
@@ -323,6 +323,12 @@ architecture rtl of ul_request_executor is
   signal ok_done     : std_logic;
   signal failed      : std_logic;
   signal memory_kept : std_logic_vector(data_bits - 1 downto 0);
+  signal for_nobody  : std_logic;
+  signal shut_out    : std_logic;
+  signal in_order    : std_logic;
+  signal repeats     : std_logic;
+  signal runs        : std_logic;
+  signal refusal     : error_t;
   signal is_opening  : std_logic;
   signal has_tail    : std_logic;
   signal from_number : std_logic;
@@ -332,6 +338,8 @@ architecture rtl of ul_request_executor is
   signal fate_write  : std_logic;
   signal fate        : fate_t;
   signal new_fate    : fate_t;
+  -- Of GN, GX and GP.
+  signal group_is_missing : std_logic;
 
 begin
 
@@ -370,6 +378,30 @@ begin
   session     <= r.session;
   in_session  <= r.in_session;
   for_program <= r.for_program;
+
+  -- What becomes of the request that stands there: the checks in the order of the protocol.
+
+  -- To all nodes there is a WS, which a program's session takes from programs alone, or nothing.
+  for_nobody <= request_silent and
+                (request_has_id or to_std_logic(request_error /= error_none or request_command /= command_ws) or
+                 (r.for_program and request_plain));
+  shut_out   <= (r.for_program and request_has_id and request_plain) or
+                (r.for_program and not request_has_id and not request_silent and
+                 to_std_logic(not looks(request_command))) or
+                (r.in_session and r.is_same and not request_asks and to_std_logic(request_command = command_k));
+  in_order   <= request_has_id and r.in_session and to_std_logic(request_error = error_none) and
+                not (r.for_program and request_plain);
+  repeats    <= in_order and not r.is_expected and not r.is_ahead;
+  runs       <= not request_has_id or r.is_expected or (repeats and to_std_logic(request_command(3 downto 2) = "00"));
+  refusal    <= request_error when request_error /= error_none else
+                error_under_way when shut_out = '1' else
+                error_session when (request_has_id and not r.in_session) = '1' else
+                error_of(fate) when repeats = '1' and fate /= "00" else
+                error_range when (runs and (request_out_of_range or group_is_missing)) = '1' else
+                error_none;
+
+  group_is_missing <= to_std_logic(groups > 0 and request_command(3 downto 2) = "10" and request_command /= command_gs) and
+                      not group_is_set;
 
   -- Memories.
 
@@ -455,7 +487,7 @@ begin
   begin
 
     is_error       := to_std_logic(r.error /= error_none);
-    answer_valid   <= to_std_logic(r.state = state_answer);
+    answer_valid   <= to_std_logic(r.state = state_answer) and not r.silent;
     answer_message <= '0' & r.command;
     answer_lower   <= r.has_id;
     answer_plain   <= r.plain;
@@ -519,20 +551,13 @@ begin
 
     end procedure begin_group_operation;
 
-    procedure refuse (error : error_t; with_id : std_logic) is
+    procedure refuse (error : error_t) is
     begin
 
-      v.error  := error;
-      v.has_id := with_id;
-      v.state  := state_answer;
+      v.error := error;
+      v.state := state_answer;
       if ends_samples(v.command) then
         begin_group_operation(group_nothing, state_group);
-      end if;
-      if v.silent = '1' then
-        v.state := state_idle;
-      end if;
-      if v.counted = '1' and v.command = command_ws then
-        v.failures := r.failures + 1;
       end if;
 
     end procedure refuse;
@@ -548,16 +573,12 @@ begin
 
     end procedure start_session;
 
-    -- What the form and the sequence allow.
+    -- What is neither refused nor a repetition that is only acknowledged.
 
     procedure execute is
     begin
 
       v.state := state_answer;
-      if request_out_of_range = '1' and not (request_command = command_k and request_asks = '1') then
-        refuse(error_range, request_has_id);
-        return;
-      end if;
 
       case request_command is
 
@@ -582,16 +603,14 @@ begin
         when command_gs =>
           begin_group_operation(group_stop, state_stop);
 
-        when command_gn | command_gx | command_gp =>
-          if group_is_set = '0' then
-            refuse(error_range, request_has_id);
-          elsif request_command = command_gn then
-            begin_group_operation(group_start, state_group);
-          elsif request_command = command_gx then
-            begin_group_operation(group_stop, state_group);
-          else
-            begin_group_operation(group_publish, state_group);
-          end if;
+        when command_gn =>
+          begin_group_operation(group_start, state_group);
+
+        when command_gx =>
+          begin_group_operation(group_stop, state_group);
+
+        when command_gp =>
+          begin_group_operation(group_publish, state_group);
 
         when command_i =>
           v.mode := request_group(1 downto 0);
@@ -608,85 +627,37 @@ begin
 
     end procedure execute;
 
-    -- A request that was executed before.
-
-    procedure repeat is
-    begin
-
-      if fate /= "00" then
-        refuse(error_of(fate), '1');
-        return;
-      end if;
-
-      case request_command is
-
-        when command_r | command_rm =>
-          execute;
-
-        when command_rq | command_wk =>
-          v.replays := to_std_logic(keeps);
-          execute;
-
-        when command_ws =>
-          null;
-
-        when others =>
-          v.state := state_answer;
-
-      end case;
-
-    end procedure repeat;
-
-    -- A frame to all nodes is a WS, which a program's session takes from programs alone, or nothing.
-    impure function is_for_nobody return boolean is
-    begin
-
-      return request_silent = '1' and
-             (request_error /= error_none or request_has_id = '1' or request_command /= command_ws or
-              (r.for_program and request_plain) = '1');
-
-    end function is_for_nobody;
-
     procedure accept_request is
     begin
 
       v.command      := request_command;
-      v.has_id       := request_has_id;
+      v.has_id       := request_has_id and to_std_logic(request_error = error_none);
       v.plain        := request_plain;
       v.silent       := request_silent;
       v.id           := request_id;
       v.address      := unsigned(request_address(address_bits - 1 downto 0));
       v.left         := unsigned(request_count);
       v.asks         := request_asks;
-      v.counted      := '0';
-      v.replays      := '0';
+      v.counted      := in_order and r.is_expected and not request_silent;
+      v.replays      := repeats and to_std_logic(keeps);
       v.modifying    := '0';
       v.error        := error_none;
       v.out_of_order := '0';
-
-      if is_for_nobody then
-        null;
-      elsif request_error /= error_none then
-        refuse(request_error, '0');
-      elsif request_has_id = '0' then
-        if r.for_program = '1' and request_silent = '0' and not looks(request_command) then
-          refuse(error_under_way, '0');
-        elsif request_command = command_k and request_asks = '0' and (r.is_same and r.in_session) = '1' then
-          refuse(error_under_way, '0');
-        else
-          execute;
-        end if;
-      elsif (r.for_program and request_plain) = '1' then
-        refuse(error_under_way, '1');
-      elsif r.in_session = '0' then
-        refuse(error_session, '1');
-      elsif r.is_expected = '1' then
+      if v.counted = '1' then
         v.expected := r.expected + 1;
         v.gap_told := '0';
-        v.counted  := '1';
+      end if;
+
+      if for_nobody = '1' then
+        null;
+      elsif refusal /= error_none then
+        refuse(refusal);
+      elsif runs = '1' then
         execute;
-      elsif r.is_ahead = '0' then
-        repeat;
+      elsif repeats = '1' then
+        if request_command /= command_ws then
+          v.state := state_answer;
+        end if;
       elsif r.gap_told = '0' then
         v.gap_told     := '1';
         v.out_of_order := '1';
@@ -701,7 +672,7 @@ begin
 
       if failed = '1' then
         v.access_request := '0';
-        refuse(access_failure, r.has_id);
+        refuse(access_failure);
       elsif is_masked = '1' and r.modifying = '0' then
         v.modifying := '1';
       else
@@ -796,10 +767,14 @@ begin
           end if;
 
         when state_answer =>
-          if answer_taken = '1' then
+          if answer_taken = '1' or r.silent = '1' then
             v.state := state_idle;
             if has_tail = '1' then
               v.state := state_tail;
+            end if;
+            -- Where it was not refused it is not answered.
+            if r.counted = '1' and r.command = command_ws then
+              v.failures := r.failures + 1;
             end if;
           end if;
 
