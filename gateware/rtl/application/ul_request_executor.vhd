@@ -639,7 +639,7 @@ begin
       v.left         := unsigned(request_count);
       v.asks         := request_asks;
       v.counted      := in_order and r.is_expected and not request_silent;
-      v.replays      := repeats and to_std_logic(keeps);
+      v.replays      := repeats and request_command(1) and to_std_logic(keeps);
       v.modifying    := '0';
       v.error        := error_none;
       v.out_of_order := '0';
