@@ -33,7 +33,7 @@ from unity_link.link.runtime import AsyncioRuntime, report
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.group_table import GroupsRestored
 from unity_link.protocol.numbers import real_number
-from unity_link.protocol.session import Interrupted, Opened, Session, Unusable
+from unity_link.protocol.session import Interrupted, Opened, Session, Taken, Unusable
 from unity_link.transport import DriverUrl, name_of, node_of
 from unity_link.transport.stream import Stream
 
@@ -42,7 +42,7 @@ if TYPE_CHECKING:
 
     from unity_link.link.runtime import Job, Runtime, Waiter
     from unity_link.protocol.configuration import GatewayInfo
-    from unity_link.protocol.messages import Codec
+    from unity_link.protocol.host_codec import HostCodec
     from unity_link.transport import Medium
 
 log = logging.getLogger("unity_link.link")
@@ -129,6 +129,7 @@ class Connection:
             Opened: self._session_opened,
             Interrupted: self._gateway_was_reset,
             Unusable: self._connection_failed,
+            Taken: self._taken,
             GroupsRestored: self._groups_restored,
         }
         self._flow.handlers |= handlers
@@ -154,7 +155,7 @@ class Connection:
 
     # What builds on this says
 
-    def _begin(self, codec: Codec) -> None:
+    def _begin(self, codec: HostCodec) -> None:
         """Record that a session has begun with a gateway."""
 
     async def _restore(self) -> None:
@@ -235,6 +236,13 @@ class Connection:
             self._opened.set_exception(event.error)
         elif not self._opening:
             self._lose(reason_of(event.error))
+
+    def _taken(self, event: Taken) -> None:
+        """Leave the line to the program that has it."""
+        if not self._opened.done():
+            self._opened.set_exception(event.error)
+        if not self._opening or self._reconnection is not None:
+            self._end(event.error)
 
     async def _resume(self) -> None:
         """Set up in a new session on the same connection what a gateway has forgotten that was reset."""

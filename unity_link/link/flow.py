@@ -14,13 +14,13 @@ import contextlib
 import math
 from typing import TYPE_CHECKING, Any
 
-from unity_link.protocol.requests import Fence, Request, WordBatch
+from unity_link.protocol.requests import Confirmation, DestructiveRead, Fence, Request, WordBatch
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from unity_link.link.runtime import Runtime, Timer, Waiter
-    from unity_link.protocol.messages import Codec
+    from unity_link.protocol.host_codec import HostCodec
     from unity_link.protocol.requests import Events, Source
     from unity_link.protocol.session import Session
     from unity_link.transport.stream import Stream
@@ -41,14 +41,16 @@ class Flow:
 
     def __init__(self, session: Session, runtime: Runtime, disconnected: Callable[[Exception | None], None]) -> None:
         self.session = session
-        self.codec: Codec
+        self.codec: HostCodec
         """The messages of the gateway, once it has said what it is."""
         self._longest_frame = math.inf
         self.stream: Stream | None = None
         """Stream of the connection, None while there is none."""
         self.seat: Seat | None = None
         """Seat of the link, where nodes share the medium; its turn is waited for."""
-        self.handlers: dict[type, Callable[[Any], None]] = dict.fromkeys((Request, Fence, WordBatch), settle)
+        self.handlers: dict[type, Callable[[Any], None]] = dict.fromkeys(
+            (Request, DestructiveRead, Confirmation, Fence, WordBatch), settle
+        )
         """Handler of each kind of event of the session."""
         self._disconnected = disconnected
         self._reads_on = False
@@ -99,7 +101,7 @@ class Flow:
             # First of all, so that the gateway has it while the rest is done.
             self.stream.send(frame)
         request.owner = waiter = self._create_lone_future()
-        if self._timer_at - now > _LATE or self.session.window.loses:
+        if self._timer_at - now > _LATE or self.session.window.allowance.loses:
             self._set_timer()
         if request.done:
             # A medium within the program may answer at once.
@@ -206,7 +208,7 @@ class Flow:
             self._receive(data, now)
         else:
             settle(request)
-            if self.session.window.loses:
+            if self.session.window.allowance.loses:
                 self._set_timer()
         if self._ended:
             # When all else is done: who goes on may ask for more at once, or close the link.
@@ -233,7 +235,7 @@ class Flow:
             else:
                 # No call goes on for what has arrived, so nothing follows in this turn.
                 self._flush()
-        elif self._timer_at - now > _LATE or session.window.loses:
+        elif self._timer_at - now > _LATE or session.window.allowance.loses:
             self._set_timer()
 
     def _read_on(self) -> None:

@@ -39,9 +39,19 @@ from unity_link.link.subscription import (
     check_addresses,
 )
 from unity_link.protocol.configuration import Feature
-from unity_link.protocol.messages import Codec, GroupFlag
+from unity_link.protocol.host_codec import HostCodec
+from unity_link.protocol.messages import GroupFlag
 from unity_link.protocol.numbers import whole_number
-from unity_link.protocol.requests import Fence, PostedFailure, Request, RequestBlock, WordBatch, common_outcome
+from unity_link.protocol.requests import (
+    Confirmation,
+    DestructiveRead,
+    Fence,
+    PostedFailure,
+    Request,
+    RequestBlock,
+    WordBatch,
+    common_outcome,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
@@ -131,7 +141,7 @@ class Link(OfLink, Connection):
 
     # Life
 
-    def _begin(self, codec: Codec) -> None:
+    def _begin(self, codec: HostCodec) -> None:
         # Where both sides share a pair of wires, each must know when its turn is.
         self._takes_turns = Feature.HALF_DUPLEX in codec.info.features
         self._publishing.start(codec)
@@ -261,7 +271,7 @@ class Link(OfLink, Connection):
         where, what, bits = self._whole_address(address), self._whole_word(value), self._whole_word(mask)
         codec = self._flow.codec
         fields = codec.fields("WK", where, bits, what)
-        word: int = await self._flow.answer(Request(codec, "WK", fields, codec.info.data_digits))
+        word: int = await self._flow.answer(DestructiveRead(codec, "WK", fields, 1))
         return word
 
     async def post(self, address: int, value: int) -> None:
@@ -321,7 +331,7 @@ class Link(OfLink, Connection):
         Raises:
             BusTimeoutError: where a server answers, whose gateway is away.
         """
-        await self._flow.answer(Request(self._flow.codec, "H", b"", 0, of_session=True))
+        await self._flow.answer(Confirmation(self._flow.codec, of_session=True))
 
     async def _raise_errors(self, is_told: Callable[[Any], bool]) -> None:
         self._raise_posted(is_told)
@@ -583,7 +593,10 @@ class Link(OfLink, Connection):
         for start in range(0, count, most):
             part = min(most, count - start)
             fields = codec.fields(command, address + step * start, part)
-            requests.append(Request(codec, command, fields, part * info.data_digits))
+            if command == "RQ":
+                requests.append(DestructiveRead(codec, command, fields, part))
+            else:
+                requests.append(Request(codec, command, fields, part * info.data_digits))
         return arrays.joined(await self._all(requests))
 
     def _begin_block(

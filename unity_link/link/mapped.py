@@ -13,7 +13,8 @@ from unity_link import protocol
 from unity_link.errors import ConnectError, LinkClosedError, LinkLostError, Outcome, UnsupportedError
 from unity_link.link.link import Link, SendImmediate, check_mode
 from unity_link.link.subscription import Intake, Publishing, Sample
-from unity_link.protocol.messages import Codec, GroupFlag
+from unity_link.protocol.host_codec import HostCodec
+from unity_link.protocol.messages import GroupFlag
 from unity_link.transport import name_of, open_bus
 
 if TYPE_CHECKING:
@@ -62,7 +63,7 @@ class MappedLink(Link):
         self.gateway = bus.info
         self._words_at = bus.words
         self._publishing = Polling(self._runtime, bus)
-        self._flow.codec = codec = Codec(bus.info, None)
+        self._flow.codec = codec = HostCodec(bus.info, None)
         self._begin(codec)
         codec.highest_address = len(bus.words) - 1
 
@@ -258,7 +259,7 @@ class Polling(Publishing):
         """Description of the bus, as far as it is known."""
         return self._bus.info
 
-    def start(self, codec: Codec) -> None:
+    def start(self, codec: HostCodec) -> None:
         """Begin."""
 
     def end(self, error: LinkLostError) -> None:

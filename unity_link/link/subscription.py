@@ -37,7 +37,8 @@ from unity_link.link.freshness import MOST_DRIFT, Freshness
 from unity_link.link.runtime import report
 from unity_link.protocol.exchange import Sampled, SampledRows, SampledTogether
 from unity_link.protocol.group_table import GroupBegun, GroupRefused, GroupStarted
-from unity_link.protocol.messages import SAMPLE_HEAD, TIMESTAMP_DIGITS, Codec, GroupFlag
+from unity_link.protocol.host_codec import HostCodec
+from unity_link.protocol.messages import SAMPLE_HEAD, TIMESTAMP_DIGITS, GroupFlag
 from unity_link.protocol.numbers import real_number, whole_number
 from unity_link.protocol.requests import Request
 
@@ -302,7 +303,7 @@ class Publishing:
         assert self._clock is not None
         return self._clock
 
-    def start(self, codec: Codec) -> None:
+    def start(self, codec: HostCodec) -> None:
         """Begin with a new session."""
         if self._clock is None:
             self._clock = GatewayClock(codec.info.clock_hz)

@@ -12,6 +12,7 @@ the window is told of them together. A line that is left is looked at by itself.
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from unity_link import protocol
@@ -19,8 +20,9 @@ from unity_link.errors import UnansweredError, UnsupportedError
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.constants import FEWEST_OF_A_FLOOD, FLOOD_PATIENCE, KEEP_ALIVE
 from unity_link.protocol.frames import LF, MOST_LINES, FrameError, OtherNodeError
+from unity_link.protocol.gateway_session import MOST_KEPT_WORDS
 from unity_link.protocol.messages import COMMANDS, WITHOUT_ID, ErrorCode
-from unity_link.protocol.requests import BatchRun, Fence, Request, gateway_error
+from unity_link.protocol.requests import BatchRun, Confirmation, Fence, Request, gateway_error
 
 if TYPE_CHECKING:
     from collections import deque
@@ -29,10 +31,12 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from unity_link.protocol.group_table import GroupTable
-    from unity_link.protocol.messages import Codec
+    from unity_link.protocol.host_codec import HostCodec
     from unity_link.protocol.requests import Events, Message, Source
     from unity_link.protocol.window import Window
 
+_MOST_ECHOES = 8192
+"""Lines that may come back, at most."""
 FEWEST_ROWS = 16
 """Answers of a batch that are worth a turn of numpy."""
 FEWEST_BYTES = 64
@@ -95,11 +99,12 @@ class Exchange:
         out: takes the bytes to send.
         blocked: whether the medium takes no bytes at this time.
         takes_turns: whether a turn is waited for before each frame, on a medium that nodes share.
+        echoes: whether an adapter gives back what is sent.
     """
 
     def __init__(
         self,
-        codec: Codec,
+        codec: HostCodec,
         window: Window[Message],
         waiting: deque[Source],
         groups: GroupTable,
@@ -108,6 +113,7 @@ class Exchange:
         *,
         blocked: bool,
         takes_turns: bool = False,
+        echoes: bool = False,
     ) -> None:
         self.codec = codec
         self.window = window
@@ -116,7 +122,12 @@ class Exchange:
         self._takes_turns = takes_turns
         self._may_send = not takes_turns
         self.refused: int | None = None
-        """The ID of a request that the gateway did not take for it is in no session: it was reset."""
+        """The ID of a request that came whole, and that the gateway did not take for it is in no session: it was reset.
+        """
+        self.under_way = codec.session
+        """The session that the gateway has, as far as it has said; 0 where it was reset."""
+        self._echo: Counter[bytes] | None = Counter() if echoes else None
+        """Lines that were sent, and may come back; None where none do."""
         self.flood = 0
         """Lines that have come in place of answers, where they are so many that no answer is to be hoped for."""
         self._before_flood = 0.0, -1, 0, 0
@@ -124,7 +135,8 @@ class Exchange:
         self._waiting = waiting
         self._groups = groups
         self._counters = counters
-        self._send = out.append
+        self._send = out.append if self._echo is None else self._send_and_note
+        self._out = out
         self._id_number = codec.id_number
         self._id_digits = codec.info.id_digits
         self._mask = codec.ring - 1
@@ -142,6 +154,11 @@ class Exchange:
             # So begins a sample whose first letter was damaged, too; where sides take turns, its end is waited for.
             del self._sizes[b"X"]
 
+    @property
+    def has_ended(self) -> bool:
+        """Return whether the gateway has said that the session is over."""
+        return self.refused is not None or self.under_way != self.codec.session
+
     # Requests
 
     def submit(self, source: Source, now: float, events: Events) -> None:
@@ -152,6 +169,7 @@ class Exchange:
             and not self._waiting
             and isinstance(source, Request)
             and window.has_room(source.size, posted=source.posted)
+            and not (source.places and self._overlaps(source))
         ):
             source.sent = True
             self._counters.requests += 1
@@ -172,12 +190,14 @@ class Exchange:
     def submit_alone(self, request: Request, now: float) -> bytes:
         """Return the frame of a request that has an answer, where nothing else is under way; nothing otherwise."""
         window = self.window
-        if self._waiting or not self._may_send or window.next != window.oldest:
+        if self._waiting or not self._may_send or window.next != window.oldest or window.posts.executed:
+            return b""
+        if self._echo is not None:
             return b""
         request.sent = True
         self._counters.requests += 1
         window.send(request, now)
-        return request.encode() + self._end if window.loses else request.encode()
+        return request.encode() + self._end if window.allowance.loses else request.encode()
 
     def _number(self, run: Message, now: float) -> None:
         """Assign IDs to a run, and send it."""
@@ -203,7 +223,9 @@ class Exchange:
                 size, posted = source.size, source.posted
                 room = window.room(size, posted=posted)
             # A window that is small because the line loses is not waited for to grow.
-            if not room or (room < source.least and room < window.most_room(size) // 2):
+            if not room or (room < source.least and room < window.allowance.most_room(size) // 2):
+                break
+            if source.places and self._overlaps(source):
                 break
             waiting.popleft()
             run = source.take(room, events)
@@ -215,6 +237,18 @@ class Exchange:
                 self._fence(now)
                 size = 0
         self._fence(now)
+
+    def _overlaps(self, source: Source) -> bool:
+        """Return whether the words of a destructive read would take the place of some that are not answered."""
+        first, window = self.window.next, self.window
+        for other in window.parts(window.oldest, window.next):
+            places = other.run.places
+            if places and (
+                (first - other.number) % MOST_KEPT_WORDS < places
+                or (other.number - first) % MOST_KEPT_WORDS < source.places
+            ):
+                return True
+        return False
 
     def _fence(self, now: float) -> None:
         """Confirm posted writes by an ``h`` where it is time."""
@@ -231,14 +265,14 @@ class Exchange:
             return False
         while self._waiting and self._waiting[0].unwanted():
             self._waiting.popleft()
-        if window.wants_repetition():
+        if window.repetition.is_due():
             return not self.blocked
         return bool(self._waiting) and window.is_idle()
 
     def take_turn(self, now: float, events: Events) -> None:
         """Send one frame; with it the turn is used up."""
         self._may_send = True
-        if self.window.wants_repetition():
+        if self.window.repetition.is_due():
             self.window.resume(now)
             self._repeat()
         else:
@@ -246,47 +280,60 @@ class Exchange:
         self._may_send = False
 
     def _confirm(self, now: float) -> None:
-        self._number(Request(self.codec, "H", b"", 0), now)
+        self._number(Confirmation(self.codec), now)
 
     def go_on(self, now: float, events: Events) -> None:
         """Send what answers have made room for, or shown to be lost."""
-        if self.window.wants_repetition():
+        if self.window.repetition.is_due():
             self._repeat()
-        if self._waiting or self.window.unfenced:
+        if self._waiting or self.window.posts.unfenced:
             self.admit(now, events)
 
     def _repeat(self) -> None:
         """Send unanswered requests again; an ``h`` in place of those that are not wanted any more."""
         if self.blocked or not self._may_send:
             return
-        codec, repeated = self.codec, False
-        for number, run, offset, count in self.window.repetition():
+        codec, repeated, window = self.codec, False, self.window
+        if window.signs.place == window.repetition.sent and not self._takes_turns:
+            # Ahead of all: the answer says whose the session is, and how far the line has come.
+            window.repetition.ask()
+            self._send(codec.framing.checked(b"K"))
+        for number, run, offset, count in window.repeat():
             self._counters.repetitions += count
             if run.unwanted():
                 ids = (number + index & codec.ring - 1 for index in range(count))
-                frames = b"".join(codec.request("H", identifier, b"") for identifier in ids)
+                frames = b"".join(codec.request("H", identifier, b"", codec.seed) for identifier in ids)
             else:
                 frames = run.frames_of(offset, count)
             self._send(frames)
             repeated = True
-        if repeated and not self.window.loses:
+        if repeated and not window.allowance.loses:
             self._send(self._end)
 
     def end_output(self) -> None:
         """End what was sent together on a line that loses: nothing may follow it for long."""
         self._send(self._end)
 
+    def _send_and_note(self, data: bytes) -> None:
+        """Send bytes that will come back."""
+        self._out.append(data)
+        assert self._echo is not None
+        if self._echo.total() > _MOST_ECHOES:
+            # They were damaged on the way.
+            self._echo.clear()
+        self._echo.update(line for line in data.split(LF) if line)
+
     # Responses
 
     def receive_alone(self, data: bytes, now: float) -> Request | None:
         """Take the answer to the oldest request, and return that, where nothing else has come or waits for room."""
         window = self.window
-        if self._waiting or window.unfenced or not window.is_quiet():
+        if self._waiting or window.posts.unfenced or not window.is_quiet():
             return None
         request = window.find(window.oldest)
         if type(request) is not Request or not request.take_frame(0, data, []):
             return None
-        window.heard = True
+        window.signs.heard = True
         self._counters.responses += 1
         window.answered_alone(now)
         return request
@@ -312,11 +359,11 @@ class Exchange:
                 break
             before, start = start, self._receive_next(data, start, now, events)
             lines += 1
-            if start in (before, len(data)) or lines == MOST_LINES or self.refused is not None:
+            if start in (before, len(data)) or lines == MOST_LINES or self.has_ended:
                 break
         if start != len(data) and not data.startswith(self._sample, start):
             # Perhaps the beginning of a long answer on a slow line.
-            window.heard = True
+            window.signs.heard = True
         if window.is_idle():
             self._batching = False
         return start
@@ -328,7 +375,7 @@ class Exchange:
             return start + self._drop_endless(data[start:], now)
         if end == start:
             # A server's sign that what was repeated is still under way.
-            self.window.heard = True
+            self.window.signs.heard = True
             self._counters.unasked += 1
             return start + 1
         return start + self._receive_line(data[start:end], now, events)
@@ -346,7 +393,7 @@ class Exchange:
             if rows < FEWEST_ROWS:
                 return start
             # Of those sent again, some may have been answered meanwhile.
-            rows = window.unanswered_from(number, rows)
+            rows = window.waiting_from(number, rows)
             taken = run.accept_rows(offset, data[start : start + rows * run.reply_size], events)
             if not taken:
                 return start
@@ -374,7 +421,7 @@ class Exchange:
                 start = end
             if start == before:
                 break
-            self.window.heard = True
+            self.window.signs.heard = True
             self._counters.responses += number - first & mask
             self.window.answered(first, number - first & mask, now)
         return start
@@ -400,7 +447,7 @@ class Exchange:
             return self._receive_mixture(data, start, now, events)
         # Imported since the group was asked for.
         arrays = protocol.arrays
-        bodies = arrays.open_rows(framing, arrays.rows_of(data, start, count, size), head)
+        bodies = arrays.open_rows(framing, arrays.rows_of(data, start, count, size), head, self.codec.seed_back)
         if len(bodies) < FEWEST_SAMPLES:
             return self._receive_mixture(data, start, now, events)
         events.append(SampledRows(group.owner, bodies, now))
@@ -408,7 +455,8 @@ class Exchange:
 
     def _receive_mixture(self, data: bytes, start: int, now: float, events: Events) -> int:
         """Take samples of several groups as long as they stand side by side; return where they end."""
-        found = protocol.mixture.find_mixture(data, start, self.codec.framing, self._groups.begun)
+        codec = self.codec
+        found = protocol.mixture.find_mixture(data, start, codec.framing, self._groups.begun, codec.seed_back)
         if found is None or len(found.owners) < FEWEST_SAMPLES:
             return start
         events.append(SampledTogether(found.owners, found.parts, now))
@@ -416,12 +464,17 @@ class Exchange:
 
     def _receive_line(self, line: bytes, now: float, events: Events) -> int:
         """Take what stands before an LF; return where the next frame begins."""
+        if self._echo is not None and self._echo[line] > 0:
+            self._echo[line] -= 1
+            return len(line) + 1
         try:
-            body = self._open(line)
+            body = self._open(line, self.codec.seed_back)
         except OtherNodeError:
             self._counters.stray += 1
             self._counters.unasked += 1
         except FrameError:
+            if self._has_no_session(line, now):
+                return len(line) + 1
             return self._cut(line, self._size_of(line), now)
         else:
             if line[-1] != _CR:
@@ -438,6 +491,30 @@ class Exchange:
                 self._counters.stray += 1
                 self._counters.unasked += 1
         return len(line) + 1
+
+    def _has_no_session(self, line: bytes, now: float) -> bool:
+        """Look for the error that a gateway without a session answers; return whether it is one.
+
+        Whether it is about what this host has sent is known by what the check of the request was.
+        """
+        try:
+            body = self._open(line)
+        except FrameError:
+            return False
+        after = 1 + self._id_digits
+        number = self._id_number.get(body[1:after])
+        if number is None or body[:1] != b"x" or body[after : after + 2] != _NO_SESSION:
+            return False
+        self.window.signs.heard = True
+        run = self.window.find(number)
+        residue = _number_of(body[after + 2 :])
+        sizes = () if run is None else (run.size, self.codec.head_sizes["H"])
+        if residue in [self.codec.residue(size) for size in sizes]:
+            self.refused = number
+        else:
+            self._counters.stray += 1
+            self.window.damaged(now)
+        return True
 
     def _cut(self, line: bytes, size: int | None, now: float) -> int:
         """Take a damaged frame from the beginning of a line; return where the next frame begins."""
@@ -457,7 +534,7 @@ class Exchange:
         self._counters.unasked += 1
         # What is as short as an error is one of which the X was damaged: one bit makes a P of it.
         if len(frame) < self._error_size or not frame.startswith(self._sample):
-            self.window.heard = True
+            self.window.signs.heard = True
             if not self._takes_turns:
                 # Where others wait for their turn, what belongs to it may still follow: the time shows its end.
                 self.window.answer_damaged(now)
@@ -478,6 +555,8 @@ class Exchange:
             run = None if number is None else self.window.find(number)
             if run is not None and self.codec.lower[run.command] == letters:
                 size = run.reply_size or None
+        elif letters == b"x" and frame[size - framing.ending_size - 2 :].startswith(_NO_SESSION):
+            size += framing.crc.digits
         return size
 
     def _receive_body(self, body: bytes, now: float, events: Events) -> None:
@@ -492,11 +571,15 @@ class Exchange:
                 events.append(Sampled(group.owner, body, now))
         elif body[0] == _X:
             self._receive_error(body, now, events)
+        elif body[0] == _K and len(body) == 1 + self.codec.info.session_digits:
+            self.window.signs.heard = True
+            self.under_way = _number_of(body[1:])
+            self.window.asked(now)
 
     def _receive_answer(self, body: bytes, now: float, events: Events) -> None:
         """Take a message with an ID."""
         window = self.window
-        window.heard = True
+        window.signs.heard = True
         head = 1 if body[1] < _UPPER_G else 2
         after = head + self._id_digits
         number = self._id_number.get(body[head:after])
@@ -504,10 +587,10 @@ class Exchange:
             self._counters.stray += 1
             return
         if head == 1 and body[0] == _LOWER_N:
-            window.out_of_sequence(number, now)
-            return
-        if head == 1 and body[0] == _LOWER_X and body[after:] == _NO_SESSION:
-            self.refused = number
+            if len(body) == after:
+                window.out_of_sequence(number, now)
+            else:
+                self._counters.stray += 1
             return
         run = window.find(number)
         if run is None:
@@ -516,17 +599,28 @@ class Exchange:
         offset = number - run.first & self._mask
         if head == 1 and body[0] == _LOWER_X:
             self._counters.errors += 1
+            if run.is_question or not run.reply_size:
+                window.post_failed()
             error = gateway_error(_number_of(body[after:]), run.describe(offset), self.codec.refusal)
             run.fail_part(offset, 1, error, events)
+        elif body[0] == _LOWER_H and not run.is_question and not self._is_told(run, number, body[after:], now):
+            return
         elif not run.accept(offset, body, after, events) and not (run.unwanted() and body[0] == _LOWER_H):
             self._counters.stray += 1
             return
         self._counters.responses += 1
         window.answered(number, 1, now)
 
+    def _is_told(self, run: Message, number: int, count: bytes, now: float) -> bool:
+        """Return whether the answer to an ``h`` tells of all posted writes before it; otherwise they are asked for."""
+        codec = self.codec
+        if not (run.is_fence or run.unwanted()) or len(count) != self._id_digits:
+            return True
+        return self.window.told(number, codec.id_number.get(count, -1), now)
+
     def _receive_error(self, body: bytes, now: float, events: Events) -> None:
         """Take an error without an ID."""
-        self.window.heard = True
+        self.window.signs.heard = True
         self._counters.unasked += 1
         code = _number_of(body[1:])
         if code in _DAMAGED:
@@ -553,7 +647,7 @@ class Exchange:
         """
         if not self.window.is_idle() or not self._groups.begun:
             return None
-        return self.window.idle_since + KEEP_ALIVE
+        return self.window.since + KEEP_ALIVE
 
     def expire(self, now: float, events: Events) -> None:
         """Let time pass: send again what was not answered in time, and confirm what was posted."""
@@ -564,15 +658,15 @@ class Exchange:
         if run is not None:
             reason = f"{run.describe(self._place(run))}: every try was damaged on the way"
             self._give_up(run, UnansweredError(reason), events)
-        if window.lost:
+        if window.signs.lost:
             return
-        if window.wants_repetition():
+        if window.repetition.is_due():
             self._repeat()
-            self._counters.timeouts += window.timed_out and self._counters.repetitions > before
+            self._counters.timeouts += window.signs.timed_out and self._counters.repetitions > before
         self._fence(now)
         keep_alive_due = self._keep_alive_due
         if keep_alive_due is not None and now >= keep_alive_due:
-            self._waiting.append(Request(self.codec, "H", b"", 0, of_session=True))
+            self._waiting.append(Confirmation(self.codec, of_session=True))
             self.admit(now, events)
 
     def _look_for_flood(self, now: float) -> None:
@@ -598,19 +692,20 @@ class Exchange:
         run.fail_part(place, run.count - place, error, events)
 
 
-def _answer_sizes(codec: Codec) -> dict[bytes, int]:
+def _answer_sizes(codec: HostCodec) -> dict[bytes, int]:
     """Return the characters of all frames about requests, by their letters, of which each has as many as the other."""
     head = codec.framing.overhead + 1
     sizes = {b"X": head + 2, b"x": head + codec.info.id_digits + 2, b"n": head + codec.info.id_digits}
     for name, row in COMMANDS.items():
         if name not in WITHOUT_ID and name != "WS" and "D" not in row.reads:
             sizes[codec.lower[name]] = codec.head_sizes[name] + (codec.data_digits if row.reads else 0)
+    sizes[b"h"] += codec.info.id_digits
     return sizes
 
 
 _LOWER_G, _UPPER_G = ord("g"), ord("G")
 _LOWER_H, _LOWER_N, _LOWER_X = b"hnx"
-_P, _X = b"PX"
+_K, _P, _X = b"KPX"
 _CR = b"\r"[0]
 _NO_SESSION = b"%02X" % ErrorCode.NO_SESSION
 _DAMAGED = frozenset({ErrorCode.CRC, ErrorCode.TOO_LONG, ErrorCode.RECEIVE_OVERFLOW})

@@ -16,7 +16,7 @@ from unity_link.protocol.requests import Events, SessionRequest
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.protocol.messages import Codec
+    from unity_link.protocol.host_codec import HostCodec
 
 
 class HeldGroup:
@@ -77,8 +77,6 @@ class GroupTable:
     def __init__(self, count: int, submit: Callable[[SessionRequest, Events], None]) -> None:
         self.begun: dict[bytes, HeldGroup] = {}
         """The groups whose settings the gateway has stored in this session, by their two digits."""
-        self.known: bytes | None = None
-        """Two digits of a group that was set up since the gateway was last known to be reset."""
         self._count = count
         self._free = deque(range(count))
         self._held: dict[int, HeldGroup] = {}
@@ -128,7 +126,6 @@ class GroupTable:
     def deliver(self, text: bytes, owner: Any) -> None:
         """Deliver the samples of a group that is not held to `owner`, as long as the session lasts."""
         self.begun[text] = HeldGroup(int(text, 16), b"", 0, owner)
-        self.known = text
 
     def drop(self, text: bytes) -> None:
         """Drop the samples of such a group."""
@@ -136,7 +133,7 @@ class GroupTable:
 
     # Sessions
 
-    def start(self, codec: Codec, events: Events) -> None:
+    def start(self, codec: HostCodec, events: Events) -> None:
         """Set up all that is held in a new session, which has stopped all groups."""
         self.begun.clear()
         self._restoring = {*self._held}
@@ -144,12 +141,10 @@ class GroupTable:
             self.set_up(codec, group, events)
         self._settle(None, None, events)
 
-    def set_up(self, codec: Codec, group: HeldGroup, events: Events) -> None:
+    def set_up(self, codec: HostCodec, group: HeldGroup, events: Events) -> None:
         """Set up a group and start it."""
 
         def stored(error: UnityLinkError | None, events: Events) -> None:
-            if error is None:
-                self.known = group.text
             if self._held.get(group.number) is not group:
                 self._settle(group, None, events)
             elif error is not None:

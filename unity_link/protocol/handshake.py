@@ -1,21 +1,24 @@
 """The first words on a connection: what the gateway is, and the start of a session (docs/protocol.md, "The host").
 
 `Q` is asked in plain form, because nothing is known yet, and again in the checked form that follows from the answer;
-only if both agree is the answer believed. `K` then starts the session: the gateway expects the ID that it names, and
-publishes nothing. A plain answer has no CRC, so whatever is wrong with one may be damage: it is asked for again.
+only if both agree is the answer believed. `K i s` then begins the session: each that is sent has another number, and
+only the answer to the last one counts. A plain answer has no CRC, so whatever is wrong with one may be damage: it is
+asked for again.
 
-Where the same host has had a session before, it sends an `h` first: a gateway that was reset since answers error 0A.
-One that is reset just behind its answer would take the `K` as any other. So where the host has set up a group before,
-it stops that behind the `K`, which leaves groups set up: a gateway that was reset knows none, and answers error 06.
+Where the same host has had a session before, it asks by `K` first: a gateway that was reset since has none, and one that
+has another's is left to that. The answer to `K i s` says which session it ended, and so of a reset behind that answer.
+
+What comes back as it was sent is an adapter's echo, which is passed over where an answer follows.
 """
 
 from __future__ import annotations
 
 import contextlib
 import math
+from collections import deque
 from typing import TYPE_CHECKING, NamedTuple
 
-from unity_link.errors import ConnectError, UnsupportedError
+from unity_link.errors import ConnectError, LinkLostError, UnsupportedError
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.constants import (
     CHECKED_TRIES,
@@ -23,15 +26,14 @@ from unity_link.protocol.constants import (
     DAMAGE_PATIENCE,
     DAMAGE_PAUSE,
     ECHO_PATIENCE,
-    ECHOES,
     FIRST_TRY,
     LONGEST_TRY,
     SHORTEST_TRY,
     SURE,
 )
-from unity_link.protocol.crc import Crc
+from unity_link.protocol.crc import NO_SESSION, Crc
 from unity_link.protocol.frames import LF, MOST_LINES, FrameError, Framing
-from unity_link.protocol.messages import Codec, ErrorCode
+from unity_link.protocol.host_codec import HostCodec
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -39,10 +41,14 @@ if TYPE_CHECKING:
 RESET_TRIES = 3
 """Number of times a gateway is asked for the state of its session before a session is asked for all the same."""
 ECHO = "what is sent comes back as it is: is TX wired to RX, or an echo switched on?"
-ECHO_BEFORE_ANSWERS = (
-    "what is sent comes back before each answer: the adapter, or the transceiver, listens while it sends, as on two "
-    "wires of RS-485; switch its echo off, or its receiver while it sends (/RE to DE)"
+TAKEN = (
+    "another program has begun a session with the gateway, and this one's is over: let both use it through "
+    "`unity-link serve`, or end the other program"
 )
+_DIFFERENT = 16
+"""Number of sessions in a row that have different numbers."""
+_NEVER_CHOSEN = frozenset({0x10, 0x1000})
+"""With these, damage to the size of a first letter could pass a CRC of 8 or of 16 bits."""
 _LONGEST_TEXT = 120
 """Characters of what is not understood that a message quotes."""
 
@@ -60,13 +66,33 @@ _OTHERS = {
 class _Question(NamedTuple):
     """A question that is asked again and again until it is answered."""
 
-    frame: bytes
-    beginnings: tuple[bytes, ...]
-    """Beginnings of an answer."""
+    frame: Callable[[], bytes]
+    """Returns the frame, anew for each try."""
+    is_answer: Callable[[bytes], bool]
     answered: Callable[[bytes, float], None]
     tries: float = math.inf
     unanswered: Callable[[float], None] | None = None
     """Function to call after so many tries."""
+
+
+class SessionNumbers:
+    """Numbers of sessions, drawn at random, of which none is one of the last.
+
+    Args:
+        choose: returns any number from 0 on.
+    """
+
+    def __init__(self, choose: Callable[[], int]) -> None:
+        self.choose = choose
+        self._last: deque[int] = deque(maxlen=_DIFFERENT)
+
+    def next(self, most: int) -> int:
+        """Return a number from 1 to `most`."""
+        number = 1 + self.choose() % most
+        while number in self._last or number in _NEVER_CHOSEN:
+            number = 1 + number % most
+        self._last.append(number)
+        return number
 
 
 class Handshake:
@@ -74,10 +100,9 @@ class Handshake:
 
     Args:
         node: number of the node on a shared medium, or None.
-        seed: by which the first ID of the session is chosen, any number from 0 on.
+        numbers: by which the session and its first ID are chosen.
         now: the time in seconds.
-        again: whether to ask if the gateway was reset since an earlier session.
-        group: two digits of a group that was set up in an earlier session, None where there is none.
+        before: number of the session before, if the gateway was not reset since as far as is known; 0 for none.
         wire_time: where nodes share the medium, seconds that question and answer are on the wire, at most, 0 where that
             is not known; None where there is no other node.
         longest_try: seconds after which a question is asked again, at most, where the medium needs less than others.
@@ -86,22 +111,25 @@ class Handshake:
     def __init__(
         self,
         node: int | None,
-        seed: int,
+        numbers: SessionNumbers,
         now: float,
         *,
-        again: bool,
-        group: bytes | None = None,
+        before: int = NO_SESSION,
         wire_time: float | None = None,
         longest_try: float = math.inf,
     ) -> None:
         self._takes_turns = wire_time is not None
         self._wire_time = wire_time or 0.0
         self._longest_try = longest_try
-        self._questions = self._answers = self._echoes = 0
+        self._questions = self._answers = 0
+        self.echoes = 0
+        """Questions that came back."""
         self._node = node
-        self._seed = seed
-        self._again = again
-        self._group = group
+        self._numbers = numbers
+        self._first = numbers.choose()
+        self._before = before
+        self._asked_for: list[int] = []
+        """Sessions that were asked for."""
         self._out: list[bytes] = []
         self._heard = self._unread = 0
         """Bytes that were looked at, and that have arrived behind them."""
@@ -117,21 +145,18 @@ class Handshake:
         """Since when nothing but the question was heard."""
         self._believed = b""
         """The answer that a checked one must repeat."""
-        self._codec: Codec | None = None
+        self._codec: HostCodec | None = None
         self.complete = False
-        """True if the session has begun: `codec`, `first` and `round_trip` say how."""
+        """True if the session has begun: `codec`, `session`, `first` and `round_trip` say how."""
         self.found_reset = False
         """True if the gateway has said that it was reset since an earlier session."""
         self.round_trip = 0.0
         """Seconds to the answer to the last question."""
-        self._pausing = False
-        self._paused = False
-        """True once a session was asked for once more, on a medium that loses so much that this is done only once."""
         self._patience = FIRST_TRY
         self._ask_plain(now)
 
     @property
-    def codec(self) -> Codec:
+    def codec(self) -> HostCodec:
         """The messages of the gateway, once it has said what it is."""
         assert self._codec is not None
         return self._codec
@@ -139,12 +164,17 @@ class Handshake:
     @property
     def first(self) -> int:
         """The first ID of the session."""
-        return self._seed & self.codec.ring - 1
+        return self._first & self.codec.ring - 1
+
+    @property
+    def session(self) -> int:
+        """The number of the session."""
+        return self._asked_for[-1]
 
     @property
     def byte_time(self) -> float:
         """Seconds that a byte can need on the wire, at most: as the answer to the last question came."""
-        return self.round_trip / len(self._framing.checked(b"K" + self.codec.id_text[self.first]))
+        return self.round_trip / len(self._question.frame())
 
     @property
     def asks(self) -> bool:
@@ -169,8 +199,8 @@ class Handshake:
         """Return what was heard, for the message of a time out."""
         if self._other:
             return f"{self._other} answers there, no gateway: is it the right port?"
-        if self._echoes or self._doubtful == b"Q":
-            return ECHO_BEFORE_ANSWERS if self._echoes else ECHO
+        if self.echoes or self._doubtful == b"Q":
+            return ECHO
         if self._doubtful:
             return f"what answers is no gateway: it said {self._doubtful[:80]!r}"
         if self._codec is not None:
@@ -192,47 +222,49 @@ class Handshake:
     def _ask_plain(self, now: float) -> None:
         # A line end first, for what an earlier program left unfinished; LF, for CR would execute it unchecked.
         self._framing, self._plain = Framing(Crc(), self._node), True
-        self._ask(_Question(LF + self._framing.plain_request(b"Q"), (b"Q",), self._believe), now)
+        question = LF + self._framing.plain_request(b"Q")
+        self._ask(_Question(lambda: question, self._is_configuration, self._believe), now)
 
     def _ask_checked(self, now: float) -> None:
         self._framing, self._plain = self.codec.framing, False
         question = self._framing.checked(b"Q")
-        self._ask(_Question(question, (b"Q",), self._compare, CHECKED_TRIES, self._doubt), now)
+        self._ask(_Question(lambda: question, self._is_configuration, self._compare, CHECKED_TRIES, self._doubt), now)
 
-    def _ask_whether_reset(self, now: float) -> None:
-        number = self.codec.id_text[self.first]
-        no_session = b"x" + number + b"%02X" % ErrorCode.NO_SESSION
+    def _is_configuration(self, body: bytes) -> bool:
+        return body.startswith(b"Q")
 
-        def answered(body: bytes, now: float) -> None:
-            if body == no_session:
-                self._reset_found()
-            self._ask_session(now)
+    def _ask_whose(self, now: float) -> None:
+        """Ask which session is under way."""
+        size = 1 + self.codec.info.session_digits
+        question = self._framing.checked(b"K")
+        self._ask(
+            _Question(
+                lambda: question,
+                lambda body: body.startswith(b"K") and len(body) == size,
+                self._told_whose,
+                RESET_TRIES,
+                self._ask_session,
+            ),
+            now,
+        )
 
-        beginnings = b"h" + number, b"n", no_session
-        question = self._framing.checked(b"h" + number)
-        self._ask(_Question(question, beginnings, answered, RESET_TRIES, self._ask_session), now)
+    def _told_whose(self, body: bytes, now: float) -> None:
+        session = int(body[1:], 16)
+        if session not in (NO_SESSION, self._before):
+            raise LinkLostError(TAKEN)
+        self.found_reset = session == NO_SESSION
+        self._ask_session(now)
 
-    def _ask_session(self, now: float, patience: float = FIRST_TRY) -> None:
-        session = b"K" + self.codec.id_text[self.first]
-        self._ask(_Question(self._framing.checked(session), (session,), self._session_begun), now, patience)
+    def _ask_session(self, now: float) -> None:
+        def frame() -> bytes:
+            self._asked_for.append(self._numbers.next(self.codec.info.last_session))
+            return self._framing.checked(self.codec.opening(self.first, self._asked_for[-1]))
 
-    def _ask_whether_forgotten(self, group: bytes, now: float) -> None:
-        # Without ID: a repetition with one would be acknowledged, whether the group is known or not.
-        stopped, forgotten = b"GX" + group, b"X%02X" % ErrorCode.OUT_OF_RANGE
+        def is_answer(body: bytes) -> bool:
+            opening = self.codec.opening(self.first, self._asked_for[-1])
+            return body.startswith(opening) and len(body) == len(opening) + self.codec.info.session_digits
 
-        def answered(body: bytes, now: float) -> None:
-            if body == forgotten:
-                self._reset_found()
-                # So the session is not open before the host has been told.
-                self._ask_session(now)
-            else:
-                self.complete = True
-
-        self._ask(_Question(self._framing.checked(stopped), (stopped, forgotten), answered), now)
-
-    def _reset_found(self) -> None:
-        self.found_reset = True
-        self._group = None
+        self._ask(_Question(frame, is_answer, self._session_begun), now, FIRST_TRY)
 
     def _ask(self, question: _Question, now: float, patience: float | None = None) -> None:
         self._question = question
@@ -244,7 +276,8 @@ class Handshake:
 
     def _send(self, now: float) -> None:
         self._questions += 1
-        self._out.append(self._question.frame)
+        self._sent = self._question.frame()
+        self._out.append(self._sent)
         self._asked += 1
         self._asked_at = now
         self._damaged = False
@@ -253,10 +286,6 @@ class Handshake:
     def expire(self, now: float) -> None:
         """Ask again, if the time has come."""
         if self.complete or now < self.deadline:
-            return
-        if self._pausing:
-            self._pausing = False
-            self._ask_session(now, min(2 * self.round_trip, self._longest_try))
             return
         if self._damaged:
             self._tries -= DAMAGE_COST
@@ -289,16 +318,18 @@ class Handshake:
         return start
 
     def _receive_line(self, line: bytes, now: float) -> None:
+        echo = self._sent.strip(LF)
+        if line == echo or (self._plain and line.startswith(echo) and len(line) > len(echo) + 1):
+            # What is sent comes back, perhaps with the answer behind it.
+            self.echoes += 1
+            line = line[len(echo) :]
+            if not line:
+                return
         body = b""
         if line.endswith(b"\r") == self._plain:
             with contextlib.suppress(FrameError):
                 body = self._framing.open(line)
-        if self._is_question(body):
-            self._hear_echo(now)
-            return
-        if self._pausing:
-            return
-        if body.startswith(self._question.beginnings):
+        if body and self._question.is_answer(body):
             self._answers += 1
             self._question.answered(body, now)
             return
@@ -311,24 +342,13 @@ class Handshake:
             self._patience = min(max(DAMAGE_PATIENCE * (now - self._asked_at), SHORTEST_TRY), LONGEST_TRY)
             self.deadline = now + DAMAGE_PAUSE
 
-    def _is_question(self, body: bytes) -> bool:
-        """Return whether a frame is a question for the configuration that came back, or one with its answer behind."""
-        return body.startswith(b"Q\r" + self._framing.prefix + b"Q") if self._plain else body == b"Q"
-
-    def _hear_echo(self, now: float) -> None:
-        """Ask again, and raise ConnectError where that comes back as well: what echoes would answer all else, too."""
-        self._echoes += 1
-        if self._echoes == ECHOES:
-            raise ConnectError(ECHO_BEFORE_ANSWERS)
-        self._send(now)
-
     def _compare(self, answer: bytes, now: float) -> None:
         """Take the checked answer: both must say the same."""
         if answer != self._believed:
             self._doubtful = self._believed
             self._believe(answer, now)
-        elif self._again:
-            self._ask_whether_reset(now)
+        elif self._before:
+            self._ask_whose(now)
         else:
             self._ask_session(now)
 
@@ -346,7 +366,7 @@ class Handshake:
         else:
             self._echoed_at = min(self._echoed_at, now)
         try:
-            self._codec = Codec(GatewayInfo.from_hex(answer[1:]), self._node)
+            self._codec = HostCodec(GatewayInfo.from_hex(answer[1:]), self._node)
         except UnsupportedError:
             self._alike = self._alike + 1 if answer == self._doubtful else 1
             if self._alike == SURE:
@@ -360,14 +380,9 @@ class Handshake:
         self._doubtful = answer
         self._ask_plain(now)
 
-    def _session_begun(self, _: bytes, now: float) -> None:
-        self.round_trip = now - self._began
-        if self._asked > 1 and not self._paused:
-            # An answer does not say to which question it is: once more, when those to the others have come.
-            self._pausing = True
-            self._paused = self._longest_try < math.inf
-            self.deadline = now + min(self.round_trip, self._longest_try)
-        elif self._group is not None:
-            self._ask_whether_forgotten(self._group, now)
-        else:
-            self.complete = True
+    def _session_begun(self, body: bytes, now: float) -> None:
+        self.round_trip = now - self._asked_at
+        ended = int(body[-self.codec.info.session_digits :], 16)
+        if self._before and ended not in (self._before, *self._asked_for):
+            self.found_reset = True
+        self.complete = True

@@ -46,7 +46,9 @@ class Mixture(NamedTuple):
     """Characters of all frames."""
 
 
-def find_mixture(data: bytes, start: int, framing: Framing, groups: Mapping[bytes, SampleGroup]) -> Mixture | None:
+def find_mixture(
+    data: bytes, start: int, framing: Framing, groups: Mapping[bytes, SampleGroup], seed: int
+) -> Mixture | None:
     """Return the samples from `start` on, up to the first line that is none of these groups; None where there is none.
 
     Args:
@@ -54,6 +56,7 @@ def find_mixture(data: bytes, start: int, framing: Framing, groups: Mapping[byte
         start: where a line begins.
         framing: of the gateway.
         groups: whose samples are wanted, by their two digits.
+        seed: of what the gateway sends in the session.
     """
     view = np.frombuffer(data, np.uint8, offset=start)
     size = data.find(LF, start) + 1 - start
@@ -62,10 +65,10 @@ def find_mixture(data: bytes, start: int, framing: Framing, groups: Mapping[byte
     rows = view[: len(view) // size * size].reshape(-1, size)
     head = framing.prefix + b"P"
     if (rows[:, -1] == LF[0]).all():
-        bodies = open_rows(framing, rows, head)
+        bodies = open_rows(framing, rows, head, seed)
         found, count, ends = [(np.arange(len(bodies)), bodies)], len(bodies), None
     else:
-        found, count, ends = _of_unlike_sizes(view, framing, head)
+        found, count, ends = _of_unlike_sizes(view, framing, head, seed)
     known: list[tuple[NDArray[np.intp], list[Any]]] = []
     for places, bodies in found:
         # Two digits as one number: many of those are quicker at hand than texts.
@@ -97,7 +100,7 @@ def _in_order(known: list[tuple[NDArray[np.intp], list[Any]]], count: int) -> li
 
 
 def _of_unlike_sizes(
-    view: NDArray[np.uint8], framing: Framing, head: bytes
+    view: NDArray[np.uint8], framing: Framing, head: bytes, seed: int
 ) -> tuple[_Parts, int, NDArray[np.intp] | None]:
     """Return the sound frames with this head, how many stand before the first other line, and where lines end."""
     ends = np.flatnonzero(view == LF[0]) + 1
@@ -108,7 +111,7 @@ def _of_unlike_sizes(
     found = []
     for size in kinds[(counts >= FEWEST_OF_A_SIZE) & (kinds > framing.overhead)].tolist():
         places = np.flatnonzero(sizes == size)
-        bodies = open_rows(framing, view[begins[places][:, None] + np.arange(size)], head)
+        bodies = open_rows(framing, view[begins[places][:, None] + np.arange(size)], head, seed)
         sound[places[: len(bodies)]] = True
         found.append((places[: len(bodies)], bodies))
     return found, len(sound) if sound.all() else int(sound.argmin()), ends

@@ -15,7 +15,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 from unity_link import protocol
 from unity_link.errors import (
-    AnswerLostError,
     BusError,
     BusTimeoutError,
     GatewayError,
@@ -25,7 +24,7 @@ from unity_link.errors import (
     UnityLinkError,
 )
 from unity_link.protocol.frames import LF
-from unity_link.protocol.window import Run
+from unity_link.protocol.ring import Run
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
@@ -34,7 +33,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from unity_link.protocol.arrays import Words
-    from unity_link.protocol.messages import Codec
+    from unity_link.protocol.host_codec import HostCodec
 
 SMALLEST_BATCH = 512
 """Messages of a batch for which room is waited for while others are under way, or for half of a smaller window: numpy
@@ -48,7 +47,6 @@ _ERRORS: dict[int, tuple[type[GatewayError], str]] = {
     4: (BusError, "the bus refused the access"),
     5: (BusTimeoutError, "nothing on the bus answered"),
     6: (OutOfRangeError, "the gateway says that a value is out of its range"),
-    8: (AnswerLostError, "the request was executed once, but its answer was lost"),
 }
 _NAMES = {
     "R": "read",
@@ -108,6 +106,10 @@ class Source(Protocol):
         """Return whether the next message is a posted write."""
 
     @property
+    def places(self) -> int:
+        """Words of the next message that the gateway keeps, for they cannot be read again."""
+
+    @property
     def least(self) -> int:
         """Number of messages for which room is wanted before the next turn."""
 
@@ -137,7 +139,7 @@ class Message(Run):
 
     __slots__ = ("codec", "command", "frames", "given_up")
 
-    def __init__(self, codec: Codec, command: str, fields_size: int, reply_digits: int | None, count: int) -> None:
+    def __init__(self, codec: HostCodec, command: str, fields_size: int, reply_digits: int | None, count: int) -> None:
         head = codec.head_sizes[command]
         super().__init__(count, head + fields_size, 0 if reply_digits is None else head + reply_digits)
         self.codec = codec
@@ -157,16 +159,18 @@ class Message(Run):
 
     def data_of(self, frame: bytes, opening: bytes) -> bytes | None:
         """Return what stands behind the ID in a response that begins so; None where it is anything else, or damaged."""
-        framing = self.codec.framing
+        codec = self.codec
+        framing = codec.framing
         ending = -framing.ending_size
-        covered = frame[:ending]
+        body = frame[codec.prefix_size : ending]
         if (
             len(frame) == self.reply_size
-            and covered.startswith(opening)
-            and frame[ending:] == framing.ending(covered)
-            and LF not in covered
+            and body.startswith(opening)
+            and frame[ending:] == framing.ending(body, codec.begun_back)
+            and LF not in body
+            and frame.startswith(framing.prefix)
         ):
-            return covered[len(opening) :]
+            return body[len(opening) :]
         return None
 
     def accept(self, offset: int, body: bytes, position: int, events: Events) -> bool:
@@ -198,6 +202,55 @@ class Message(Run):
         """Return what a new session has to send for this part of the run, None where that could execute it twice."""
         raise NotImplementedError
 
+    def question(self, offset: int, count: int) -> Message:
+        """Return the run that asks how some posted writes of this one ended."""
+        return Question(self, offset, count)
+
+
+class Question(Message):
+    """``h`` with the IDs of posted writes that were executed: asks how each of them ended.
+
+    Args:
+        asked: the run of the posted writes.
+        offset: place of the first in it.
+        count: how many are asked for.
+    """
+
+    __slots__ = ("_asked", "_offset")
+    is_question = True
+
+    def __init__(self, asked: Message, offset: int, count: int) -> None:
+        super().__init__(asked.codec, "H", 0, asked.codec.info.id_digits, count)
+        self.first = asked.first + offset & asked.codec.ring - 1
+        self.sending = asked.sending + offset
+        self._asked, self._offset = asked, offset
+
+    def frames_of(self, offset: int, count: int) -> bytes:
+        """Return the frames of some of them."""
+        codec = self.codec
+        numbers = (self.first + place & codec.ring - 1 for place in range(offset, offset + count))
+        return b"".join(codec.request("H", number, b"", codec.seed) for number in numbers)
+
+    def accept(self, offset: int, body: bytes, position: int, events: Events) -> bool:  # noqa: ARG002
+        """Take the answer that says that it ended well."""
+        return body.startswith(b"h") and len(body) + self.codec.framing.overhead == self.reply_size
+
+    def fail_part(self, offset: int, count: int, error: UnityLinkError, events: Events) -> None:
+        """Tell that they failed."""
+        self._asked.fail_part(self._offset + offset, count, error, events)
+
+    def fields_at(self, offset: int) -> bytes:
+        """Return the fields of the write that is asked for."""
+        return self._asked.fields_at(self._offset + offset)
+
+    def describe(self, offset: int) -> str:
+        """Return the name of the write that is asked for."""
+        return self._asked.describe(self._offset + offset)
+
+    def again(self, offset: int, count: int) -> Source | None:  # noqa: ARG002
+        """Return None: the write was executed."""
+        return None
+
 
 class Request(Message):
     """One message, and what became of it: a source of itself.
@@ -216,7 +269,7 @@ class Request(Message):
     least = 1
 
     def __init__(
-        self, codec: Codec, command: str, fields: bytes, reply_digits: int | None, *, of_session: bool = False
+        self, codec: HostCodec, command: str, fields: bytes, reply_digits: int | None, *, of_session: bool = False
     ) -> None:
         # As `Message` would: this is on the way of every read.
         head = codec.head_sizes[command]
@@ -231,7 +284,7 @@ class Request(Message):
         self.fields = fields
         self.of_session = of_session
         self.opening = b""
-        """Beginning of the frame, and the answer to it: the prefix, the command and the ID that the window gave."""
+        """Beginning of the body, and of that of the answer: the command and the ID that the window gave."""
         self.sent = False
         """True if it was given an ID."""
         self.done = False
@@ -245,9 +298,10 @@ class Request(Message):
     def encode(self) -> bytes:
         """Return the frame, under the ID that the window has given."""
         codec = self.codec
-        self.opening = opening = codec.openings[self.command] + codec.id_text[self.first]
-        covered = opening + self.fields
-        self.frames = frame = covered + codec.framing.ending(covered)
+        framing = codec.framing
+        self.opening = opening = codec.lower[self.command] + codec.id_text[self.first]
+        body = opening + self.fields
+        self.frames = frame = framing.prefix + body + framing.ending(body, codec.begun)
         return frame
 
     def take_frame(self, offset: int, frame: bytes, events: Events) -> bool:  # noqa: ARG002
@@ -322,6 +376,23 @@ class Request(Message):
         return True
 
 
+class DestructiveRead(Request):
+    """A request whose words the gateway keeps, for they cannot be read again.
+
+    Args:
+        codec: the messages of the gateway.
+        command: in upper case.
+        fields: hex digits.
+        words: that it reads.
+    """
+
+    __slots__ = ("places",)
+
+    def __init__(self, codec: HostCodec, command: str, fields: bytes, words: int) -> None:
+        super().__init__(codec, command, fields, words * codec.data_digits)
+        self.places = words
+
+
 class SessionRequest(Request):
     """A request of the session itself.
 
@@ -335,7 +406,7 @@ class SessionRequest(Request):
     __slots__ = ("_follow",)
 
     def __init__(
-        self, codec: Codec, command: str, fields: bytes, follow: Callable[[UnityLinkError | None, Events], None]
+        self, codec: HostCodec, command: str, fields: bytes, follow: Callable[[UnityLinkError | None, Events], None]
     ) -> None:
         super().__init__(codec, command, fields, 0, of_session=True)
         self._follow = follow
@@ -356,8 +427,27 @@ class SessionRequest(Request):
             self._follow(error, events)
 
 
-class Fence(Request):
-    """An ``h`` that is not sent before all that was asked for earlier.
+class Confirmation(Request):
+    """An ``h``: its answer counts the posted writes that failed.
+
+    Args:
+        codec: the messages of the gateway.
+        of_session: whether it ends with its session, where a new one would send it again.
+    """
+
+    __slots__ = ()
+    is_fence = True
+
+    def __init__(self, codec: HostCodec, *, of_session: bool = False) -> None:
+        super().__init__(codec, "H", b"", codec.info.id_digits, of_session=of_session)
+
+    def decode(self, data: bytes) -> Any:
+        """Return None: what the response counts is told to the window."""
+        int(data, 16)
+
+
+class Fence(Confirmation):
+    """A confirmation that is not sent before all that was asked for earlier.
 
     Args:
         codec: the messages of the gateway.
@@ -366,8 +456,8 @@ class Fence(Request):
 
     __slots__ = ("earlier",)
 
-    def __init__(self, codec: Codec, *, of_session: bool = False) -> None:
-        super().__init__(codec, "H", b"", 0, of_session=of_session)
+    def __init__(self, codec: HostCodec, *, of_session: bool = False) -> None:
+        super().__init__(codec, of_session=of_session)
         self.earlier: list[Source] = []
         """Sources of several turns that were asked for before."""
 
@@ -384,6 +474,11 @@ class RequestBlock:
 
     def __init__(self, requests: list[Request]) -> None:
         self._requests = deque(requests)
+
+    @property
+    def places(self) -> int:
+        """Words of the next request that the gateway keeps."""
+        return self._requests[0].places
 
     @property
     def size(self) -> int:
@@ -432,8 +527,9 @@ class WordBatch:
     """
 
     smallest_turn = SMALLEST_BATCH
+    places = 0
 
-    def __init__(self, codec: Codec, command: str, columns: Sequence[tuple[NDArray[Any], int]]) -> None:
+    def __init__(self, codec: HostCodec, command: str, columns: Sequence[tuple[NDArray[Any], int]]) -> None:
         self.codec = codec
         self.command = command
         self.posted = command == "WS"
@@ -543,13 +639,13 @@ class BatchRun(Message):
     def encode(self) -> bytes:
         """Return the frames, under the IDs that the window has given."""
         fields = self._batch.fields(self._start, self.count)
-        self.frames = protocol.arrays.request_rows(self.codec, self.command, self.first, fields)
+        self.frames = protocol.arrays.request_rows(self.codec, self.command, self.first, fields, self.codec.seed)
         return self.frames
 
     def take_frame(self, offset: int, frame: bytes, events: Events) -> bool:
         """Take the frame of the response to one message; False where it is anything else, or not as it usually is."""
         codec = self.codec
-        opening = codec.openings[self.command] + codec.id_text[self.first + offset & codec.ring - 1]
+        opening = codec.lower[self.command] + codec.id_text[self.first + offset & codec.ring - 1]
         data = self.data_of(frame, opening)
         return data is not None and self._take(self._start + offset, data, events)
 
@@ -572,7 +668,8 @@ class BatchRun(Message):
     def accept_rows(self, offset: int, frames: bytes, events: Events) -> int:
         """Take the responses to messages from `offset` on; return how many of the frames were such responses."""
         number = self.first + offset & self.codec.ring - 1
-        words = protocol.arrays.response_rows(self.codec, self.command, number, frames, self._batch.reply_digits or 0)
+        codec, digits = self.codec, self._batch.reply_digits or 0
+        words = protocol.arrays.response_rows(codec, self.command, number, frames, digits, codec.seed_back)
         if words is None:
             return 0
         self._batch.put(self._start + offset, len(words), words, events)
@@ -610,6 +707,7 @@ class BatchPart:
     """
 
     posted = False
+    places = 0
 
     def __init__(self, batch: WordBatch, start: int, count: int) -> None:
         self._batch, self._start, self._count = batch, start, count

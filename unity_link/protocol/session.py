@@ -34,25 +34,25 @@ from unity_link.errors import (
     UnsupportedError,
 )
 from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.crc import NO_SESSION
 from unity_link.protocol.constants import ANSWER_PATIENCE, FEWEST_OF_A_FLOOD, LONGEST_SILENCE
 from unity_link.protocol.exchange import Counters, Exchange
 from unity_link.protocol.frames import LF, LONGEST_FRAME
 from unity_link.protocol.group_table import GroupTable, HeldGroup
-from unity_link.protocol.handshake import Handshake
+from unity_link.protocol.handshake import TAKEN, Handshake, SessionNumbers
 from unity_link.protocol.requests import Events, Fence, Request, SessionRequest, Source
 from unity_link.protocol.window import Window
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from unity_link.protocol.messages import Codec, GroupFlag
+    from unity_link.protocol.host_codec import HostCodec
+    from unity_link.protocol.messages import GroupFlag
 
 _FIRST_TURN = 256
 """Bytes of a question of the handshake and its answer, at most; gateways of later versions say more of themselves."""
 _MOST_WAITING = 64
 """Least number of requests that wait for a session before those given up are removed."""
-_SMALLEST_RING = 1 << 8
-"""IDs of a gateway whose IDs have two digits."""
 _NO_RING = 2
 """IDs of the window while there is no session: as few as a ring can have."""
 _UNKNOWN_PATIENCE = 0.25
@@ -83,12 +83,18 @@ class Unusable(NamedTuple):
     error: UnityLinkError
 
 
+class Taken(NamedTuple):
+    """Event: another program has begun a session with the gateway, which is left to it."""
+
+    error: LinkLostError
+
+
 class Session:
     """The host's side of one link.
 
     Args:
         node: number of the gateway on a medium that several share, None for a medium of its own.
-        choose: returns any number from 0 on, by which the first ID of a session is chosen.
+        choose: returns any number from 0 on, by which the number of a session and its first ID are chosen.
         resumes: whether requests that change nothing are sent again in a new session; otherwise they end with the old.
     """
 
@@ -99,18 +105,18 @@ class Session:
         self.epoch = -1
         """Number of the session, counted from 0; -1 before the first."""
         self._node = node
-        self._choose = choose
-        self._seed: int | None = None
-        """Number by which the first ID was chosen last."""
+        self._numbers = SessionNumbers(choose)
         self._resumes = resumes
         self._now = 0.0
         self._rest = b""
+        self.echoes = False
+        """True if an adapter gives back what is sent."""
         self.output: list[bytes] = []
         """Bytes to be sent; `take_output` returns them."""
         self._waiting: deque[Source] = deque()
         self._most_waiting = _MOST_WAITING
         """Number of requests that wait for a session at which those given up are looked for."""
-        self._codec: Codec | None = None
+        self._codec: HostCodec | None = None
         self._groups: GroupTable | None = None
         self._handshake: Handshake | None = None
         self._give_up_at: float | None = None
@@ -143,7 +149,7 @@ class Session:
         return LF in self._rest
 
     @property
-    def codec(self) -> Codec:
+    def codec(self) -> HostCodec:
         """The messages of the gateway; there are none before it has said for the first time what it is."""
         assert self._codec is not None
         return self._codec
@@ -179,7 +185,7 @@ class Session:
     def is_owed_an_answer(self) -> bool:
         """Return whether an answer can be on its way."""
         if self._exchange is not None:
-            return self.window.in_flight > 0 and not self.window.wants_repetition()
+            return self.window.in_flight > 0 and not self.window.repetition.is_due()
         return self._handshake is not None and not self._handshake.asks
 
     def take_turn(self, now: float) -> Events:
@@ -206,7 +212,7 @@ class Session:
     def take_output(self) -> bytes:
         """Return the bytes to send, which are forgotten here."""
         out = self.output
-        if self.window.loses and out and self._exchange is not None:
+        if self.window.allowance.loses and out and self._exchange is not None:
             self._exchange.end_output()
         data = b"".join(out)
         out.clear()
@@ -246,17 +252,12 @@ class Session:
 
     def _begin(self, now: float, *, again: bool) -> None:
         wire_time = (self._byte_time or 0.0) * _FIRST_TURN if self._takes_turns else None
-        group = None if self._groups is None else self._groups.known
-        before, self._seed = self._seed, self._choose()
-        if before is not None and not (self._seed ^ before) % _SMALLEST_RING:
-            # The answer to the `K` of before would be that of this one.
-            self._seed += 1
+        before = self._codec.session if again and self._codec is not None else NO_SESSION
         self._handshake = Handshake(
             self._node,
-            self._seed,
+            self._numbers,
             now,
-            again=again,
-            group=group,
+            before=before,
             wire_time=wire_time,
             longest_try=self._longest_try,
         )
@@ -436,8 +437,8 @@ class Session:
                 taken = self._receive_first(data, now, events)
             else:
                 taken = exchange.receive(data, now, events)
-                if exchange.refused is not None:
-                    self._gateway_was_reset(now, events)
+                if exchange.has_ended:
+                    self._session_is_over(exchange, now, events)
             data = data[taken:]
             if exchange is self._exchange:
                 # What is left waits for its turn, or is the beginning of a frame. Noise without a line end is none, and
@@ -457,6 +458,10 @@ class Session:
             return len(data)
         try:
             taken = self._handshake.receive(data, now)
+        except LinkLostError as error:
+            self._handshake = None
+            events.append(Taken(error))
+            return len(data)
         except (ConnectError, UnsupportedError) as error:
             self._fail_handshake(error, events)
             return len(data)
@@ -489,7 +494,7 @@ class Session:
             pass
         elif exchange is not None:
             exchange.expire(now, events)
-            if self.window.lost:
+            if self.window.signs.lost:
                 events.append(Unusable(LinkLostError(SILENT)))
             elif exchange.flood:
                 events.append(Unusable(LinkLostError(FLOODED.format(lines=exchange.flood))))
@@ -500,6 +505,13 @@ class Session:
             events.append(Unusable(LinkLostError(f"{RESET}, and has not answered since")))
         return events
 
+    def _session_is_over(self, exchange: Exchange, now: float, events: Events) -> None:
+        if exchange.refused is None and exchange.under_way != NO_SESSION:
+            events.append(Taken(LinkLostError(TAKEN)))
+            self._end_exchange(LinkLostError(TAKEN), events)
+        else:
+            self._gateway_was_reset(now, events)
+
     def _gateway_was_reset(self, now: float, events: Events) -> None:
         error = GatewayResetError(RESET)
         self._end_exchange(error, events)
@@ -509,7 +521,6 @@ class Session:
 
     def _interrupted(self, error: GatewayResetError, events: Events) -> None:
         """Report a reset, after which the gateway knows no group."""
-        self.groups.known = None
         events.append(Interrupted(error))
 
     # The handshake
@@ -537,6 +548,7 @@ class Session:
             message = f"another gateway answers after the reconnection: {info} instead of {self._codec.info}"
             self._fail_handshake(UnsupportedError(message), events)
             return
+        self._codec.begin(handshake.session)
         credit = None if Feature.FLOW_CONTROL in info.features else info.receive_fifo_bytes
         self.window = Window(
             codec.ring,
@@ -559,7 +571,9 @@ class Session:
             self.output,
             blocked=self._blocked,
             takes_turns=self._takes_turns,
+            echoes=handshake.echoes > 0,
         )
+        self.echoes = handshake.echoes > 0
         events.append(Opened(info))
         self._exchange.admit(now, events)
         self._groups.start(self._codec, events)

@@ -23,6 +23,7 @@ from unity_link.errors import ArgumentError, ConnectError, LinkLostError, UnityL
 from unity_link.link.connection import Connection, Reconnect
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.exchange import Sampled
+from unity_link.protocol.host_codec import HostCodec
 from unity_link.protocol.messages import Codec
 from unity_link.protocol.requests import Request
 
@@ -104,7 +105,7 @@ class SharedLink(Connection):
         }
 
     @property
-    def to_gateway(self) -> Codec:
+    def to_gateway(self) -> HostCodec:
         """The messages towards the gateway, which may be one node of several."""
         return self._flow.codec
 
@@ -276,7 +277,7 @@ class SharedLink(Connection):
         if not task.cancelled():
             task.exception()
 
-    def _begin(self, codec: Codec) -> None:
+    def _begin(self, codec: HostCodec) -> None:
         """Take the description of the gateway for clients, but for what is between it and here."""
         self.tried.set()
         if self.leases is not None:

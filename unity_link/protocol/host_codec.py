@@ -1,0 +1,42 @@
+"""The messages of one gateway as its host speaks them: with the session under way in their checks."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from unity_link.protocol.crc import NO_SESSION, seed_of
+from unity_link.protocol.messages import Codec
+
+if TYPE_CHECKING:
+    from unity_link.protocol.configuration import GatewayInfo
+
+
+class HostCodec(Codec):
+    """The messages of one gateway, in one session after the other.
+
+    Args:
+        info: what the gateway said of itself.
+        node: its number on a shared medium, or None.
+    """
+
+    def __init__(self, info: GatewayInfo, node: int | None = None) -> None:
+        super().__init__(info, node)
+        self.prefix_size = len(self.framing.prefix)
+        self.begin(NO_SESSION)
+
+    def begin(self, session: int) -> None:
+        """Begin a session."""
+        self.session = session
+        self.seed = seed_of(session, from_gateway=False)
+        """Seed of what is sent."""
+        self.seed_back = seed_of(session, from_gateway=True)
+        """Seed of what the gateway sends."""
+        self.begun = self.framing.begun ^ self.seed
+        """Value with which the checks of what is sent begin, behind the prefix."""
+        self.begun_back = self.framing.begun ^ self.seed_back
+        """The same of what the gateway sends."""
+
+    def residue(self, size: int) -> int:
+        """Return what a gateway without a session finds in the check of a sound request of so many characters."""
+        body = size - self.framing.overhead
+        return self.framing.crc.of(bytes(body), self.seed)
