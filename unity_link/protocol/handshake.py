@@ -253,6 +253,7 @@ class Handshake:
         if session not in (NO_SESSION, self._before):
             raise LinkLostError(TAKEN)
         self.found_reset = session == NO_SESSION
+        self._before = session
         self._ask_session(now)
 
     def _ask_session(self, now: float) -> None:
