@@ -39,7 +39,6 @@ from unity_link.link.subscription import (
     check_addresses,
 )
 from unity_link.protocol.configuration import Feature
-from unity_link.protocol.host_codec import HostCodec
 from unity_link.protocol.messages import GroupFlag
 from unity_link.protocol.numbers import whole_number
 from unity_link.protocol.requests import (
@@ -61,6 +60,7 @@ if TYPE_CHECKING:
 
     from unity_link.link.runtime import Runtime, Waiter
     from unity_link.protocol.arrays import Words
+    from unity_link.protocol.host_codec import HostCodec
     from unity_link.transport import DriverUrl, Medium
 
 NOT_CONNECTED = "write `async with unity_link.connect(...) as link:`, or `link = await unity_link.connect(...)`"

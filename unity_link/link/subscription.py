@@ -37,7 +37,6 @@ from unity_link.link.freshness import MOST_DRIFT, Freshness
 from unity_link.link.runtime import report
 from unity_link.protocol.exchange import Sampled, SampledRows, SampledTogether
 from unity_link.protocol.group_table import GroupBegun, GroupRefused, GroupStarted
-from unity_link.protocol.host_codec import HostCodec
 from unity_link.protocol.messages import SAMPLE_HEAD, TIMESTAMP_DIGITS, GroupFlag
 from unity_link.protocol.numbers import real_number, whole_number
 from unity_link.protocol.requests import Request
@@ -55,6 +54,7 @@ if TYPE_CHECKING:
     from unity_link.protocol.arrays import Words
     from unity_link.protocol.configuration import GatewayInfo
     from unity_link.protocol.group_table import HeldGroup
+    from unity_link.protocol.host_codec import HostCodec
 
 Overflow = Literal["drop_oldest", "fail"]
 NOT_OPEN = "the subscription is not open: write `async with ...subscribe(...) as samples:`, or `with` in blocking code"

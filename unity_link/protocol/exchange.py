@@ -99,7 +99,6 @@ class Exchange:
         out: takes the bytes to send.
         blocked: whether the medium takes no bytes at this time.
         takes_turns: whether a turn is waited for before each frame, on a medium that nodes share.
-        echoes: whether an adapter gives back what is sent.
     """
 
     def __init__(
@@ -113,7 +112,6 @@ class Exchange:
         *,
         blocked: bool,
         takes_turns: bool = False,
-        echoes: bool = False,
     ) -> None:
         self.codec = codec
         self.window = window
@@ -126,7 +124,7 @@ class Exchange:
         """
         self.under_way = codec.session
         """The session that the gateway has, as far as it has said; 0 where it was reset."""
-        self._echo: Counter[bytes] | None = Counter() if echoes else None
+        self._echo: Counter[bytes] | None = None
         """Lines that were sent, and may come back; None where none do."""
         self.flood = 0
         """Lines that have come in place of answers, where they are so many that no answer is to be hoped for."""
@@ -135,7 +133,7 @@ class Exchange:
         self._waiting = waiting
         self._groups = groups
         self._counters = counters
-        self._send = out.append if self._echo is None else self._send_and_note
+        self._send = out.append
         self._out = out
         self._id_number = codec.id_number
         self._id_digits = codec.info.id_digits
@@ -313,6 +311,11 @@ class Exchange:
     def end_output(self) -> None:
         """End what was sent together on a line that loses: nothing may follow it for long."""
         self._send(self._end)
+
+    def expect_echo(self) -> None:
+        """Pass over what comes back as it was sent: the adapter listens while it sends."""
+        self._echo = Counter()
+        self._send = self._send_and_note
 
     def _send_and_note(self, data: bytes) -> None:
         """Send bytes that will come back."""

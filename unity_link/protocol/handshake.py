@@ -5,8 +5,9 @@ only if both agree is the answer believed. `K i s` then begins the session: each
 only the answer to the last one counts. A plain answer has no CRC, so whatever is wrong with one may be damage: it is
 asked for again.
 
-Where the same host has had a session before, it asks by `K` first: a gateway that was reset since has none, and one that
-has another's is left to that. The answer to `K i s` says which session it ended, and so of a reset behind that answer.
+Where the same host has had a session before, it asks by `K` first: a gateway that was reset since has none, and one
+that has another's is left to that. The answer to `K i s` says which session it ended, and so of a reset behind that
+answer.
 
 What comes back as it was sent is an adapter's echo, which is passed over where an answer follows.
 """

@@ -1,8 +1,8 @@
 """The signs of loss, and the patience with them.
 
-A loss brings many signs (``X01`` for the damaged request, ``n`` for the one behind it). So when the window has gone back
-for one, it takes no further sign before something has arrived that was sent since: the answer to the `K` that is sent
-ahead of the repetition, or to a request. What brings no sign, or had its `K` lost, the time out finds. From
+A loss brings many signs (``X01`` for the damaged request, ``n`` for the one behind it). So when the window has gone
+back for one, it takes no further sign before something has arrived that was sent since: the answer to the `K` that is
+sent ahead of the repetition, or to a request. What brings no sign, or had its `K` lost, the time out finds. From
 `MOST_SIGNS` on for the same request it is left to the time, so that what is damaged each time is given up.
 """
 

@@ -64,7 +64,8 @@ class Part(NamedTuple, Generic[R]):
     run: R
     offset: int
     """Its place in the run."""
-    count: int
+    length: int
+    """How many there are."""
 
 
 class Ring(Generic[R]):

@@ -34,8 +34,8 @@ from unity_link.errors import (
     UnsupportedError,
 )
 from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.crc import NO_SESSION
 from unity_link.protocol.constants import ANSWER_PATIENCE, FEWEST_OF_A_FLOOD, LONGEST_SILENCE
+from unity_link.protocol.crc import NO_SESSION
 from unity_link.protocol.exchange import Counters, Exchange
 from unity_link.protocol.frames import LF, LONGEST_FRAME
 from unity_link.protocol.group_table import GroupTable, HeldGroup
@@ -571,9 +571,10 @@ class Session:
             self.output,
             blocked=self._blocked,
             takes_turns=self._takes_turns,
-            echoes=handshake.echoes > 0,
         )
         self.echoes = handshake.echoes > 0
+        if self.echoes:
+            self._exchange.expect_echo()
         events.append(Opened(info))
         self._exchange.admit(now, events)
         self._groups.start(self._codec, events)

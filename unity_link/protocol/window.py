@@ -252,10 +252,10 @@ class Window(Ring[R]):
             return True
         if failed == posts.failed:
             for part in asked:
-                self.answered(part.number, part.count, now)
+                self.answered(part.number, part.length, now)
             return True
         for part in executed:
-            self.fill(part.number, part.count, part.run.question(part.offset, part.count))
+            self.fill(part.number, part.length, part.run.question(part.offset, part.length))
         if executed:
             self.oldest = executed[0].number
         self.signs.timed_out = False
@@ -369,11 +369,11 @@ class Window(Ring[R]):
             return False
         size = posted = 0
         for part in self.parts(self.executed, expected):
-            size += part.run.size * part.count
+            size += part.run.size * part.length
             if part.run.posted:
-                posted += part.count
+                posted += part.length
                 self.posts.executed.append(part)
-                self.fill(part.number, part.count, None)
+                self.fill(part.number, part.length, None)
         self.allowance.bytes -= size
         self.executed = expected
         if self.allowance.loses:

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from unity_link.protocol.gateway_session import SessionState
+    from unity_link.protocol.host_codec import HostCodec
     from unity_link.protocol.requests import Events
 
 FATES = {ErrorCode.BUS_ERROR, ErrorCode.BUS_TIMEOUT, ErrorCode.OUT_OF_RANGE}
@@ -79,8 +80,10 @@ class Relayed(Request):
         "cost",
         "executed",
         "head",
+        "is_fence",
         "number",
         "order",
+        "places",
         "plain",
         "reply",
         "room",
@@ -92,7 +95,7 @@ class Relayed(Request):
 
     def __init__(
         self,
-        codec: Codec,
+        codec: HostCodec,
         command: str,
         fields: bytes,
         digits: int | None,
@@ -102,7 +105,9 @@ class Relayed(Request):
         *,
         plain: bool = False,
     ) -> None:
-        super().__init__(codec, command, fields, digits)
+        super().__init__(codec, command, fields, codec.info.id_digits if command == "H" else digits)
+        self.is_fence = command == "H"
+        self.places = (digits or 0) // codec.data_digits if COMMANDS[command].repetition is Repetition.KEPT else 0
         self.head = head
         self.number = number
         self.plain = plain
@@ -217,7 +222,7 @@ class RelayedRows(WordBatch):
     of_no_session = False
 
     def __init__(
-        self, codec: Codec, to_client: Codec, command: str, fields: NDArray[np.uint8], asker: RowsAsker, number: int
+        self, codec: HostCodec, to_client: Codec, command: str, fields: NDArray[np.uint8], asker: RowsAsker, number: int
     ) -> None:
         super().__init__(codec, command, [(fields, fields.shape[1])])
         self._to_client = to_client
@@ -334,7 +339,8 @@ class RelayedRun(BatchRun):
     def accept_rows(self, offset: int, frames: bytes, events: Events) -> int:
         """Hand on the answers to requests from `offset` on, as far as the frames are that."""
         number, place = self.first + offset & self.codec.ring - 1, self._start + offset
-        data = matching_rows(self.codec, self.command, number, frames, self._rows.reply_digits or 0)
+        codec, digits = self.codec, self._rows.reply_digits or 0
+        data = matching_rows(codec, self.command, number, frames, digits, codec.seed_back)
         if len(data):
             events.append(RowsAnswered(self._rows, place, len(data), self._rows.replies(place, data)))
         return len(data)

@@ -23,7 +23,6 @@ from unity_link.errors import ArgumentError, ConnectError, LinkLostError, UnityL
 from unity_link.link.connection import Connection, Reconnect
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.exchange import Sampled
-from unity_link.protocol.host_codec import HostCodec
 from unity_link.protocol.messages import Codec
 from unity_link.protocol.requests import Request
 
@@ -32,6 +31,7 @@ if TYPE_CHECKING:
 
     from unity_link.bridges.serve.groups import ClientGroup, GroupSettings, Slot
     from unity_link.bridges.serve.turns import ClientQueue
+    from unity_link.protocol.host_codec import HostCodec
     from unity_link.protocol.session import Interrupted
     from unity_link.spec.model import Interface
     from unity_link.transport import DriverUrl, Medium

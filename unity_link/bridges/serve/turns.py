@@ -210,6 +210,11 @@ class Turns:
         return self._first().requests[0].posted
 
     @property
+    def places(self) -> int:
+        """Words of the next request that the gateway keeps."""
+        return self._first().requests[0].places
+
+    @property
     def least(self) -> int:
         """Number of requests for which room is wanted before the next turn."""
         return self._first().requests[0].least
