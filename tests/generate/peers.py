@@ -105,31 +105,35 @@ class ObservedGateway(VirtualGateway):
         return b"".join(replies)
 
     def sessions(self) -> list[str]:
-        """Return the IDs with which sessions began."""
-        return [frame[1 : 1 + self.info.id_digits] for frame in self.heard if frame.startswith("K")]
+        """Return the IDs with which sessions were begun, each with the number of the session behind it."""
+        digits = self.info.id_digits + self.info.session_digits
+        return [frame[1 : 1 + digits] for frame in self.heard if frame.startswith("K") and len(frame) > 1 + digits]
 
 
 class Fault(msgspec.Struct):
-    """Fault of the first frames that a pattern finds; `change` gives what arrives in place of the frame."""
+    """Fault of the first frames that a pattern finds.
+
+    `change` gives what arrives in place of a frame, by that and by what the session puts into the checks of its side.
+    """
 
     pattern: re.Pattern[str]
-    change: Callable[[bytes], bytes]
+    change: Callable[[bytes, int], bytes]
     times: int = 1
 
 
 class SessionIds:
-    """The IDs of a line's session, of three digits, as numbers from 0 on."""
+    """The IDs of a line's session, of three digits, as numbers from 0 on; and the number of the session."""
 
-    _START = re.compile(r"K([0-9A-F]{3})")
+    _START = re.compile(r"K([0-9A-F]{3})([0-9A-F]{4})(?:[0-9A-F]{4}){1,2}$")
     _NUMBERED = re.compile(r"([g-z]{1,2})([0-9A-F]{3})")
 
     def __init__(self) -> None:
-        self.first = 0
+        self.first = self.number = 0
 
     def note(self, text: str) -> None:
         """Record the beginning of a session."""
         if found := self._START.match(text):
-            self.first = int(found[1], 16)
+            self.first, self.number = int(found[1], 16), int(found[2], 16)
 
     def counted(self, text: str) -> str:
         """Return a frame with its ID counted from the first of the session."""
@@ -140,35 +144,35 @@ class SessionIds:
 
 def lose(pattern: str, times: int = 1) -> Fault:
     """Lose frames; the line end too."""
-    return Fault(re.compile(pattern), lambda _: b"", times)
+    return Fault(re.compile(pattern), lambda _, __: b"", times)
 
 
 def damage(pattern: str, times: int = 1) -> Fault:
     """Flip a bit in the last character before the line end, so that the CRC is wrong."""
-    return Fault(re.compile(pattern), lambda frame: frame[:-2] + bytes([frame[-2] ^ 1]) + frame[-1:], times)
+    return Fault(re.compile(pattern), lambda frame, _: frame[:-2] + bytes([frame[-2] ^ 1]) + frame[-1:], times)
 
 
 def double(pattern: str, times: int = 1) -> Fault:
     """Return a fault by which frames arrive twice."""
-    return Fault(re.compile(pattern), lambda frame: 2 * frame, times)
+    return Fault(re.compile(pattern), lambda frame, _: 2 * frame, times)
 
 
 def replace(pattern: str, text: bytes, times: int = 1) -> Fault:
     """Return a fault by which another text arrives."""
-    return Fault(re.compile(pattern), lambda _: text, times)
+    return Fault(re.compile(pattern), lambda _, __: text, times)
 
 
 def answer(pattern: str, body: bytes, times: int = 1) -> Fault:
     """Return a fault by which a checked frame arrives: `body` with the ID of the frame at its `%b`."""
-    return Fault(re.compile(pattern), lambda frame: Framing(Crc()).checked(body % frame[1:4]), times)
+    return Fault(re.compile(pattern), lambda frame, seed: Framing(Crc()).checked(body % frame[1:4], seed), times)
 
 
 class _Direction:
     """One direction of a line."""
 
-    def __init__(self, source: int, sink: int, faults: list[Fault], ids: SessionIds) -> None:
+    def __init__(self, source: int, sink: int, faults: list[Fault], ids: SessionIds, side: int) -> None:
         self.frames: list[str] = []
-        self.source, self._sink, self._faults, self._ids = source, sink, faults, ids
+        self.source, self._sink, self._faults, self._ids, self._side = source, sink, faults, ids, side
         self._rest = b""
 
     def carry(self) -> bool:
@@ -192,7 +196,7 @@ class _Direction:
         for fault in self._faults:
             if fault.times and fault.pattern.search(text):
                 fault.times -= 1
-                return fault.change(frame)
+                return fault.change(frame, 2 * self._ids.number + self._side)
         return frame
 
 
@@ -252,8 +256,8 @@ class FaultyLine:
             if client is None:
                 return
             ids = SessionIds()
-            back = _Direction(self._gateway.fileno(), client, self._faults[0], ids)
-            towards = _Direction(client, self._gateway.fileno(), self._faults[1], ids)
+            back = _Direction(self._gateway.fileno(), client, self._faults[0], ids, 1)
+            towards = _Direction(client, self._gateway.fileno(), self._faults[1], ids, 0)
             self.replies, self.requests = back.frames, towards.frames
             selector = stack.enter_context(selectors.DefaultSelector())
             for direction in (back, towards):

@@ -13,7 +13,7 @@ from generate.programs import HERE, PATIENCE, SANITIZED, C, Driven, Simulated, o
 from support.changed_ports import make_sane
 from support.floods import FLOODS
 from unity_link.protocol.constants import ECHO_PATIENCE
-from unity_link.protocol.handshake import ECHO, ECHO_BEFORE_ANSWERS
+from unity_link.protocol.handshake import ECHO
 from unity_link.protocol.session import FLOODED
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Straying
@@ -125,22 +125,34 @@ def echoing(gateway: Callable[[bytes, float], bytes]) -> Callable[[bytes, float]
     return lambda data, now: data + gateway(data, now)
 
 
-def test_an_adapter_that_echoes_is_named_soon_in_the_words_of_python(driver: Path) -> None:
-    with Simulated(driver, echoing(VirtualGateway().receive)) as client:
-        assert client("connect test: 5") == f"{NO_CONNECTION}{ECHO_BEFORE_ANSWERS}"
-        assert client.now < 0.5
-
-
-def test_an_echo_is_named_where_the_first_one_was_lost_in_a_collision(driver: Path) -> None:
+def test_an_adapter_that_echoes_is_passed_over(driver: Path) -> None:
     gateway = VirtualGateway()
+    with Simulated(driver, echoing(gateway.receive)) as client:
+        client.words("connect test: 5")
+        for value in range(20):
+            client.words(f"write 10 {value:X}")
+        for value in range(20):
+            client.words(f"post {value:X} 5")
+        client.words("fence")
+        assert client.words("rblock 0 14") == [5] * 20
+        assert client.words("rmany " + "10 " * 200) == [5] * 200
+        assert client.words("statistics")[2:] == [0, 0, 0, 0]
+        client.words("close")
 
-    def echoing_later(data: bytes, now: float) -> bytes:
+
+def test_a_gateway_that_falls_silent_behind_an_echo_is_lost_in_the_usual_time(driver: Path) -> None:
+    gateway, is_silent = VirtualGateway(), False
+
+    def silent(data: bytes, now: float) -> bytes:
         answers = gateway.receive(data, now)
-        return answers if b"Q\r" in data else data + answers
+        return b"" if is_silent else answers
 
-    with Simulated(driver, echoing_later) as client:
-        assert client("connect test: 5") == f"{NO_CONNECTION}{ECHO_BEFORE_ANSWERS}"
-        assert not gateway.memory
+    with Simulated(driver, echoing(silent)) as client:
+        client.words("connect test: 5")
+        is_silent, began = True, client.now
+        assert client("write 10 1").startswith(LOST)
+        assert client.now - began < 12
+        client("close")
 
 
 def test_a_port_whose_tx_is_wired_to_its_rx_is_named_when_no_answer_follows_the_echo(driver: Path) -> None:

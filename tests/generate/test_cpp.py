@@ -326,11 +326,10 @@ def test_errors_have_classes_codes_and_a_sentence(runtime: list[Path]) -> None:
 
 def test_what_a_lost_answer_means_is_known(runtime: list[Path]) -> None:
     body = """
-    THROWS(AnswerLostError, link.write_masked(0x10, 1, 1));
     CHECK(link.read(0x10) == 1);
     robot.on.set(true);         // nobody wants the answer of this masked write
     CHECK(robot.on.get());
-    THROWS(AnswerLostError, robot.samples.get());       // a queue gives nothing twice
+    robot.samples.get();        // what was taken from a queue comes again
     robot.legs[0].joints[0].pos.set(1);
     CHECK(robot.legs[0].joints[0].pos.get() == 1.0 && link.statistics().repetitions >= 5);
     """

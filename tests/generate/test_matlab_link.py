@@ -412,12 +412,12 @@ def test_lost_and_damaged_frames_give_the_right_result_exactly_once(octave: Octa
         sent = list(line.requests)
     assert shown["read"] == doubles(1)
     assert shown["masked"] == doubles(0)
-    assert shown["masked, answer lost"].startswith("unity_link:answerLost masked write of address C")
+    assert shown["masked, answer lost"] == "no error"
     assert shown["after masked"] == doubles(255)
     assert shown["field"] == doubles(3)
     assert shown["posted"] == doubles(20)
     assert shown["many"] == doubles(1, 2, 255, 20)
-    assert shown["queue, answer lost"].startswith("unity_link:answerLost queue read of address E")
+    assert shown["queue, answer lost"] == "no error"
     assert shown["whole block"] == "logical 1"
     assert shown["repetitions"] == "logical 1"
     for beginning in ("w000", "r001", "w002", "wk003", "wk004", "wk006"):
@@ -426,7 +426,7 @@ def test_lost_and_damaged_frames_give_the_right_result_exactly_once(octave: Octa
 
 def test_errors_of_the_gateway_have_their_identifiers(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
-    codes = {5: "busTimeout", 6: "outOfRange", 8: "answerLost", 0x42: "gatewayError"}
+    codes = {5: "busTimeout", 6: "outOfRange", 8: "gatewayError", 0x42: "gatewayError"}
     replies = [answer(f"^r{number:03X}", b"x%%b%02X" % code) for number, code in enumerate(codes)]
     replies.append(replace("^r004", Framing(Crc()).checked(b"X02"), times=3))
     with simulate("tcp") as url, FaultyLine(url, "tcp", replies) as line:
@@ -477,7 +477,7 @@ async def test_every_write_over_a_noisy_line_is_executed_exactly_once_and_in_ord
         shown = await asyncio.to_thread(octave.run, "\n".join(script))
     assert bus.writes == writes
     assert shown.pop("repetitions") == "logical 1"
-    assert all(text == "no error" or text.startswith("unity_link:answerLost ") for text in shown.values())
+    assert all(text == "no error" for text in shown.values())
 
 
 @pytest.mark.asyncio

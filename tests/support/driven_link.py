@@ -12,7 +12,6 @@ import re
 from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 from unity_link import (
-    AnswerLostError,
     ArgumentError,
     BusError,
     BusTimeoutError,
@@ -35,7 +34,6 @@ _KINDS: dict[str, type[Exception]] = {
     "4": BusError,
     "5": BusTimeoutError,
     "6": OutOfRangeError,
-    "8": AnswerLostError,
     "35": UnansweredError,
     "36": ConnectError,
     "37": UnsupportedError,
@@ -44,7 +42,6 @@ _KINDS: dict[str, type[Exception]] = {
     "unity_link:busError": BusError,
     "unity_link:busTimeout": BusTimeoutError,
     "unity_link:outOfRange": OutOfRangeError,
-    "unity_link:answerLost": AnswerLostError,
     "unity_link:unanswered": UnansweredError,
     "unity_link:connectError": ConnectError,
     "unity_link:unsupported": UnsupportedError,

@@ -50,6 +50,7 @@ static double the_time;
 static char line[LINE_SIZE], waiting[WAITING_SIZE];
 static size_t line_size, waiting_size, allowed_size;
 static uint64_t last_id;
+static uint32_t session;
 static unsigned group, group_flags, group_words;
 
 static unsigned digits_of(unsigned bits)
@@ -70,10 +71,15 @@ static char *put_digits(char *at, unsigned digits, uint64_t number)
     return at + digits;
 }
 
+/* The check of a frame of the gateway: a session has its number in it, behind the prefix. */
 static uint32_t crc_of(const char *bytes, size_t size)
 {
+    size_t prefix = node >= 0 ? 3 : 0;
+    bool belongs = size > prefix && ((bytes[prefix] >= 'g' && bytes[prefix] <= 'z') || bytes[prefix] == 'P');
+    uint64_t seed = belongs && session != 0 ? 2 * session + 1 : 0;
     uint64_t rest = 0, top = (uint64_t)1 << (info.crc_bits - 1), mask = 2 * top - 1;
     for (size_t index = 0; index < size; index++) {
+        if (index == prefix) rest ^= seed;
         rest ^= (uint64_t)(unsigned char)bytes[index] << (info.crc_bits - 8);
         for (int bit = 0; bit < 8; bit++) rest = (rest & top ? rest << 1 ^ info.crc_polynomial : rest << 1) & mask;
     }
@@ -147,6 +153,24 @@ static void answer(const char *body, size_t size)
     memcpy(reply, body, head);
     char *at = reply + head;
     for (uint64_t index = 0; index < words; index++) at = put_digits(at, data, index * 0x9E3779B97F4A7C15u);
+    if (body[0] == 'h') at = put_digits(at, info.id_digits, 0);
+    say_checked(reply, (size_t)(at - reply));
+}
+
+/* Answer `K`, with fields or without. */
+static void answer_session(const char *body, size_t size)
+{
+    char reply[32], *at = reply;
+    unsigned digits = info.crc_bits == 8 ? 2 : 4;
+    uint32_t before = session;
+    if (size == 1 || size != 1 + info.id_digits + digits) {
+        *at++ = 'K';
+    } else {
+        session = (uint32_t)read_digits(body, size, 1 + info.id_digits, digits);
+        memcpy(at, body, size);
+        at += size;
+    }
+    at = put_digits(at, digits, before);
     say_checked(reply, (size_t)(at - reply));
 }
 
@@ -173,7 +197,7 @@ static void hear_line(char end)
     if (end != '\n' || size <= info.crc_bits / 4) return;
     size -= info.crc_bits / 4;
     if (body[0] == 'Q') say_checked(reply, (size_t)(put_info(reply) - reply));
-    else if (body[0] == 'K') say_checked(body, size);
+    else if (body[0] == 'K') answer_session(body, size);
     else if (body[0] >= 'g' && body[0] <= 'z') answer(body, size);
 }
 
@@ -328,7 +352,7 @@ static ul_transport open_medium(void)
         {16, 0x1021}, {8, 0x07}, {32, 0x04C11DB7}, {16, 0x8005}};
     unsigned widths = next_byte(), sizes = next_byte(), others = next_byte();
     memset(&info, 0, sizeof info);
-    info.version = 2;
+    info.version = 3;
     info.data_bits = DATA[widths & 7];
     info.address_bits = ADDRESS[widths >> 3 & 7];
     info.crc_bits = CHECKS[widths >> 6].bits;
@@ -346,6 +370,7 @@ static ul_transport open_medium(void)
     is_open = true;
     is_gone = false;
     waits = 0;
+    session = 0;
     line_size = waiting_size = allowed_size = 0;
     group = group_flags = group_words = 0;
     ul_transport medium;

@@ -6,6 +6,10 @@
 
 enum { MOST_READS = 16 };
 enum { UNKNOWN_ERROR = UL_LOST - 1 };   /* in the place of a code that no error of a gateway has */
+static const char RESET[] = "the gateway was reset, which ends the link";
+static const char TAKEN[] =
+    "another program has begun a session with the gateway, and this one's is over: let both use it through "
+    "`unity-link serve`, or end the other program";
 static const char SILENT[] = "the gateway does not answer any more";
 static const char FLOODED[] =
     "the line is full of what is no answer: is an echo on, as behind `stty sane`, has the speed of the port changed, or "
@@ -15,6 +19,7 @@ static const char LINE_GONE[] = "the connection was lost (its port, or its other
 
 static bool fill(ul_link *link);
 static void receive_bytes(ul_link *link);
+static size_t body_size(const ul_link *link, text frame);
 static void take_sample(ul_link *link, text body);
 static size_t sample_size(const ul_link *link, text frame);
 
@@ -66,7 +71,7 @@ static void settle(const ul_request *request, ul_status status)
     if (status != UL_OK && batch->status == UL_OK) {
         batch->status = status;
         batch->address = request->address;
-        batch->what = shape_of(request->command)->name;
+        batch->what = shape_of(request->posted ? "ws" : request->command)->name;
     } else if (is_lost(batch->status) && is_lost(status) && status != batch->status) {
         batch->status = UL_LOST;
     }
@@ -86,17 +91,18 @@ static void refuse(ul_batch *batch, ul_status status, const char *what, uint32_t
 /* The session has ended, and all its requests with it: those from an ID on are known not to be executed. */
 static void end_session(ul_link *link, uint32_t never, const char *end)
 {
-    uint32_t executed = distance(link, link->executed), unknown = distance(link, never);
+    uint32_t executed = (link->executed - link->held) & link->ring_mask;
+    uint32_t unknown = (never - link->held) & link->ring_mask;
     if (!link->gone) link->end = end;
     link->gone = true;
-    for (uint32_t place = 0; place < in_flight(link); place++) {
-        ul_request *request = slot_of(link, link->oldest + place);
+    for (uint32_t place = 0; place < places_held(link); place++) {
+        ul_request *request = slot_of(link, link->held + place);
         ul_status status = place < executed ? UL_LOST_EXECUTED : place < unknown ? UL_LOST : UL_LOST_NOT_EXECUTED;
-        if (request->waiting) settle(request, status);
-        request->waiting = false;
+        if (request->waiting || request->untold) settle(request, status);
+        request->waiting = request->untold = false;
     }
-    link->oldest = link->executed = link->to_repeat = link->repeat_end = link->next;
-    link->unfenced = 0;
+    link->held = link->oldest = link->executed = link->to_repeat = link->repeat_end = link->next;
+    link->unfenced = link->awaited = 0;
     link->bytes = 0;
 }
 
@@ -170,6 +176,25 @@ static void send_fence(ul_link *link)
     link->statistics.requests++;
 }
 
+/* Ask, in doubt, whose the session is. Where sides take turns, that goes before what is sent again for the second time,
+ * and not twice in a row; where not, along with whatever is sent. */
+static void ask_whose(ul_link *link, double now)
+{
+    bool turns = is_half_duplex(link), is_late = link->asked && now >= link->answer_by;
+    if (is_late) link->asked = false;
+    if (!link->in_doubt || link->asked) return;
+    if (turns && (is_late || link->gone_back < 2)) {
+        link->in_doubt = false;
+        return;
+    }
+    if (link->send_size + question_size(link) >= sizeof link->send) flush(link);
+    char *start = link->send + link->send_size;
+    char *end = put_check(link, put_text(put_prefix(link, start), "K"), start);
+    link->send_size += (size_t)(end - start);
+    link->asked = true;
+    link->answer_by = now + link->timeout;
+}
+
 /* Send again what is to be sent again now. */
 static void repeat(ul_link *link)
 {
@@ -213,7 +238,9 @@ static void recover(ul_link *link)
     if (note_time(link, now, &given_up)) lose(link, SILENT);
     settle(&given_up, UL_UNANSWERED);
     if (flooded) lose(link, FLOODED);
-    if (is_repeating(link)) repeat(link);
+    if (link->gone) return;
+    ask_whose(link, now);
+    if (is_repeating(link) && !(link->asked && is_half_duplex(link))) repeat(link);
     if (!is_due || !link->waited || link->statistics.repetitions == before) return;
     link->statistics.timeouts++;
     if (link->transport.set_again != NULL)
@@ -249,7 +276,6 @@ static const char *fault_of(const ul_link *link, const ul_request *request)
 static void start(ul_link *link, ul_batch *batch, ul_request request)
 {
     const shape *is = shape_of(request.command);
-    size_t size = request_size(link, &request);
     request.batch = batch;
     if (link->open) {
         const char *fault = fault_of(link, &request);
@@ -262,7 +288,7 @@ static void start(ul_link *link, ul_batch *batch, ul_request request)
             return;
         }
     }
-    while (link->open && !link->gone && !has_room(link, size, request.posted)) {
+    while (link->open && !link->gone && !has_room(link, &request)) {
         if (can_fence(link)) send_fence(link);
         turn(link, now_of(link) + LONGEST_TIMEOUT);
     }
@@ -278,26 +304,36 @@ static void start(ul_link *link, ul_batch *batch, ul_request request)
 
 /* Receiving */
 
+/* What a request has told of its end: fences behind it may have waited for that. */
+static void note_told(ul_link *link, uint32_t id, double now)
+{
+    link->statistics.responses++;
+    note_answer(link, id, now);
+    if (!slot_of(link, id)->posted) return;
+    for (uint32_t place = link->held; place != link->next; place = after(link, place)) {
+        ul_request *request = slot_of(link, place);
+        if (request->posted && request->waiting) break;
+        if (request->posted || !request->untold) continue;
+        settle(request, UL_OK);
+        request->untold = false;
+    }
+    release_places(link);
+}
+
 static void note_error(ul_link *link, text code, uint32_t id, double now)
 {
     uint64_t number;
     const ul_request *request = find(link, id);
     bool sound = take_number(&code, 2, &number) && code.size == 0;
-    if (sound && number == UL_NO_SESSION) {
-        end_session(link, never_executed_from(link, id), "the gateway was reset, which ends the link");
-        return;
-    }
     if (!sound || request == NULL) {
         link->statistics.stray++;
         return;
     }
     /* It would be taken for what has become of a request on this side. */
     if (number == UL_OK || number >= UL_LOST) number = UNKNOWN_ERROR;
-    /* An answer that is lost for good, but that nobody wanted, is as good as one. */
-    if (number == UL_ANSWER_LOST && request->target == NULL) number = UL_OK;
+    if (request->posted) link->failed = (link->failed + 1) & link->ring_mask;
     settle(request, (ul_status)number);
-    link->statistics.responses++;
-    note_answer(link, id, now);
+    note_told(link, id, now);
 }
 
 /* Take the command with which a message begins, of one letter or two; what stands behind it. */
@@ -329,13 +365,42 @@ static void take_response(ul_link *link, text body, double now)
         return;
     }
     const ul_request *request = find(link, (uint32_t)id);
-    if (request != NULL && strcmp(command, request->command) == 0 && take_answer(link, request, fields)) {
-        settle(request, UL_OK);
-        link->statistics.responses++;
-        note_answer(link, (uint32_t)id, now);
-    } else {
+    if (request == NULL || strcmp(command, request->command) != 0 || !take_answer(link, request, fields)) {
         link->statistics.stray++;
+        return;
     }
+    uint64_t failed;
+    bool is_fence = shape_of(command)->counts && !request->posted;
+    bool is_told = !is_fence || !take_number(&fields, link->info.id_digits, &failed)
+        || note_count(link, (uint32_t)id, (uint32_t)failed);
+    if (is_told && !request->posted) settle(request, UL_OK);
+    note_told(link, (uint32_t)id, now);
+}
+
+/* Without a session the gateway executes nothing that has an ID, and answers what is left of the check of the request,
+ * begun with 0. What is right for the one that was sent came whole, so neither that nor what is behind it was executed. */
+static void note_no_session(ul_link *link, text fields)
+{
+    uint64_t id, code, rest;
+    if (!take_number(&fields, link->info.id_digits, &id) || !take_number(&fields, 2, &code)) return;
+    const ul_request *request = find(link, (uint32_t)id);
+    link->heard = link->in_doubt = true;
+    if (request == NULL || !take_number(&fields, link->crc_digits, &rest)) return;
+    size_t size = request_size(link, request) - prefix_size(link) - link->crc_digits - 1;
+    if (rest == go_on(link, seed_of(link, request->command[0], OURS), NULL, size))
+        end_session(link, never_executed_from(link, (uint32_t)id), RESET);
+}
+
+/* An answer to `K`: whose the session is. That to one with fields is another program's, or late. */
+static void take_session(ul_link *link, text fields)
+{
+    uint64_t session;
+    bool is_answer = take_number(&fields, session_digits(link), &session) && fields.size == 0;
+    link->heard = true;
+    link->in_doubt = !is_answer || session != link->session;
+    link->asked = false;
+    if (is_answer && session == 0) lose(link, RESET);
+    else if (is_answer && session != link->session) lose(link, TAKEN);
 }
 
 /* An error without an ID is about a frame that was damaged, or that the gateway does not understand. */
@@ -345,6 +410,7 @@ static void take_nameless_error(ul_link *link, text code, double now)
     link->heard = true;
     link->unasked++;
     if (!take_number(&code, 2, &number)) return;
+    if (number == UL_DAMAGED) link->in_doubt = true;
     if (number == UL_DAMAGED || number == UL_TOO_LONG || number == UL_RECEIVE_OVERFLOW) note_damaged_request(link, now);
     if (number == UL_UNKNOWN_COMMAND || number == UL_MALFORMED) {
         ul_request given_up = {.batch = NULL};
@@ -366,10 +432,18 @@ static void take_body(ul_link *link, text body, double now)
     else if (is_lower_command(body.at[0])) take_response(link, body, now);
     else if (body.at[0] == 'P') take_sample(link, without_first(body, 1));
     else if (body.at[0] == 'X') take_nameless_error(link, without_first(body, 1), now);
+    else if (body.at[0] == 'K') take_session(link, without_first(body, 1));
 }
 
 /* Frames. What a frame begins as says how long it is. So one that has another byte in the place of its LF is known to be
  * damaged when that byte has come, and the next one begins behind it. */
+
+/* Whether a frame begins as error 0A does, which has a field more than others. */
+static bool is_no_session(const ul_link *link, text body)
+{
+    size_t head = 1 + link->info.id_digits;
+    return body.size >= head + 2 && body.at[0] == 'x' && body.at[head] == '0' && body.at[head + 1] == 'A';
+}
 
 /* Characters of the body of a frame, as its beginning says; 0 where that does not. */
 static size_t body_size(const ul_link *link, text frame)
@@ -382,25 +456,27 @@ static size_t body_size(const ul_link *link, text frame)
     /* So begins a sample whose first letter was damaged, too; where sides take turns, its end is waited for. */
     if (strcmp(command, "X") == 0) return is_half_duplex(link) ? 0 : 3;
     if (strcmp(command, "n") == 0) return head;
-    if (strcmp(command, "x") == 0) return head + 2;
+    if (strcmp(command, "x") == 0) return head + 2 + (is_no_session(link, frame) ? link->crc_digits : 0);
     const shape *is = shape_of(command);
     if (is == NULL || strcmp(command, "ws") == 0) return 0;
-    if (!is->reads_words) return head + (is->reads_word ? link->data_digits : 0);
+    if (!is->reads_words) return head + fields_size(link, is, 0);
     if (!take_number(&fields, link->info.id_digits, &id)) return 0;
     const ul_request *request = find(link, (uint32_t)id);
     if (request == NULL || strcmp(command, request->command) != 0) return 0;
-    return head + (size_t)request->count * link->data_digits;
+    return head + fields_size(link, is, request->count);
 }
 
 /* Characters of a frame beside its body, the LF included. */
 static size_t frame_overhead(const ul_link *link)
 {
-    return (link->node < 0 ? 0 : PREFIX_DIGITS) + link->crc_digits + 1;
+    return prefix_size(link) + link->crc_digits + 1;
 }
 
-/* Characters of a frame, the LF included, as its beginning says; 0 where that does not. */
+/* Characters of a frame, the LF included, as its beginning says; 0 where that does not, or it may be an echo, which begins
+ * as the answer does. */
 static size_t frame_size(const ul_link *link, text frame)
 {
+    if (link->transport.echoes) return 0;
     size_t body = take_prefix(link, &frame) && frame.size > 0 ? body_size(link, frame) : 0;
     return body == 0 ? 0 : body + frame_overhead(link);
 }
@@ -418,6 +494,7 @@ static size_t cut(ul_link *link, text frame, size_t size)
     bool sample = is_sample(link, frame) && frame.size >= frame_overhead(link) + 3;
     link->statistics.damaged++;
     link->unasked++;
+    link->in_doubt = true;
     if (!sample) {
         link->heard = true;
         /* Where sides take turns, more of it may follow: the time shows its end. */
@@ -426,21 +503,56 @@ static size_t cut(ul_link *link, text frame, size_t size)
     return size == 0 || size > frame.size + 1 ? frame.size + 1 : size;
 }
 
+/* Whether a line is what was sent, as an adapter gives it back that listens while it sends: the check has the direction
+ * in it, and the length is that of the request. The last requests are still in their places. */
+static bool is_echo(const ul_link *link, text line)
+{
+    char command[3];
+    uint64_t id;
+    size_t size = line.size + 1;
+    if (size == question_size(link)) return take_check(link, &line, 0) && first_letter(link, line) == 'K';
+    if (!take_check(link, &line, seed_of(link, first_letter(link, line), OURS)) || !take_prefix(link, &line)) return false;
+    if (line.size < 2 || !is_lower_command(line.at[0])) return false;
+    text fields = take_command(line, command);
+    if (!take_number(&fields, link->info.id_digits, &id)) return false;
+    const ul_request *request = &link->slots[id % UL_WINDOW];
+    bool is_kept = ((link->next - 1 - (uint32_t)id) & link->ring_mask) < UL_WINDOW;
+    return is_kept && strcmp(command, request->command) == 0 && size == request_size(link, request);
+}
+
+/* Take a line without a check. It is no answer; an error may be about a request in which damage has made a CR. How many
+ * characters were taken. */
+static size_t take_plain(ul_link *link, text line)
+{
+    text body = {line.at, line.size - 1};
+    char letter = first_letter(link, body);
+    if (letter != 'X' && letter != 'x') {
+        if (letter == 'P' || is_lower_command(letter)) return cut(link, line, 0);
+        note_stray(link);
+    } else if (take_prefix(link, &body) && body.size == body_size(link, body)) {
+        link->unasked++;
+        link->heard = link->in_doubt = true;
+        note_damaged_request(link, now_of(link));
+    }
+    return line.size + 1;
+}
+
 /* Take what stands before an LF; how many characters were taken. */
 static size_t take_line(ul_link *link, text line)
 {
-    text body = line;
-    bool plain = line.at[line.size - 1] == PLAIN_END;
-    if (plain) body.size--;
-    else if (!take_check(link, &body)) return cut(link, line, frame_size(link, line));
-    if (!take_prefix(link, &body)) {
+    text body = line, unbound = line;
+    if (line.at[line.size - 1] == PLAIN_END) return take_plain(link, line);
+    char letter = first_letter(link, line);
+    if (take_check(link, &body, seed_of(link, letter, THEIRS))) {
+        if (take_prefix(link, &body)) take_body(link, body, now_of(link));
+        else note_stray(link);
+    } else if (take_check(link, &unbound, 0) && take_prefix(link, &unbound) && is_no_session(link, unbound)) {
+        note_no_session(link, without_first(unbound, 1));
+    } else if (is_of_another_node(link, line)) {
         note_stray(link);
-        return line.size + 1;
+    } else if (!is_echo(link, line)) {
+        return cut(link, line, frame_size(link, line));
     }
-    /* Without a check, its length is what tells a plain frame from damaged ones. */
-    size_t size = plain ? frame_size(link, line) : 0;
-    if (size > 0 && line.size >= size) return cut(link, line, size);
-    take_body(link, body, now_of(link));
     return line.size + 1;
 }
 
@@ -477,8 +589,8 @@ static bool take_frame(ul_link *link)
     if (end == NULL) {
         taken = take_endless(link, rest);
     } else if (end == rest.at) {
-        /* A server's sign that what was repeated is still under way. */
-        link->heard = true;
+        /* A server's sign that what was repeated is still under way; or the echo of what was sent. */
+        link->heard |= !link->transport.echoes;
         link->unasked++;
         taken = 1;
     } else {
@@ -515,6 +627,6 @@ static void receive_bytes(ul_link *link)
         while (!link->gone && take_frame(link)) continue;
         text rest = unread(link);
         /* Perhaps the beginning of a long answer on a slow line. */
-        if (rest.size > 0 && !is_sample(link, rest)) link->heard = true;
+        if (rest.size > 0 && !is_sample(link, rest) && !link->transport.echoes) link->heard = true;
     }
 }

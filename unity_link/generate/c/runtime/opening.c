@@ -2,47 +2,55 @@
  *
  * `Q` is asked in plain form, because nothing is known yet, and again in the checked form that follows from the answer;
  * only if both agree is the answer believed. `K` then starts the session: the gateway expects the ID that it names, and
- * publishes nothing. That is another one each time, so that no answer of a session before is taken for one of this.
+ * publishes nothing. The number of the session is another one each time that it is asked for, and in the check of each
+ * frame of it, so that nothing of a session before is taken for one of this.
+ *
+ * An adapter that listens while it sends gives each question back, which is passed over.
  */
 
-enum { PROTOCOL_VERSION = 2, LONGEST_ANSWER = 160 };
+enum { PROTOCOL_VERSION = 3, LONGEST_ANSWER = 160 };
+enum { LONGEST_QUESTION = 32 };
 enum { LONGEST_REST = 48 };     /* of a frame, beside its words */
 
 static const char ECHO[] = "what is sent comes back as it is: is TX wired to RX, or an echo switched on?";
-static const char ECHO_BEFORE_ANSWERS[] =
-    "what is sent comes back before each answer: the adapter, or the transceiver, listens while it sends, as on two wires "
-    "of RS-485; switch its echo off, or its receiver while it sends (/RE to DE)";
 
 typedef struct opening {
     ul_link *link;
     double asked, patience;
     size_t heard;
-    unsigned questions, answers, echoes;
+    unsigned questions, answers, drawn;
+    uint32_t first;                     /* ID of the session */
     bool believes;                      /* the gateway has said what it is */
+    bool hears_echo;
     bool is_alone, is_loop;             /* nothing but the question was heard, and for so long that nothing else will be */
     double alone_since;
+    char asked_text[LONGEST_QUESTION];  /* as it was sent, without the line end of a checked one */
     char answer[LONGEST_ANSWER];
     size_t size;
 } opening;
 
-/* Take the body of a line; false where it is no frame of this node's. */
+/* Take the body of a line; false where it is no frame of this node's, or has the number of a session. */
 static bool take_line_body(const opening *opens, bool plain, text *line)
 {
     if ((line->size > 0 && line->at[line->size - 1] == PLAIN_END) != plain) return false;
     if (plain) line->size--;
-    else if (!take_check(opens->link, line)) return false;
+    else if (!take_check(opens->link, line, 0)) return false;
     return take_prefix(opens->link, line);
 }
 
-/* Whether it is the question for the configuration that came back, in plain form with its answer in the same line. */
-static bool is_echo(text body, bool plain)
+/* Pass over the question that came back, in plain form with its answer in the same line; whether it did. */
+static bool take_echo(opening *opens, text *line)
 {
-    return plain ? starts_with(body, "Q\r") : body.size == 1 && *body.at == 'Q';
-}
-
-static bool echoes(const opening *opens)
-{
-    return opens->echoes >= ECHOES || opens->is_loop;
+    size_t size = strlen(opens->asked_text);
+    bool is_plain = opens->asked_text[size - 1] == PLAIN_END;
+    if (!starts_with(*line, opens->asked_text) || (!is_plain && line->size > size)) return false;
+    *line = without_first(*line, size);
+    double now = now_of(opens->link);
+    if (!opens->is_alone) opens->alone_since = now;
+    opens->is_alone = !opens->believes;
+    opens->is_loop = opens->is_alone && !opens->link->transport.echoes && now - opens->alone_since > ECHO_PATIENCE;
+    opens->hears_echo = true;
+    return true;
 }
 
 /* Send a question, behind a line end for what an earlier program left unfinished; LF, for CR would execute it unchecked. */
@@ -52,25 +60,37 @@ static void send_question(opening *opens, const char *question, bool plain)
     char *start = put_text(link->send, "\n"), *at = put_text(put_prefix(link, start), question);
     at = plain ? put_text(at, "\r") : put_check(link, at, start);
     link->send_size = (size_t)(at - link->send);
+    size_t size = (size_t)(at - start) - !plain;
+    memcpy(opens->asked_text, start, size);
+    opens->asked_text[size] = '\0';
     flush(link);
     opens->asked = now_of(link);
     opens->questions++;
 }
 
+/* Whether a sound line is the answer: it begins as the question, and has so many characters more, or any number. That to
+ * an earlier `K` is none, and not damaged. */
+static bool is_answer(text line, const char *question, size_t fields)
+{
+    return starts_with(line, question) && line.size <= LONGEST_ANSWER
+        && (fields == 0 ? line.size > strlen(question) : line.size == strlen(question) + fields);
+}
+
 /* Look for the answer in what has come. False where there is none; a line that is none may be one that was damaged. */
-static bool find_answer(opening *opens, const char *question, bool plain, bool *damaged)
+static bool find_answer(opening *opens, const char *question, bool plain, size_t fields, bool *damaged)
 {
     text line;
     while (next_line(opens->link, &line)) {
-        bool is_frame = take_line_body(opens, plain, &line), is_question = is_frame && is_echo(line, plain);
-        opens->echoes += is_question;
-        if (!is_frame || is_question || !starts_with(line, question) || line.size > LONGEST_ANSWER) {
-            *damaged = true;
+        if (take_echo(opens, &line) && line.size == 0) continue;
+        bool is_frame = take_line_body(opens, plain, &line);
+        if (!is_frame || !is_answer(line, question, fields)) {
+            *damaged |= !is_frame || line.size == 0 || line.at[0] != 'K';
             continue;
         }
         memcpy(opens->answer, line.at, line.size);
         opens->size = line.size;
         opens->answers++;
+        opens->is_alone = opens->is_loop = false;
         return true;
     }
     return false;
@@ -87,18 +107,43 @@ static bool shorten(opening *opens, double now, double *end)
     return true;
 }
 
-/* Ask until an answer comes, about so many times; it is left in `answer`. */
-static bool ask(opening *opens, const char *question, bool plain, double tries)
+/* Draw a number by what differs from one to the next: clock, seed, and how many were drawn. */
+static uint32_t draw(opening *opens, unsigned digits)
+{
+    double now = now_of(opens->link);
+    uint64_t bits = 0;
+    memcpy(&bits, &now, sizeof now < sizeof bits ? sizeof now : sizeof bits);
+    bits = (bits ^ opens->link->transport.seed) * UINT64_C(0x9E3779B97F4A7C15) + ++opens->drawn;
+    /* Only the highest bits of the product depend on all of these. */
+    return (uint32_t)(bits * UINT64_C(0x9E3779B97F4A7C15) >> (64 - 4 * digits));
+}
+
+/* Ask for the session: by another number each time. 0 is none, and with two others damage to a first letter could pass. */
+static void choose_session(opening *opens, char *question)
 {
     ul_link *link = opens->link;
+    uint32_t before = link->session;
+    do link->session = draw(opens, session_digits(link)) & (uint32_t)ones(4 * session_digits(link) - 1);
+    while (link->session == 0 || link->session == before || link->session == (session_digits(link) == 2 ? 0x10 : 0x1000));
+    *put_number(put_number(put_text(question, "K"), link->info.id_digits, opens->first), session_digits(link), link->session) = '\0';
+}
+
+/* Ask until an answer comes, about so many times; it is left in `answer`. NULL asks for the session. */
+static bool ask(opening *opens, const char *asked, bool plain, double tries)
+{
+    ul_link *link = opens->link;
+    char session[LONGEST_QUESTION];
+    const char *question = asked == NULL ? session : asked;
+    size_t fields = asked == NULL ? session_digits(link) : 0;
     if (opens->patience > FIRST_TRY) opens->patience = FIRST_TRY;
-    while (tries > 0 && now_of(link) < link->open_until && !link->gone && !echoes(opens)) {
+    while (tries > 0 && now_of(link) < link->open_until && !link->gone && !opens->is_loop) {
         bool damaged = false, shortened = false;
+        if (asked == NULL) choose_session(opens, session);
         send_question(opens, question, plain);
         double end = opens->asked + opens->patience;
         if (end > link->open_until) end = link->open_until;
         for (double now; (now = now_of(link)) < end && !link->gone;) {
-            if (find_answer(opens, question, plain, &damaged)) return true;
+            if (find_answer(opens, question, plain, fields, &damaged)) return true;
             if (damaged && !shortened) shortened = shorten(opens, now, &end);
             link->transport.wait(link->transport.context, false, end - now);
             if (fill(link)) opens->heard += link->receive_size;
@@ -219,22 +264,11 @@ static bool is_last_answer(const opening *opens, text answer)
     return answer.size == opens->size && memcmp(answer.at, opens->answer, answer.size) == 0;
 }
 
-/* Keep since when nothing but the question is heard: on a pair of wires an answer may follow. */
-static void note_whether_alone(opening *opens)
-{
-    bool is_question = opens->size == 1;
-    double now = now_of(opens->link);
-    if (!opens->is_alone) opens->alone_since = now;
-    opens->is_alone = is_question;
-    opens->is_loop = is_question && now - opens->alone_since > ECHO_PATIENCE;
-}
-
 /* Say why no session has begun, as far as what was heard tells. */
 static ul_status fail_to_open(const opening *opens)
 {
     ul_link *link = opens->link;
-    if (opens->echoes > 0) return fail(link, UL_NO_CONNECTION, "", ECHO_BEFORE_ANSWERS);
-    if (opens->is_alone) return fail(link, UL_NO_CONNECTION, "", ECHO);
+    if (opens->is_alone && !link->transport.echoes) return fail(link, UL_NO_CONNECTION, "", ECHO);
     if (link->gone) return fail(link, UL_NO_CONNECTION, "", "the connection was lost before the gateway answered");
     if (opens->believes) {
         snprintf(link->error, sizeof link->error,
@@ -245,16 +279,6 @@ static ul_status fail_to_open(const opening *opens)
     if (opens->heard > 0)
         return fail(link, UL_NO_CONNECTION, "", "no gateway answered, but bytes arrived: check the speed of the port");
     return fail(link, UL_NO_CONNECTION, "", "no gateway answered: check its power, the port and the wiring");
-}
-
-/* Ask for the configuration in checked form, and once more where an echo may be about: that would answer a `K`, too. */
-static bool confirm_info(opening *opens, text plain)
-{
-    unsigned asked = 0;
-    do {
-        if (!ask(opens, "Q", false, CHECKED_TRIES) || !is_last_answer(opens, plain)) return false;
-    } while (opens->echoes > 0 && ++asked < ECHOES);
-    return !echoes(opens);
 }
 
 /* Learn what the gateway is. A plain answer has no check: one that cannot be is asked for again, and believed when it was
@@ -269,39 +293,23 @@ static ul_status learn(opening *opens)
         alike = is_last_answer(opens, plain) ? alike + 1 : 1;
         plain.size = opens->size;
         memcpy(kept, opens->answer, plain.size);
-        note_whether_alone(opens);
         status = believe(link, without_first(plain, 1));
         if (status == UL_OK) opens->believes = true;
         if (status == UL_UNSUPPORTED && alike == SURE) break;
-        if (status == UL_OK && confirm_info(opens, plain)) return UL_OK;
+        if (status == UL_OK && ask(opens, "Q", false, CHECKED_TRIES) && is_last_answer(opens, plain)) return UL_OK;
     }
     return status == UL_UNSUPPORTED ? status : fail_to_open(opens);
 }
 
-/* Choose the ID with which the session begins, by what differs from one opening to the next: clock, and seed. */
-static uint32_t choose_first(const ul_link *link)
-{
-    double now = now_of(link);
-    uint64_t bits = 0;
-    memcpy(&bits, &now, sizeof now < sizeof bits ? sizeof now : sizeof bits);
-    bits = (bits ^ link->transport.seed) * UINT64_C(0x9E3779B97F4A7C15);
-    /* Only the highest bits of the product depend on all of these. */
-    return (uint32_t)(bits >> (64 - 4 * link->info.id_digits));
-}
-
-/* Start the session. An answer does not say to which `K` it is: the round trip counts from the first one, and the least
- * that it, and a byte, can take from the last one. */
+/* Start the session, from a first ID on. The answer says to which `K` it is. */
 static ul_status start_session(opening *opens)
 {
     ul_link *link = opens->link;
-    char session[8];
-    uint32_t first = choose_first(link);
-    *put_number(put_text(session, "K"), link->info.id_digits, first) = '\0';
-    double began = now_of(link);
-    if (!ask(opens, session, false, FOR_EVER)) return fail_to_open(opens);
-    double now = now_of(link), least = now - opens->asked;
-    start_window(link, first, least / (double)(strlen(session) + frame_overhead(link)), now - began);
-    link->least_round_trip = least;
+    opens->first = draw(opens, link->info.id_digits);
+    if (!ask(opens, NULL, false, FOR_EVER)) return fail_to_open(opens);
+    double round_trip = now_of(link) - opens->asked;
+    link->transport.echoes |= opens->hears_echo;
+    start_window(link, opens->first, round_trip / (double)(strlen(opens->asked_text) + 1), round_trip);
     return UL_OK;
 }
 
@@ -344,9 +352,9 @@ const char *ul_status_text(ul_status status)
     case UL_BUS_TIMEOUT: return "nothing on the bus answered";
     case UL_OUT_OF_RANGE: return "the gateway says that a value is out of its range";
     case UL_TOO_LONG: return "the frame is longer than the gateway takes";
-    case UL_ANSWER_LOST: return "the request was executed once, but its answer was lost";
     case UL_RECEIVE_OVERFLOW: return "the gateway lost bytes of the frame";
     case UL_NO_SESSION: return "the gateway was reset";
+    case UL_SESSION_UNDER_WAY: return "another session is under way";
     case UL_LOST: return "the link was lost; the request is perhaps executed";
     case UL_LOST_EXECUTED: return "the link was lost; the request is known to be executed";
     case UL_LOST_NOT_EXECUTED: return "the link was lost; the request is known not to be executed";

@@ -8,8 +8,10 @@
  *     ----------------|------------------------|---------------------|-------------
  *                   oldest                  executed                 next
  *
- * A response to ID k, and `n k`, say that all before k were executed. Posted writes have no answer: they are done when
- * `executed` passes them. To *go back* is to send what is not answered again, in order, from `oldest` on.
+ * A response to ID k, and `n k`, say that all before k were executed. Posted writes have no answer, and have been executed
+ * when `executed` passes them. How they ended, an `h` behind them tells, which counts those that failed: where fewer errors
+ * have have come, each of them is asked for by an `h` with its ID, and the one behind them is told when they are. Until then all
+ * keep their places, from `held` on, which stands at `oldest` or before it. To *go back* is to send what is not answered again, in order, from `oldest` on.
  *
  * Both directions keep the order, and each request knows its place among all that were sent, repetitions among them. So
  * a response says which others will not come any more: where the gateway has executed these, they alone are sent again;
@@ -35,6 +37,7 @@
  * It does what `unity_link/protocol/window.py` does, for the host in Python, and its tests compare the two.
  */
 
+enum { KEPT_WORDS = 256 };        /* of answers to destructive reads, in the gateway */
 static const ul_request FENCE = {.command = "h"};
 static const double FOR_EVER = 1e300;
 
@@ -51,6 +54,12 @@ static unsigned in_flight(const ul_link *link)
 static uint32_t after(const ul_link *link, uint32_t id)
 {
     return (id + 1) & link->ring_mask;
+}
+
+/* How many requests have a place in the window. */
+static unsigned places_held(const ul_link *link)
+{
+    return (link->next - link->held) & link->ring_mask;
 }
 
 static bool is_half_duplex(const ul_link *link)
@@ -102,7 +111,7 @@ static uint32_t behind_next_with_answer(const ul_link *link, uint32_t id)
     while (id != link->next) {
         const ul_request *request = find(link, id);
         id = after(link, id);
-        if (request != NULL && !request->posted) break;
+        if (request != NULL && !has_no_answer(request)) break;
     }
     return id;
 }
@@ -141,7 +150,7 @@ static void wait_at_least(ul_link *link, double seconds)
 static void start_window(ul_link *link, uint32_t first, double byte_time, double round_trip)
 {
     uint32_t half = (link->ring_mask + 1) / 2;
-    link->oldest = link->executed = link->next = first;
+    link->held = link->oldest = link->executed = link->next = first;
     link->to_repeat = link->repeat_end = link->sent_once_from = link->asked_to = link->gap = first;
     link->next_sign = link->next_measurement = -FOR_EVER;
     link->sent_at_sign = link->sent - 1;
@@ -156,14 +165,30 @@ static void start_window(ul_link *link, uint32_t first, double byte_time, double
     measure(link, round_trip);
 }
 
-/* Whether a request may be sent now. Posted writes leave room for the `h` that confirms them, and one longer than the
- * gateway's whole FIFO goes alone. */
-static bool has_room(const ul_link *link, size_t size, bool posted)
+/* Whether the gateway would keep the words of a destructive read where those of another are that is not answered. Those
+ * of a request begin at its ID. */
+static bool would_overwrite(const ul_link *link, const ul_request *request)
 {
-    if (is_repeating(link) || in_flight(link) + posted >= link->most_in_flight) return false;
-    if (outstanding(link) + posted >= link->allowed) return false;
+    if (!shape_of(request->command)->is_destructive) return false;
+    for (uint32_t id = link->oldest; id != link->next; id = after(link, id)) {
+        const ul_request *other = find(link, id);
+        if (other == NULL || !shape_of(other->command)->is_destructive) continue;
+        uint32_t ahead = (link->next - id) % KEPT_WORDS, behind = (id - link->next) % KEPT_WORDS;
+        /* A masked write has no count, and one word. */
+        if (ahead <= (other->count ? other->count - 1 : 0) || behind <= (request->count ? request->count - 1 : 0)) return true;
+    }
+    return false;
+}
+
+/* Whether a request may be sent now. Posted writes, and what follows them, leave room for the `h` that confirms them, and
+ * one longer than the gateway's whole FIFO goes alone. */
+static bool has_room(const ul_link *link, const ul_request *request)
+{
+    bool spares = request->posted || (link->unfenced > 0 && !shape_of(request->command)->counts);
+    if (is_repeating(link) || places_held(link) + spares >= link->most_in_flight) return false;
+    if (outstanding(link) + request->posted >= link->allowed || would_overwrite(link, request)) return false;
     if (link->byte_limit == SIZE_MAX || link->bytes == 0) return true;
-    return link->bytes + size * (posted ? 2 : 1) <= link->byte_limit;
+    return link->bytes + request_size(link, request) * (spares ? 2 : 1) <= link->byte_limit;
 }
 
 /* Begin to measure the round trip of a request that was just sent; one at a time. */
@@ -188,9 +213,13 @@ static uint32_t number_request(ul_link *link, const ul_request *request, double 
     slot->first_sending = slot->last_sending = link->sent++;
     slot->ambiguous_until = -FOR_EVER;
     link->bytes += size;
-    link->unfenced = request->posted ? link->unfenced + 1 : 0;
+    if (request->posted) link->unfenced++;
+    else if (shape_of(request->command)->counts) link->unfenced = 0;
     link->unfenced_bytes = request->posted ? link->unfenced_bytes + size : 0;
-    if (!request->posted) time_request(link, request, id, now);
+    if (!request->posted) {
+        link->awaited++;
+        time_request(link, request, id, now);
+    }
     if (link->oldest == id) link->since = now;
     link->next = after(link, id);
     return id;
@@ -199,7 +228,7 @@ static uint32_t number_request(ul_link *link, const ul_request *request, double 
 /* Whether posted writes may be confirmed by an `h` now. */
 static bool can_fence(const ul_link *link)
 {
-    return link->unfenced > 0 && !is_repeating(link);
+    return link->unfenced > 0 && !is_repeating(link) && (link->awaited == 0 || has_room(link, &FENCE));
 }
 
 /* Whether posted writes are so many that they need an `h` behind them. */
@@ -370,15 +399,16 @@ static void find_lost(ul_link *link, uint32_t sending, double now)
 
 /* What arrives */
 
-/* Move `executed` up to an ID: posted writes before it are done. */
+/* Move `executed` up to an ID. */
 static void confirm(ul_link *link, uint32_t expected)
 {
     for (; link->executed != expected; link->executed = after(link, link->executed)) {
         ul_request *request = slot_of(link, link->executed);
         if (!request->waiting) continue;
         link->bytes -= request_size(link, request);
-        if (!request->posted) continue;
+        if (!has_no_answer(request)) continue;
         request->waiting = false;
+        request->untold = true;
         allow_more(link);
     }
 }
@@ -406,6 +436,12 @@ static void begin_anew(ul_link *link, double now)
     renew_early_sign(link, now);
 }
 
+/* Give up the places of what is told. */
+static void release_places(ul_link *link)
+{
+    while (link->held != link->oldest && !slot_of(link, link->held)->untold) link->held = after(link, link->held);
+}
+
 /* Something was confirmed: move `oldest` up over what is done, and start the clock anew. */
 static void note_news(ul_link *link, double now)
 {
@@ -413,6 +449,7 @@ static void note_news(ul_link *link, double now)
     while (link->oldest != link->executed && !slot_of(link, link->oldest)->waiting)
         link->oldest = after(link, link->oldest);
     if (link->oldest != before) begin_anew(link, now);
+    release_places(link);
     link->tries = link->silent_tries = 0;
     link->since = now;
 }
@@ -438,10 +475,36 @@ static void note_answer(ul_link *link, uint32_t id, double now)
     allow_more(link);
     if (((id - link->sent_once_from) & link->ring_mask) <= (link->ring_mask + 1) / 2)
         link->timeout = link->measured_timeout;
+    if (!has_no_answer(request)) link->awaited--;
     if (distance(link, id) >= distance(link, link->executed)) confirm(link, after(link, id));
     request->waiting = false;
+    if (has_no_answer(request)) request->untold = false;
     note_news(link, now);
     find_lost(link, sending, now);
+}
+
+/* An `h` says how many posted writes have failed. Where as many errors have come, those before it are told; else each is
+ * asked for by an `h` with its ID, a repetition, of which the answer says how it ended. `find_lost` has these sent, and
+ * this `h` is told behind them. Whether all before it are told. */
+static bool note_count(ul_link *link, uint32_t fence, uint32_t failed)
+{
+    bool all_told = true;
+    if (distance(link, fence) >= distance(link, link->executed)) confirm(link, after(link, fence));
+    for (uint32_t id = link->held; id != fence; id = after(link, id)) {
+        ul_request *request = slot_of(link, id);
+        if (request->untold && request->posted) {
+            request->untold = false;
+            if (failed == link->failed) continue;
+            strcpy(request->command, FENCE.command);
+            request->waiting = true;
+            link->awaited++;
+        }
+        if (!request->waiting || !request->posted) continue;
+        if (all_told && distance(link, id) > in_flight(link)) link->oldest = id;
+        all_told = false;
+    }
+    slot_of(link, fence)->untold = !all_told;
+    return all_told;
 }
 
 /* `n`: the gateway expects this ID, so a request was lost. */
@@ -513,6 +576,8 @@ static bool give_up(ul_link *link, ul_request *given_up)
     *given_up = *place;
     *place = FENCE;
     place->waiting = true;
+    place->posted = given_up->posted;
+    if (has_no_answer(given_up)) link->awaited++;
     place->first_sending = given_up->first_sending;
     place->last_sending = given_up->last_sending;
     place->ambiguous_until = given_up->ambiguous_until;
@@ -551,14 +616,21 @@ static uint32_t never_executed_from(const ul_link *link, uint32_t refused)
 
 /* Time */
 
-/* When `note_time` must be called; posted writes alone have no answer to wait for. */
-static bool has_deadline(ul_link *link, double *deadline)
+/* When the time for an answer has run out; posted writes alone have none to wait for. */
+static bool has_time_out(ul_link *link, double *deadline)
 {
-    if (in_flight(link) == link->unfenced && !is_repeating(link)) return false;
+    if (link->awaited == 0 && !is_repeating(link)) return false;
     /* RFC 6298 knows no messages of unlike sizes: the answer to a long one behind short ones is not late yet. */
     double reply = (double)reply_size(link, slot_of(link, link->oldest));
     double wire_time = link->byte_time * (double)link->bytes + link->reply_byte_time * reply;
     *deadline = link->since + link->timeout + wire_time;
+    return true;
+}
+
+/* When `note_time` must be called. */
+static bool has_deadline(ul_link *link, double *deadline)
+{
+    if (!has_time_out(link, deadline)) return false;
     if (link->has_early_sign && link->early_due < *deadline) *deadline = link->early_due;
     return true;
 }
@@ -579,20 +651,18 @@ static bool count_try(ul_link *link, double now, ul_request *given_up)
 static bool note_time(ul_link *link, double now, ul_request *given_up)
 {
     double deadline;
-    if (link->has_early_sign && now >= link->early_due) {
-        link->has_early_sign = false;
-        if (link->gone_back < MOST_SIGNS) {
-            note_loss(link, now, FOR_EVER);
-            return false;
-        }
-    } else if (!has_deadline(link, &deadline) || now < deadline) {
+    bool is_out = has_time_out(link, &deadline) && now >= deadline;
+    if (!is_out && (!link->has_early_sign || now < link->early_due)) return false;
+    link->has_early_sign = false;
+    if (!is_out && link->gone_back < MOST_SIGNS) {
+        note_loss(link, now, FOR_EVER);
         return false;
     }
     bool lost = count_try(link, now, given_up);
     /* Also where something was heard: it may be the beginning of a long answer on a slow line. */
     link->timeout = 2 * link->timeout < LONGEST_TIMEOUT ? 2 * link->timeout : LONGEST_TIMEOUT;
     link->heard = false;
-    link->waited = true;
+    link->waited = link->in_doubt = true;
     go_back(link, now, FOR_EVER);
     return lost;
 }

@@ -1,6 +1,7 @@
 /* Wire: digits, the check, the frame of a request, the fields of an answer (docs/protocol.md, Frames). ------------- */
 
 enum { PLAIN_END = '\r', CHECKED_END = '\n', PREFIX_DIGITS = 3 };
+enum { OURS, THEIRS };      /* who sends a frame: its check has it beside the number of the session */
 
 typedef struct text {
     const char *at;
@@ -62,27 +63,54 @@ static void prepare_check(ul_link *link, unsigned bits, uint32_t polynomial)
     link->crc_digits = bits / 4;
 }
 
-static uint32_t check_of(const ul_link *link, text body)
+/* Go on with a check over so many characters; NULL stands for zeros. */
+static uint32_t go_on(const ul_link *link, uint32_t rest, const char *at, size_t size)
 {
     unsigned bits = 4 * link->crc_digits;
-    uint32_t mask = (uint32_t)ones(bits), rest = 0;
-    for (size_t index = 0; index < body.size; index++) {
-        uint32_t byte = (rest >> (bits - 8) ^ (unsigned char)body.at[index]) & 0xFF;
+    uint32_t mask = (uint32_t)ones(bits);
+    for (size_t index = 0; index < size; index++) {
+        uint32_t byte = (rest >> (bits - 8) ^ (at == NULL ? 0 : (unsigned char)at[index])) & 0xFF;
         rest = ((bits == 8 ? 0 : rest << 8) ^ link->crc_table[byte]) & mask;
     }
     return rest;
 }
 
+static size_t prefix_size(const ul_link *link)
+{
+    return link->node < 0 ? 0 : PREFIX_DIGITS;
+}
+
+/* What the session puts into the check of a frame that begins so behind its prefix: nothing, where that has no ID. */
+static uint32_t seed_of(const ul_link *link, char letter, unsigned sender)
+{
+    bool belongs = is_lower_command(letter) || letter == 'P';
+    return belongs && link->session != 0 ? 2 * link->session + sender : 0;
+}
+
+/* The check of a frame that is begun with a seed, behind its prefix. */
+static uint32_t check_of(const ul_link *link, text body, uint32_t seed)
+{
+    size_t prefix = prefix_size(link) < body.size ? prefix_size(link) : body.size;
+    uint32_t rest = go_on(link, 0, body.at, prefix) ^ seed;
+    return go_on(link, rest, body.at + prefix, body.size - prefix);
+}
+
 /* Take the check off the end; false where it is wrong, or nothing is known of it yet. */
-static bool take_check(const ul_link *link, text *line)
+static bool take_check(const ul_link *link, text *line, uint32_t seed)
 {
     if (link->crc_digits == 0 || line->size < link->crc_digits) return false;
     text digits = {line->at + line->size - link->crc_digits, link->crc_digits};
     text body = {line->at, line->size - link->crc_digits};
     uint64_t check;
-    if (!take_number(&digits, link->crc_digits, &check) || check != check_of(link, body)) return false;
+    if (!take_number(&digits, link->crc_digits, &check) || check != check_of(link, body, seed)) return false;
     *line = body;
     return true;
+}
+
+/* The letter with which a frame begins behind its prefix, as far as that is there. */
+static char first_letter(const ul_link *link, text line)
+{
+    return line.size > prefix_size(link) ? line.at[prefix_size(link)] : '\0';
 }
 
 /* Take the prefix of an addressed frame off the front; false where the line is of another node. */
@@ -93,6 +121,15 @@ static bool take_prefix(const ul_link *link, text *line)
     if (line->size < PREFIX_DIGITS || line->at[0] != 'Z') return false;
     *line = without_first(*line, 1);
     return take_number(line, 2, &node) && node == (unsigned)link->node;
+}
+
+/* Whether a frame begins with the prefix of another node: its session is not known here. */
+static bool is_of_another_node(const ul_link *link, text line)
+{
+    uint64_t node;
+    text digits = {line.at + 1, line.size - 1};
+    return link->node >= 0 && line.size > 0 && line.at[0] == 'Z' && take_number(&digits, 2, &node)
+        && node != (unsigned)link->node;
 }
 
 /* Frames are written into a buffer that is known to have room. */
@@ -116,7 +153,8 @@ static char *put_prefix(const ul_link *link, char *at)
 
 static char *put_check(const ul_link *link, char *at, const char *start)
 {
-    at = put_number(at, link->crc_digits, check_of(link, (text){start, (size_t)(at - start)}));
+    text body = {start, (size_t)(at - start)};
+    at = put_number(at, link->crc_digits, check_of(link, body, seed_of(link, first_letter(link, body), OURS)));
     *at++ = CHECKED_END;
     return at;
 }
@@ -125,7 +163,8 @@ static char *put_check(const ul_link *link, char *at, const char *start)
 typedef struct shape {
     char command[3];
     bool address, count, mask, word, words, group;
-    bool reads_word, reads_words;
+    bool reads_word, reads_words, counts;
+    bool is_destructive;        /* its answer is kept by the gateway, which has KEPT_WORDS places */
     unsigned feature;
     const char *name;
 } shape;
@@ -133,15 +172,15 @@ typedef struct shape {
 static const shape SHAPES[] = {
     {.command = "r", .address = true, .reads_word = true, .name = "read"},
     {.command = "rm", .address = true, .count = true, .reads_words = true, .name = "block read"},
-    {.command = "rq", .address = true, .count = true, .reads_words = true, .feature = UL_FEATURE_QUEUES,
-     .name = "queue read"},
+    {.command = "rq", .address = true, .count = true, .reads_words = true, .is_destructive = true,
+     .feature = UL_FEATURE_QUEUES, .name = "queue read"},
     {.command = "w", .address = true, .word = true, .name = "write"},
     {.command = "wm", .address = true, .words = true, .name = "block write"},
     {.command = "wq", .address = true, .words = true, .feature = UL_FEATURE_QUEUES, .name = "queue write"},
     {.command = "wk", .address = true, .mask = true, .word = true, .reads_word = true,
-     .feature = UL_FEATURE_MASKED_WRITE, .name = "masked write"},
+     .is_destructive = true, .feature = UL_FEATURE_MASKED_WRITE, .name = "masked write"},
     {.command = "ws", .address = true, .word = true, .name = "posted write"},
-    {.command = "h", .name = "fence"},
+    {.command = "h", .counts = true, .name = "fence"},
     {.command = "gs", .group = true, .feature = UL_FEATURE_GROUPS, .name = "setting up of group"},
     {.command = "gn", .feature = UL_FEATURE_GROUPS, .name = "start of group"},
     {.command = "gx", .feature = UL_FEATURE_GROUPS, .name = "stop of group"},
@@ -156,17 +195,42 @@ static const shape *shape_of(const char *command)
     return NULL;
 }
 
+/* Digits of the number of a session. */
+static unsigned session_digits(const ul_link *link)
+{
+    return link->crc_digits == 2 ? 2 : 4;
+}
+
+/* Characters of the question whose the session is, line end included. */
+static size_t question_size(const ul_link *link)
+{
+    return prefix_size(link) + 1 + link->crc_digits + 1;
+}
+
+/* Whether only an error answers a request. */
+static bool has_no_answer(const ul_request *request)
+{
+    return strcmp(request->command, "ws") == 0;
+}
+
 /* Commands about groups and `i` have their number of two digits in `address`. */
 static bool has_number(const shape *is)
 {
     return strchr("gi", is->command[0]) != NULL;
 }
 
+/* Characters of the fields of an answer, behind its ID. */
+static size_t fields_size(const ul_link *link, const shape *is, unsigned count)
+{
+    size_t words = is->reads_word ? 1 : is->reads_words ? count : 0;
+    return words * link->data_digits + (is->counts ? link->info.id_digits : 0);
+}
+
 /* Characters of a request and of its answer, line ends included. */
 static size_t request_size(const ul_link *link, const ul_request *request)
 {
     const shape *is = shape_of(request->command);
-    size_t size = (link->node < 0 ? 0 : PREFIX_DIGITS) + strlen(request->command) + link->info.id_digits;
+    size_t size = prefix_size(link) + strlen(request->command) + link->info.id_digits;
     if (is->address) size += link->address_digits;
     if (has_number(is)) size += 2;
     if (is->count) size += 2;
@@ -180,10 +244,9 @@ static size_t request_size(const ul_link *link, const ul_request *request)
 static size_t reply_size(const ul_link *link, const ul_request *request)
 {
     const shape *is = shape_of(request->command);
-    if (request->posted) return 0;
-    size_t words = is->reads_word ? 1 : is->reads_words ? request->count : 0;
-    return (link->node < 0 ? 0 : PREFIX_DIGITS) + strlen(request->command) + link->info.id_digits
-        + words * link->data_digits + link->crc_digits + 1;
+    if (has_no_answer(request)) return 0;
+    return prefix_size(link) + strlen(request->command) + link->info.id_digits
+        + fields_size(link, is, request->count) + link->crc_digits + 1;
 }
 
 /* Write the frame of a request with its ID. */
@@ -214,7 +277,7 @@ static bool take_answer(const ul_link *link, const ul_request *request, text fie
 {
     const shape *is = shape_of(request->command);
     size_t words = is->reads_word ? 1 : is->reads_words ? request->count : 0;
-    if (fields.size != words * link->data_digits) return false;
+    if (fields.size != fields_size(link, is, request->count)) return false;
     text all = fields;
     uint64_t word;
     for (size_t index = 0; index < words; index++)
