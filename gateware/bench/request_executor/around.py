@@ -6,7 +6,7 @@ One task plays them all, a cycle at a time: what is combinational in the gatewar
 from __future__ import annotations
 
 import random
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 import cocotb
@@ -38,6 +38,10 @@ class Request:
     out_of_range: bool = False
     plain: bool = False
     silent: bool = False
+    asks: bool = False
+    """A `K` without fields."""
+    field: int = 0x1234
+    """Number of the session of a `K`, or what the check of a request left without a session."""
 
 
 @dataclass(frozen=True)
@@ -63,6 +67,7 @@ class Answer:
     words: int
     plain: bool
     mark: int
+    tail: str = ""
 
 
 class Around:
@@ -86,13 +91,15 @@ class Around:
         self._trial: list[int] = []
         self._list: dict[int, int] = {}
         self._request = Request("H")
+        self._number = 0
+        self._tail_left: int | None = None
 
     async def begin(self) -> None:
         """Reset, and begin to play."""
         self.dut.access_last.value = 1
         for name in ("request_valid", "answer_taken", "access_granted", "access_done", "access_failure", "group_done"):
             getattr(self.dut, name).value = 0
-        for name in ("access_read_data", "memory_word", "group_is_set"):
+        for name in ("access_read_data", "memory_word", "group_is_set", "tail_left", "tail_taken"):
             getattr(self.dut, name).value = 0
         self._show(Request("H"))
         self.dut.ring_room.value = self.room
@@ -109,6 +116,8 @@ class Around:
         dut.request_error.value, dut.request_out_of_range.value = request.error, request.out_of_range
         dut.request_address.value, dut.request_count.value = request.address, request.count
         dut.request_group.value, dut.request_word.value = request.group, request.word
+        dut.request_asks.value, dut.request_number.value = request.asks, request.field
+        self._number = request.field
 
     async def execute(self, request: Request, most_cycles: int = 5000) -> None:
         """Send a request and wait until the executor is ready for the next one."""
@@ -131,33 +140,44 @@ class Around:
     async def _run(self) -> None:
         dut, rng = self.dut, self._rng
         access: Access | None = None
-        waits, told, index = 0, False, 0
+        waits, told, index, busy = 0, False, 0, False
         while True:
             # The request memory and `is_set` follow what was asked for one cycle later.
             dut.memory_word.value = self._request.words[index] if index < len(self._request.words) else 0xDEAD
             dut.group_is_set.value = self._request.group in self.is_set
             dut.ring_room.value = self.room - len(self._trial)
             await ReadOnly()
-            granted = access is None and dut.access_request.value == 1 and rng.random() >= self.slow
+            granted = not busy and dut.access_request.value == 1 and rng.random() >= self.slow
             taken = dut.answer_valid.value == 1 and rng.random() >= self.slow
             done = dut.group_request.value == 1 and rng.random() >= self.slow
-            told = access is not None and waits == 0
+            told = busy and waits == 0
+            if dut.tail.value == 1 and self._tail_left is None:
+                self._tail_left = int(dut.tail_more.value)
+            sends = self._tail_left is not None and rng.random() >= self.slow
             await NextTimeStep()
+            dut.tail_left.value, dut.tail_taken.value = self._tail_left or 0, sends
             dut.access_granted.value, dut.access_done.value = granted, told
-            if access is not None and told:
+            if told:
                 dut.access_failure.value = self._finish(access)
             dut.answer_taken.value, dut.group_done.value = taken, done
             await ReadOnly()
             self._note(told=told, taken=taken, done=done)
+            shifts = dut.number_shift.value == 1
+            if sends:
+                self._send_digit()
             if granted:
-                access, waits = self._access(), 1 + (rng.randrange(6) if self.slow else 0)
+                access, busy, waits = self._access(), True, 1 + (rng.randrange(6) if self.slow else 0)
             elif told:
-                access = None
-            elif access is not None:
+                busy = False
+            elif busy:
                 waits -= 1
             index = int(dut.memory_index.value)
             await RisingEdge(dut.clk)
             dut.access_granted.value = dut.access_done.value = dut.answer_taken.value = dut.group_done.value = 0
+            dut.tail_taken.value = 0
+            if shifts:
+                self._number = self._number << 4 & 0xFFFF | self._number >> 12
+                dut.request_number.value = self._number
 
     def _note(self, *, told: bool, taken: bool, done: bool) -> None:
         """Note what the executor does in this cycle, in which an access, an answer or an operation ends."""
@@ -178,15 +198,27 @@ class Around:
             self.operations.append((OPERATIONS[int(dut.group_operation.value)], addresses))
             self._list.clear()
 
-    def _access(self) -> Access:
+    def _send_digit(self) -> None:
+        assert self._tail_left is not None
+        last = self.answers[-1]
+        self.answers[-1] = replace(last, tail=f"{last.tail}{int(self.dut.tail_digit.value):X}")
+        self._tail_left = self._tail_left - 1 if self._tail_left else None
+
+    def _access(self) -> Access | None:
+        """Return the access that is granted, None for one that the bus does not see."""
         dut = self.dut
+        if dut.access_kept.value == 1:
+            return None
         write = dut.access_write.value == 1
         word = int(dut.access_data.value) if write else None
         more, exclusive = dut.access_more.value == 1, dut.access_exclusive.value == 1
         return Access(write, int(dut.access_address.value), word, more, exclusive)
 
-    def _finish(self, access: Access) -> int:
+    def _finish(self, access: Access | None) -> int:
         """Make an access; returns its error."""
+        if access is None:
+            self.dut.access_read_data.value = int(self.dut.kept_word.value)
+            return 0
         self.accesses.append(access)
         error = self.failures.get(access.address, 0)
         if error:

@@ -21,7 +21,7 @@ from gateware.bench.request_executor.around import (
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
 
-BUS, TIMEOUT, RANGE, REPEATED, NO_SESSION = 4, 5, 6, 8, 10
+BUS, TIMEOUT, RANGE, NO_SESSION, UNDER_WAY = 4, 5, 6, 10, 11
 IDS = 16**3
 NONE, WHEN_IDLE, NOW = 0, 1, 2
 
@@ -35,7 +35,7 @@ async def _begin(dut: SimHandleBase, **options: float) -> Around:
 async def _in_session(dut: SimHandleBase, number: int = 0, **options: float) -> Around:
     """Return an executor in a session, of which nothing was noted."""
     around = await _begin(dut, **options)
-    await around.execute(Request("K", number))
+    await around.execute(Request("K", number, plain=True))
     around.take()
     around.operations.clear()
     return around
@@ -47,8 +47,12 @@ def _ok(command: str, **fields: object) -> Answer:
     return Answer(COMMANDS.index(command), **{**values, **fields})
 
 
-def _error(code: int, number: int | None = None) -> Answer:
-    return Answer(ERROR, number, address=False, pair=code, words=0, plain=False, mark=WHEN_IDLE)
+def _error(code: int, number: int | None = None, *, tail: str = "", plain: bool = False) -> Answer:
+    return Answer(ERROR, number, address=False, pair=code, words=0, plain=plain, mark=WHEN_IDLE, tail=tail)
+
+
+def _opened(number: int, session: int = 0x1234, ended: int = 0, **fields: object) -> Answer:
+    return _ok("K", number=number, tail=f"{session:04X}{ended:04X}", **fields)
 
 
 def _read(address: int, *, more: bool = False, exclusive: bool = False) -> Access:
@@ -115,7 +119,7 @@ async def ids_are_executed_once_and_in_order(dut: SimHandleBase) -> None:
     around = await _begin(dut)
     await around.execute(Request("K", number=0x40))
     assert around.operations == [("stop all", [])]
-    assert around.take() == ([], [_ok("K", number=0x40)])
+    assert around.take() == ([], [_opened(0x40)])
     await around.execute(Request("W", number=0x40, address=1, word=5))
     await around.execute(Request("W", number=0x40, address=1, word=6))
     await around.execute(Request("R", number=0x40, address=1))
@@ -130,7 +134,11 @@ async def ids_are_executed_once_and_in_order(dut: SimHandleBase) -> None:
     assert accesses == [_write(1, 5), _read(1), _write(1, 8)]
     gap = Answer(OUT_OF_SEQUENCE, 0x41, address=False, pair=None, words=0, plain=False, mark=WHEN_IDLE)
     assert [(answer.message, answer.number) for answer in answers[:2]] == [(COMMANDS.index("W"), 0x40)] * 2
-    assert answers[2:5] == [_ok("R", number=0x40, words=1), _error(REPEATED, 0x40), _error(REPEATED, 0x41 + IDS // 2)]
+    assert answers[2:5] == [
+        _ok("R", number=0x40, words=1),
+        _ok("RQ", number=0x40, words=1),
+        _ok("WK", number=0x41 + IDS // 2, words=1),
+    ]
     # Told once for the gap at 41, and again for the one at 42.
     assert [(answer.message, answer.number) for answer in answers[5:]] == [
         (gap.message, 0x41),
@@ -144,10 +152,10 @@ async def without_a_session_no_request_with_an_id_is_executed_and_each_is_answer
     around.is_set = {3}
     requests = [command for command in COMMANDS if command not in ("Q", "K")]
     for command in requests:
-        await around.execute(Request(command, 7, group=3, count=2, words=[1, 2]))
+        await around.execute(Request(command, 7, group=3, count=2, words=[1, 2], field=0xA5C3))
     accesses, answers = around.take()
     assert accesses == []
-    assert answers == [_error(NO_SESSION, 7)] * len(requests)
+    assert answers == [_error(NO_SESSION, 7, tail="A5C3")] * len(requests)
     assert {operation for operation, _ in around.operations} == {"nothing"}
     # Nor is a broadcast, which is not answered; and the form is checked before the session.
     await around.execute(Request("W", 7, address=1, word=5, silent=True))
@@ -155,10 +163,103 @@ async def without_a_session_no_request_with_an_id_is_executed_and_each_is_answer
     # One without an ID is.
     await around.execute(Request("W", address=1, word=5))
     assert around.take() == ([_write(1, 5)], [_error(3), _ok("W", address=True)])
-    # A session that all nodes are told of is one.
-    await around.execute(Request("K", 7, silent=True))
-    await around.execute(Request("R", 7, address=1))
-    assert around.take() == ([_read(1)], [_ok("R", number=7, words=1)])
+
+
+@cocotb.test
+async def a_session_has_a_number_that_is_told_and_names_the_one_that_it_ends(dut: SimHandleBase) -> None:
+    around = await _begin(dut, slow=0.3)
+    await around.execute(Request("K", asks=True, out_of_range=True, field=0))
+    assert around.take()[1] == [_ok("K", tail="0000")]
+    assert (dut.session.value, dut.in_session.value) == (0, 0)
+    for ended, session in ((0, 0x7FFF), (0x7FFF, 1), (1, 0x2345)):
+        await around.execute(Request("K", 9, field=session))
+        assert (dut.session.value, dut.in_session.value, dut.for_program.value) == (session, 1, 1)
+        await around.execute(Request("K", asks=True, field=0x5555))
+        assert around.take()[1] == [_opened(9, session, ended), _ok("K", tail=f"{session:04X}")]
+    await around.execute(Request("K", 9, field=0x2345))
+    await around.execute(Request("K", 9, field=0x8000, out_of_range=True))
+    await around.execute(Request("K", asks=True))
+    await around.execute(Request("K", 9, field=0x2346, plain=True))
+    assert around.take()[1] == [
+        *(_error(UNDER_WAY), _error(RANGE), _ok("K", tail="2345")),
+        _opened(9, 0x2346, 0x2345, plain=True),
+    ]
+    assert dut.for_program.value == 0
+
+
+@cocotb.test
+async def a_program_s_session_shuts_out_what_changes_something_outside_of_its_order(dut: SimHandleBase) -> None:
+    around = await _begin(dut)
+    around.is_set = {3}
+    await around.execute(Request("K", 0))
+    around.take()
+    looking = ("R", "RM", "H", "Q")
+    for command in (command for command in COMMANDS if command not in (*looking, "K")):
+        for plain in (False, True):
+            await around.execute(Request(command, group=3, count=1, words=[1], plain=plain))
+            assert around.take() == ([], [_error(UNDER_WAY, plain=plain)]), command
+    for command in looking:
+        await around.execute(Request(command, plain=True))
+        assert len(around.take()[1]) == 1
+    # In plain form what has an ID takes no place in the order.
+    await around.execute(Request("W", 0, address=1, word=5, plain=True))
+    assert around.take() == ([], [_error(UNDER_WAY, 0, plain=True)])
+    # Of what is sent to all a checked WS is executed.
+    await around.execute(Request("WS", address=1, word=5, silent=True, plain=True))
+    await around.execute(Request("WS", 0, address=1, word=5, silent=True))
+    await around.execute(Request("WS", address=1, word=6, silent=True))
+    await around.execute(Request("W", 0, address=2, word=7))
+    assert around.take() == ([_write(1, 6), _write(2, 7)], [_ok("W", number=0)])
+
+
+@cocotb.test
+async def the_end_of_a_request_is_told_again_and_failed_posts_are_counted(dut: SimHandleBase) -> None:
+    around = await _in_session(dut, slow=0.3)
+    around.failures = {7: BUS, 8: TIMEOUT}
+    ends = {0: BUS, 1: TIMEOUT, 2: RANGE, 3: 0}
+    for number, (address, outside) in enumerate(((7, False), (8, False), (1, True), (1, False))):
+        await around.execute(Request("WS", number, address=address, word=5, out_of_range=outside))
+    assert around.take()[1] == [_error(BUS, 0), _error(TIMEOUT, 1), _error(RANGE, 2)]
+    await around.execute(Request("H", 4))
+    assert around.take()[1] == [_ok("H", number=4, tail="003")]
+    for command in ("H", "WS", "W", "R", "RQ", "GP"):
+        for number, code in ends.items():
+            if code:
+                await around.execute(Request(command, number, address=1))
+                assert around.take() == ([], [_error(code, number)])
+    await around.execute(Request("WS", 3, address=1))
+    await around.execute(Request("H", 3))
+    assert around.take() == ([], [_ok("H", number=3, tail="003")])
+    # What failed half a ring ago counts no more once its place is taken, and a session begins to count anew.
+    await around.execute(Request("K", IDS // 2, field=0x77, plain=True))
+    await around.execute(Request("W", IDS // 2, address=1))
+    await around.execute(Request("W", IDS // 2, address=1))
+    await around.execute(Request("H", IDS // 2 + 1))
+    assert around.take()[1][1:] == [
+        *(_ok("W", number=IDS // 2), _ok("W", number=IDS // 2), _ok("H", number=IDS // 2 + 1, tail="000")),
+    ]
+
+
+@cocotb.test
+async def destructive_reads_are_repeated_from_what_was_kept(dut: SimHandleBase) -> None:
+    around = await _in_session(dut, 0xFE, slow=0.3)
+    around.memory = {1: 11}
+    await around.execute(Request("RQ", 0xFE, address=1, count=3))
+    await around.execute(Request("R", 0xFF, address=1))
+    await around.execute(Request("R", 0x100, address=1))
+    around.memory[1] = 12
+    await around.execute(Request("WK", 0x101, address=1, word=3, words=[1]))
+    around.take()
+    around.committed.clear()
+    await around.execute(Request("RQ", 0xFE, address=1, count=3))
+    await around.execute(Request("WK", 0x101, address=1, word=3, words=[1]))
+    assert around.take() == ([], [_ok("RQ", number=0xFE, words=3), _ok("WK", number=0x101, words=1)])
+    assert around.committed == [11, 11, 11, 12]
+    # Without an ID nothing is kept.
+    await around.execute(Request("RQ", address=1, count=3))
+    around.committed.clear()
+    await around.execute(Request("RQ", 0xFE, address=1, count=3))
+    assert around.committed == [11, 11, 11]
 
 
 @cocotb.test
@@ -174,53 +275,30 @@ async def what_is_not_well_formed_is_answered_without_its_id_and_not_counted(dut
 
 
 @cocotb.test
-async def what_is_about_groups_begins_an_epoch_between_two_samples_if_it_is_answered(dut: SimHandleBase) -> None:
+async def what_is_about_groups_begins_an_epoch_between_two_samples(dut: SimHandleBase) -> None:
     around = await _begin(dut, slow=0.3)
     around.is_set = {3}
     epoch = 0
-    for command in ("GS", "GN", "GX", "GP", "K", "H", "R", "GS"):
+    for command in ("GS", "GN", "GX", "GP", "H", "R", "GS"):
         for silent in (True, False):
-            number = 0 if command == "K" else None
-            await around.execute(Request(command, number, group=3, count=2, words=[1, 2], silent=silent))
-            epoch ^= command in ("GS", "GN", "GX", "GP", "K") and not silent
+            await around.execute(Request(command, group=3, count=2, words=[1, 2], silent=silent))
+            epoch ^= command.startswith("G") and not silent
             assert dut.epoch.value == epoch, command
     # What is refused as well, whatever is wrong with it.
     for request in (
         Request("GX", group=4),
         Request("GS", group=3, out_of_range=True),
         Request("GP", group=3, error=3),
-        Request("K", error=3),
     ):
         around.operations.clear()
         await around.execute(request)
         epoch ^= 1
         assert (dut.epoch.value, around.operations) == (epoch, [("nothing", [])])
-    # The samples before one that was executed already stand before its first answer.
+    # A session discards what waits, and needs none; the samples before one that was executed already stand before its
+    # first answer.
+    await around.execute(Request("K", 0, plain=True))
     await around.execute(Request("GX", IDS - 1, group=3))
     assert dut.epoch.value == epoch
-    # What is told to all is not answered: the next answer ends the epoch for it, once, whatever that answers.
-    for number, request in enumerate(
-        (
-            Request("H"),
-            Request("R", address=1),
-            Request("RM", address=1, count=2),
-            Request("W", address=1, word=5, error=1),
-            Request("WS", IDS // 2 - 1, address=1, word=5),
-            Request("GN", group=3),
-            Request("GN", group=4),
-        )
-    ):
-        await around.execute(Request("K", 0))
-        epoch ^= 1
-        for _ in range(1 + number % 3):
-            await around.execute(Request("GS", group=3, count=2, words=[1, 2], silent=True))
-            await around.execute(Request("WS", address=1, word=5))
-            await around.execute(Request("H", silent=True))
-            assert dut.epoch.value == epoch
-        for _ in range(1 if request.command in ("GN", "WS") else 2):
-            await around.execute(request)
-            assert dut.epoch.value == epoch ^ 1, request
-        epoch ^= 1
 
 
 @cocotb.test
@@ -264,24 +342,27 @@ async def modes_of_send_immediate_mark_the_answers_after_them(dut: SimHandleBase
         await around.execute(Request("H"))
         assert around.take()[1] == [_ok("I", pair=mode, mark=mark), _ok("H", mark=mark)]
     await around.execute(Request("K", number=0))
-    assert around.take()[1] == [_ok("K", number=0, mark=WHEN_IDLE)]
+    assert around.take()[1] == [_opened(0, mark=WHEN_IDLE)]
 
 
 @cocotb.test
-async def silent_requests_are_executed_and_not_answered(dut: SimHandleBase) -> None:
+async def of_what_is_sent_to_all_a_stateless_write_is_executed_and_nothing_answered(dut: SimHandleBase) -> None:
     around = await _begin(dut)
     around.failures = {2: BUS}
     for request in (
         Request("W", address=1, word=5, silent=True),
         Request("RM", address=1, count=1, silent=True),
-        Request("R", address=2, silent=True),
         Request("Q", silent=True),
+        Request("K", 0, silent=True),
         Request("H", error=1, silent=True),
+        Request("WS", address=1, word=5, silent=True),
+        Request("WS", address=2, word=5, silent=True),
+        Request("WS", address=1, word=5, silent=True, out_of_range=True),
     ):
         await around.execute(request)
     await around.execute(Request("R", address=1, plain=True))
     accesses, answers = around.take()
-    assert [access.address for access in accesses] == [1, 1, 2, 1]
+    assert [access.address for access in accesses] == [1, 2, 1]
     assert answers == [_ok("R", address=True, words=1, plain=True)]
     assert around.committed == [5]
 
@@ -305,7 +386,9 @@ async def a_reset_in_any_state_begins_anew(dut: SimHandleBase) -> None:
         await around.execute(Request("H", number=0))
         await around.execute(Request("K", number=0))
         await around.execute(Request("H", number=0))
-        assert around.take()[1] == [_error(NO_SESSION, 0), _ok("K", number=0), _ok("H", number=0)]
+        assert around.take()[1] == [
+            *(_error(NO_SESSION, 0, tail="1234"), _opened(0), _ok("H", number=0, tail="000")),
+        ]
 
 
 @cocotb.test
@@ -330,7 +413,7 @@ async def random_requests_are_executed_as_the_rules_say_under_back_pressure(dut:
             continue
         expected = (expected + (distance == 0)) % IDS
         if command == "H":
-            assert (accesses, answers) == ([], [_ok("H", number=number)])
+            assert (accesses, answers) == ([], [_ok("H", number=number, tail="000")])
             continue
         reached = next((place for place in range(count) if address + place in around.failures), count)
         for place in range(reached):
