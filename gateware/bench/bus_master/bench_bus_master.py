@@ -57,7 +57,7 @@ class _Slave:
 async def _begin(dut: SimHandleBase, waits: int = 0) -> _Slave:
     for name in ("request", "request_write", "request_more", "request_exclusive", "request_address", "request_data"):
         getattr(dut, name).value = 0
-    for name in ("sample", "sample_more", "sample_address", "bus_next", "bus_done", "bus_error", "bus_read_data"):
+    for name in ("request_kept", "kept_word", "sample", "sample_more", "sample_address", "bus_next", "bus_done", "bus_error", "bus_read_data"):
         getattr(dut, name).value = 0
     await start(dut.clk, dut.rst)
     return _Slave(dut, waits)
@@ -246,3 +246,15 @@ async def a_reset_frees_the_bus(dut: SimHandleBase) -> None:
     await RisingEdge(dut.clk)
     slave.silent = False
     assert await _sample(dut, [7]) == [0xF8]
+
+
+@cocotb.test
+async def a_kept_word_is_read_while_the_bus_sees_nothing(dut: SimHandleBase) -> None:
+    slave = await _begin(dut)
+    slave.failing = {5}
+    dut.request_kept.value, dut.kept_word.value = 1, 0x77
+    assert await _request(dut, [5]) == [0]
+    assert (slave.accesses, int(dut.read_data.value)) == ([], 0x77)
+    dut.request_kept.value = 0
+    assert await _request(dut, [6]) == [0]
+    assert (slave.accesses, int(dut.read_data.value)) == ([(6, 0)], 6 ^ 0xFF)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import cocotb
 
 from gateware.bench.streams import Joined, Sink, Source, start
-from unity_link.protocol.crc import Crc
+from unity_link.protocol.crc import Crc, seed_of
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
@@ -52,8 +52,12 @@ class _Bench:
         self._sink.received.clear()
         return received
 
-    def checked(self, body: bytes) -> bytes:
-        return self.prefix + body + self.crc.text(self.prefix + body) + b"\n"
+    def checked(self, body: bytes, session: int = 0) -> bytes:
+        begun = self.crc.of(self.prefix) ^ (seed_of(session, from_gateway=False) if body[:1].islower() else 0)
+        return self.prefix + body + self.crc.text(body, begun) + b"\n"
+
+    def begin(self, session: int) -> None:
+        self.dut.session.value, self.dut.in_session.value = session, session != 0
 
 
 async def _bench(dut: SimHandleBase, pause: float = 0.0) -> _Bench:
@@ -61,6 +65,7 @@ async def _bench(dut: SimHandleBase, pause: float = 0.0) -> _Bench:
     dut.in_data.value = 0
     dut.in_lost.value = 0
     dut.out_ready.value = 0
+    dut.session.value = dut.in_session.value = 0
     await start(dut.clk, dut.rst)
     return _Bench(dut, pause)
 
@@ -104,6 +109,32 @@ async def every_wrong_character_of_a_checked_frame_is_found(dut: SimHandleBase) 
 
 
 @cocotb.test
+async def the_session_is_in_the_check_of_what_begins_with_a_small_letter(dut: SimHandleBase) -> None:
+    bench = await _bench(dut)
+    for body in (b"r0120A", b"h012", b"R0A", b"K0121234", b"P0", b"qqq", b"abc", b"{00"):
+        seeded = body[:1].islower()
+        for session in (0x5A, 0x7F, 1):
+            bench.begin(session)
+            assert await bench.frames(bench.checked(body, session)) == [(body, 0, 0, 0)]
+            for other in (0, session ^ 2):
+                ((_, _, error, _),) = await bench.frames(bench.checked(body, other))
+                assert error == (CRC if seeded else 0), (body, session, other)
+
+
+@cocotb.test
+async def without_a_session_a_small_letter_is_never_damaged_but_its_check_must_be_digits(dut: SimHandleBase) -> None:
+    bench = await _bench(dut)
+    for session in (0, 0x5A):
+        assert await bench.frames(bench.checked(b"h012", session)) == [(b"h012", 0, 0, 0)]
+    for body, error in ((b"h012", 0), (b"H012", CRC)):
+        assert await bench.frames(bench.prefix + body + b"1" * bench.digits + b"\n") == [(body, 0, error, 0)]
+        ((_, _, error, _),) = await bench.frames(bench.prefix + body + b"1" * (bench.digits - 1) + b"g\n")
+        assert error == CRC
+    ((_, _, error, _),) = await bench.frames(bench.prefix + b"h" + b"1" * (bench.digits - 2) + b"\n")
+    assert error == CRC
+
+
+@cocotb.test
 async def empty_frames_are_nothing(dut: SimHandleBase) -> None:
     bench = await _bench(dut)
     assert await bench.frames(b"\n\r\r\n\n") == []
@@ -143,6 +174,7 @@ async def frames_of_other_nodes_are_not_seen_and_those_to_all_are_silent(dut: Si
     for prefix in (other, b"", b"Z", b"Z0", b"z%02X" % bench.node, b"ZGG"):
         body = prefix + b"R0A"
         assert await bench.frames(body + bench.crc.text(body) + b"\n" + body + b"\r") == []
+    bench.begin(0x5A)
     body = b"ZFFW0A1"
     assert await bench.frames(body + bench.crc.text(body) + b"\n") == [(b"W0A1", 0, 0, 1)]
     assert await bench.frames((b"Z%02X" % bench.node).lower().replace(b"z", b"Z") + b"H\r") == [(b"H", 1, 0, 0)]
@@ -152,12 +184,13 @@ async def frames_of_other_nodes_are_not_seen_and_those_to_all_are_silent(dut: Si
 async def random_frames_pass_under_back_pressure(dut: SimHandleBase) -> None:
     bench = await _bench(dut, pause=0.4)
     rng = random.Random(7)
+    bench.begin(0x33)
     data, expected = b"", []
     for _ in range(200):
         body = bytes(rng.choice(b"RrW0123456789ABCDEFabcdef\x00\xff") for _ in range(rng.randrange(1, 30)))
         plain = rng.random() < 0.4
         wrong = not plain and rng.random() < 0.3
-        frame = bench.prefix + body + b"\r" if plain else bench.checked(body)
+        frame = bench.prefix + body + b"\r" if plain else bench.checked(body, 0x33)
         if wrong:
             frame = frame[:-2] + (b"0\n" if frame[-2:-1] != b"0" else b"1\n")
         data += frame

@@ -9,7 +9,8 @@ import cocotb
 from cocotb.triggers import RisingEdge
 
 from gateware.bench.streams import Joined, Sink, Source, start
-from unity_link.protocol.crc import Crc
+from unity_link.protocol.crc import Crc, seed_of
+from unity_link.protocol.frames import in_session
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
@@ -26,9 +27,12 @@ def _entries(body: bytes, plain: int, mark: int) -> list[int]:
     return [byte | int(index == len(body) - 1) << 8 | plain << 9 | mark << 10 for index, byte in enumerate(body)]
 
 
-async def _send(dut: SimHandleBase, bodies: list[tuple[bytes, int, int]], pause: float) -> list[tuple[int, ...]]:
+async def _send(
+    dut: SimHandleBase, bodies: list[tuple[bytes, int, int]], pause: float, session: int = 0
+) -> list[tuple[int, ...]]:
     dut.in_valid.value = 0
     dut.out_ready.value = 0
+    dut.session.value, dut.in_session.value = session, session != 0
     _joined(dut).value = 0
     await start(dut.clk, dut.rst)
     source = Source(dut.clk, _joined(dut), dut.in_valid, dut.in_ready, pause=pause)
@@ -40,7 +44,7 @@ async def _send(dut: SimHandleBase, bodies: list[tuple[bytes, int, int]], pause:
     return sink.received
 
 
-def _frames(dut: SimHandleBase, bodies: list[tuple[bytes, int, int]]) -> list[tuple[int, ...]]:
+def _frames(dut: SimHandleBase, bodies: list[tuple[bytes, int, int]], session: int = 0) -> list[tuple[int, ...]]:
     bits, node = int(dut.crc_bits.value), int(dut.node.value)
     crc = Crc(bits, POLYNOMIAL % 2**bits)
     # A negative generic is read as a large number.
@@ -48,7 +52,9 @@ def _frames(dut: SimHandleBase, bodies: list[tuple[bytes, int, int]]) -> list[tu
     expected = []
     for body, plain, mark in bodies:
         covered = prefix + body
-        frame = covered + (b"\r\n" if plain else crc.text(covered) + b"\n")
+        seed = seed_of(session, from_gateway=True) if in_session(body[0]) else 0
+        check = crc.text(body, crc.of(prefix) ^ seed)
+        frame = covered + (b"\r\n" if plain else check + b"\n")
         expected += [(byte, mark if index == len(frame) - 1 else 0) for index, byte in enumerate(frame)]
     return expected
 
@@ -60,17 +66,25 @@ async def bodies_become_frames(dut: SimHandleBase) -> None:
 
 
 @cocotb.test
+async def the_session_is_in_the_check_of_samples_and_of_what_begins_with_a_small_letter(dut: SimHandleBase) -> None:
+    letters = (b"R", b"W", b"G", b"I", b"H", b"Q", b"K", b"X", b"P", b"r", b"w", b"g", b"i", b"h", b"x", b"n")
+    bodies = [(letter + b"01", 0, 0) for letter in letters]
+    for session in (0, 1, 0x5A, 0x7F):
+        assert await _send(dut, bodies, 0.0, session) == _frames(dut, bodies, session)
+
+
+@cocotb.test
 async def frames_survive_back_pressure(dut: SimHandleBase) -> None:
     rng = random.Random(9)
     bodies = [
         (
-            bytes(rng.choice(b"RWX0123456789ABCDEF") for _ in range(rng.randrange(1, 20))),
+            rng.choice((b"R", b"x", b"P")) + bytes(rng.choice(b"0123456789ABCDEF") for _ in range(rng.randrange(20))),
             rng.randrange(2),
             rng.randrange(3),
         )
         for _ in range(150)
     ]
-    assert await _send(dut, bodies, 0.4) == _frames(dut, bodies)
+    assert await _send(dut, bodies, 0.4, 0x5A) == _frames(dut, bodies, 0x5A)
 
 
 @cocotb.test
@@ -90,6 +104,7 @@ async def a_frame_follows_the_next_without_a_gap(dut: SimHandleBase) -> None:
     task = None
     dut.in_valid.value = 0
     _joined(dut).value = 0
+    dut.session.value = dut.in_session.value = 0
     await start(dut.clk, dut.rst)
     task = cocotb.start_soon(watch())
     source = Source(dut.clk, _joined(dut), dut.in_valid, dut.in_ready)

@@ -30,6 +30,7 @@ class Answer:
     words: tuple[int, ...] = ()
     plain: int = 0
     mark: int = 0
+    tail: str = ""
 
 
 @dataclass(frozen=True)
@@ -74,7 +75,8 @@ class Widths:
             elif frame.address is not None:
                 text += f"{frame.address:0{self.address}X}"
             text += "" if frame.pair is None else f"{frame.pair:02X}"
-        return (text + "".join(f"{word:0{self.data}X}" for word in frame.words)).encode()
+        tail = frame.tail if isinstance(frame, Answer) else ""
+        return (text + tail + "".join(f"{word:0{self.data}X}" for word in frame.words)).encode()
 
 
 class Ring:
@@ -144,8 +146,22 @@ class Writer:
             if taken:
                 break
         dut.answer_valid.value = 0
+        await self._send_tail(answer.tail)
         for signal in (dut.answer_message, dut.answer_pair, dut.answer_id, dut.answer_address, dut.answer_words):
             signal.value = rng.getrandbits(len(signal))
+
+    async def _send_tail(self, tail: str) -> None:
+        """Give the digits of a tail as they are asked for; what the answer is made of may change meanwhile."""
+        dut, sent = self.dut, 0
+        dut.tail.value, dut.tail_more.value = bool(tail), max(len(tail) - 1, 0)
+        while sent < len(tail):
+            dut.tail_digit.value = int(tail[sent], 16)
+            await ReadOnly()
+            if dut.tail_taken.value == 1:
+                assert dut.tail_left.value == len(tail) - 1 - sent
+                sent += 1
+            await RisingEdge(dut.clk)
+        dut.tail.value = 0
 
     async def bodies(self, count: int) -> list[tuple[bytes, int, int]]:
         """Wait for so many bodies; gives each with plain and mark, which count beside its last character."""
@@ -175,7 +191,7 @@ class Writer:
 async def _begin(dut: SimHandleBase) -> Writer:
     for name in ("message", "lower", "plain", "mark", "has_id", "has_address", "has_pair", "id", "address", "pair"):
         getattr(dut, f"answer_{name}").value = 0
-    for name in ("answer_words", "answer_valid", "response_word", "sample_available", "sample_word", "out_ready"):
+    for name in ("tail", "tail_more", "tail_digit", "answer_words", "answer_valid", "response_word", "sample_available", "sample_word", "out_ready"):
         getattr(dut, name).value = 0
     dut.epoch.value = 0
     await start(dut.clk, dut.rst)
@@ -198,7 +214,10 @@ def _random_answer(widths: Widths, rng: random.Random) -> Answer:
             Answer("WQ", number=number, **marks),
             Answer("GP", pair=pair, **marks),
             Answer("H", number=number, **marks),
-            Answer("K", number=number, **marks),
+            Answer("K", number=number, tail="12345ABC", **marks),
+            Answer("K", tail="5ABC", **marks),
+            Answer("H", number=number, tail="F01", **marks),
+            Answer("X", number=number, pair=10, tail="1", **marks),
             Answer("X", pair=pair & 15, **marks),
             Answer("X", number=number, pair=pair & 15, **marks),
             Answer("N", number=number, **marks),

@@ -31,6 +31,13 @@ class _Decoder:
             if self.dut.store.value == 1:
                 self.stored[int(self.dut.store_index.value)] = int(self.dut.store_word.value)
 
+    async def shift(self) -> None:
+        """Let a digit of the number leave."""
+        self.dut.number_shift.value = 1
+        await RisingEdge(self.dut.clk)
+        self.dut.number_shift.value = 0
+        await RisingEdge(self.dut.clk)
+
     async def give(self, data: int, *, last: bool = False, plain: bool = False, error: int = 0, most: int = 20) -> bool:
         """Send one character or end, and return whether it was taken."""
         dut = self.dut
@@ -77,6 +84,8 @@ class _Decoder:
 async def _begin(dut: SimHandleBase) -> _Decoder:
     for name in ("in_data", "in_valid", "in_last", "in_plain", "in_error", "in_silent", "request_accept", "hold"):
         getattr(dut, name).value = 0
+    for name in ("hold_letters", "in_residue", "in_session", "for_program", "number_shift"):
+        getattr(dut, name).value = 0
     await start(dut.clk, dut.rst)
     return _Decoder(dut)
 
@@ -92,12 +101,13 @@ async def each_command_gives_its_fields(dut: SimHandleBase) -> None:
         (b"wm0000A1111111122222222", "WM", {"count": 2, "word": 0x22222222}),
         (b"WK0AFFFF000012345678", "WK", {"count": 1, "word": 0x12345678}),
         (b"gs00703000102030102", "GS", {}),
-        (b"GS03180102020A0B", "GS", {"group": 3, "flags": 0x18, "divisor": 0x0102, "count": 2}),
+        (b"GS03180102020A0B", "GS", {"group": 3, "flags": 0x18, "number": 0x0102, "count": 2}),
         (b"GN0F", "GN", {"group": 0x0F}),
         (b"I02", "I", {"group": 2}),
         (b"h7FE", "H", {"id": 0x7FE}),
         (b"Q", "Q", {}),
-        (b"KA5C", "K", {"id": 0xA5C}),
+        (b"KA5C1234", "K", {"id": 0xA5C, "number": 0x1234, "asks": 0}),
+        (b"K", "K", {"asks": 1}),
     ):
         await decoder.body(body)
         if body.startswith(b"gs"):
@@ -179,7 +189,9 @@ async def fields_of_the_wrong_width_or_not_hex_are_malformed(dut: SimHandleBase)
             b"h0000",
             b"Q0",
             b"K00",
-            b"K0000",
+            b"K000",
+            b"K000123",
+            b"K00012345",
         ),
         *(
             b"WM10",
@@ -202,11 +214,51 @@ async def values_that_the_gateway_does_not_have_are_out_of_range(dut: SimHandleB
         *((b"RM0A00", 1), (b"RM0AFF", 0), (b"GN0F", 0), (b"GN10", 1), (b"I02", 0), (b"I03", 1)),
         *((b"GS0000000100", 1), (b"GS000000000110", 1), (b"GS008000010110", 1), (b"GS004000010110", 1)),
         *((b"GS00000001" + b"21" + b"10" * 33, 1), (b"GS00000001" + b"20" + b"10" * 32, 0), (b"GS100000010110", 1)),
+        *((b"K0000000", 1), (b"K0000001", 0), (b"K0007FFF", 0), (b"K0008000", 1), (b"K", 0), (b"K0001000", 0)),
     ):
         await decoder.body(body)
         assert decoder.field("error") == 0, body
         assert decoder.field("out_of_range") == outside, body
         await decoder.accept()
+
+
+@cocotb.test
+async def plain_samples_are_out_of_range_in_a_programs_session(dut: SimHandleBase) -> None:
+    decoder = await _begin(dut)
+    for for_program in (0, 1):
+        dut.for_program.value = for_program
+        for flags, outside in ((0x20, for_program), (0x10, 0)):
+            await decoder.body(b"GS00%02X00010110" % flags)
+            assert (decoder.field("error"), decoder.field("out_of_range")) == (0, outside)
+            await decoder.accept()
+
+
+@cocotb.test
+async def without_a_session_the_number_is_what_the_check_of_a_request_with_an_id_left(dut: SimHandleBase) -> None:
+    decoder = await _begin(dut)
+    dut.in_residue.value = 0xA5C3
+    for in_session, body, plain, number in (
+        *((0, b"h123", False, 0xA5C3), (0, b"h123", True, 0), (0, b"gs12300000FFF0110", False, 0xA5C3)),
+        *((1, b"gs12300000FFF0110", False, 0x0FFF), (0, b"GS00000FFF0110", False, 0x0FFF)),
+    ):
+        dut.in_session.value = in_session
+        await decoder.body(body, plain=plain)
+        assert (decoder.field("error"), decoder.field("number")) == (0, number), body
+        await decoder.accept()
+
+
+@cocotb.test
+async def the_digits_of_a_number_go_round_and_nothing_else_is_taken_behind_a_k(dut: SimHandleBase) -> None:
+    decoder = await _begin(dut)
+    await decoder.body(b"K0001234")
+    dut.hold.value = dut.hold_letters.value = 1
+    await decoder.accept()
+    assert not await decoder.give(ord("r"))
+    for number in (0x2341, 0x3412, 0x4123, 0x1234):
+        await decoder.shift()
+        assert decoder.field("number") == number
+    dut.hold_letters.value = 0
+    assert await decoder.give(ord("r"))
 
 
 @cocotb.test

@@ -168,7 +168,7 @@ async def without_a_session_no_request_with_an_id_is_executed_and_each_is_answer
 @cocotb.test
 async def a_session_has_a_number_that_is_told_and_names_the_one_that_it_ends(dut: SimHandleBase) -> None:
     around = await _begin(dut, slow=0.3)
-    await around.execute(Request("K", asks=True, out_of_range=True, field=0))
+    await around.execute(Request("K", asks=True, field=0))
     assert around.take()[1] == [_ok("K", tail="0000")]
     assert (dut.session.value, dut.in_session.value) == (0, 0)
     for ended, session in ((0, 0x7FFF), (0x7FFF, 1), (1, 0x2345)):
