@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import cocotb
 from cocotb.triggers import RisingEdge
 
-from gateware.bench.unity_link.gateway import Gateway, body_of, checked, note_figure, with_id
+from gateware.bench.unity_link.gateway import Gateway, body_of, checked, note_figure, opening, with_id
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
@@ -33,13 +33,13 @@ def _set(group: int, flags: int, divisor: int, addresses: list[int]) -> bytes:
     return b"GS%02X%02X%04X%02X" % (group, flags, divisor, len(addresses)) + bytes(addresses).hex().upper().encode()
 
 
-def _samples(data: bytes, *, stamped: bool = True) -> list[Sample]:
+def _samples(data: bytes, *, stamped: bool = True, session: int = 0) -> list[Sample]:
     """Take the samples out of what was received, and check the check of each."""
     samples = []
     for frame in data.splitlines(keepends=True):
         if not frame.startswith(b"P"):
             continue
-        body = frame[1:-2] if frame.endswith(b"\r\n") else body_of(frame)[1:]
+        body = frame[1:-2] if frame.endswith(b"\r\n") else body_of(frame, session)[1:]
         head = 12 if stamped else 4
         words = [int(body[at : at + 8], 16) for at in range(head, len(body), 8)]
         samples.append(Sample(int(body[:2], 16), int(body[2:4], 16), int(body[4:head] or b"0", 16), words))
@@ -188,12 +188,13 @@ async def no_edges_of_triggers_keep_requests_from_their_answers_or_groups_from_t
         frames = gateway.take()
         assert checked(b"GN0F") in frames, (half, flags)
         if flags != TRIGGER:
-            samples = [sample for sample in _samples(frames) if sample.group == 15]
+            samples = [sample for sample in _samples(frames, session=gateway.session) if sample.group == 15]
             assert set(_differences([sample.stamp for sample in samples])) == {2 * TICK}
-        for body in (b"H", b"GX0F", b"GP00", _set(15, PERIODIC | STAMP, 2, [0xF0]), with_id(b"K", 0)):
+        for body in (b"H", b"GX0F", b"GP00", _set(15, PERIODIC | STAMP, 2, [0xF0])):
             gateway.send(checked(body))
             await gateway.cycles(2_500)
             assert checked(body[:4]) in gateway.take(), (half, flags, body)
+        await gateway.answer(gateway.next_session())
         await gateway.quiet(TICK)
         assert gateway.take() == b""
         edges.cancel()
@@ -263,7 +264,7 @@ async def more_samples_than_the_bus_can_read_are_counted(dut: SimHandleBase) -> 
     for group in range(3):
         gateway.send(checked(b"GN%02X" % group))
     await gateway.cycles(40 * TICK)
-    gateway.send(checked(with_id(b"K", 0)))
+    gateway.send(gateway.next_session())
     await gateway.quiet()
     samples = _samples(gateway.take())
     lowest = [sample for sample in samples if sample.group == 0]
@@ -284,7 +285,7 @@ async def k_stops_all_groups_and_their_sequences_go_on(dut: SimHandleBase) -> No
         await gateway.ask(_set(group, PERIODIC | STAMP, 1, [0xF0]))
         await gateway.ask(b"GN%02X" % group)
     await gateway.cycles(3 * TICK)
-    gateway.send(checked(with_id(b"K", 0)))
+    gateway.send(gateway.next_session())
     await gateway.cycles(TICK)
     last = {sample.group: sample.sequence for sample in _samples(gateway.take())}
     assert set(last) == {0, 15}
@@ -292,7 +293,7 @@ async def k_stops_all_groups_and_their_sequences_go_on(dut: SimHandleBase) -> No
     assert gateway.take() == b""
     gateway.send(checked(b"GN0F"))
     await gateway.cycles(2 * TICK)
-    samples = _samples(gateway.take())
+    samples = _samples(gateway.take(), session=gateway.session)
     assert samples[0].group == 15
     assert samples[0].sequence == last[15] + 1
 
@@ -302,25 +303,48 @@ async def no_sample_that_was_taken_before_a_group_was_stopped_or_set_comes_after
     gateway = await _gateway(dut)
     await gateway.ask(_set(9, PERIODIC, 1, [0x33]))
     await gateway.ask(b"GN09")
-    session = with_id(b"K", 0)
-    for number, end in enumerate((b"GX00", session, _set(0, 0, 1, [0x20]), b"GX00", _set(0, 0, 1, [0x20]), session)):
+    settings_again = _set(0, 0, 1, [0x20])
+    for number, end in enumerate((b"GX00", b"K", settings_again, b"GX00", settings_again, b"K")):
         settings = _set(0, PERIODIC, 1, list(range(0x10, 0x14 + 4 * (number % 6))))
         gateway.send(checked(settings) + checked(b"GN09") + checked(b"GN00"))
         # Too many for the line: they fill the ring.
         gateway.pause_out = 0.9
         await gateway.cycles((30 + number) * TICK)
         gateway.pause_out = 0.3
-        gateway.send(checked(b"RM00%02X" % (1 + 50 * (number % 4))) + checked(end) + checked(b"H") * 20)
+        gateway.send(checked(b"RM00%02X" % (1 + 50 * (number % 4))))
+        gateway.send((gateway.next_session() if end == b"K" else checked(end)) + checked(b"H") * 20)
         await gateway.quiet(TICK // 2)
         frames = gateway.take().splitlines()
         answer = max(place for place, frame in enumerate(frames) if frame.startswith(end[:4]))
-        group_ends = b"P" if end == session else b"P00"
+        group_ends = b"P" if end == b"K" else b"P00"
         before, after = ([f for f in part if f.startswith(group_ends)] for part in (frames[:answer], frames[answer:]))
         assert len(before) > 10
         assert after == []
         # The other group goes on, and so do requests.
-        assert any(frame.startswith(b"P09") for frame in frames[answer:]) == (end != session)
+        assert any(frame.startswith(b"P09") for frame in frames[answer:]) == (end != b"K")
         assert frames.count(checked(b"H")[:-1]) == 20
+
+
+@cocotb.test
+async def a_session_discards_the_samples_that_wait_but_for_one(dut: SimHandleBase) -> None:
+    gateway = await _gateway(dut)
+    await gateway.ask(_set(0, PERIODIC, 1, [0x33]))
+    for plain in (True, False):
+        gateway.send(gateway.checked(b"gn00000") if gateway.session and not plain else b"GN00\r")
+        await gateway.cycles(2 * TICK)
+        gateway.pause_out = 1.0
+        await gateway.cycles(30 * TICK)
+        gateway.take()
+        body = opening(0, 7 if plain else 8)
+        gateway.send(body + b"\r" if plain else checked(body))
+        await gateway.cycles(TICK)
+        gateway.pause_out = 0.0
+        await gateway.quiet()
+        frames = gateway.take().splitlines()
+        place = next(index for index, frame in enumerate(frames) if frame.startswith(body))
+        # One was being sent, and one more may stand before the answer.
+        assert place <= 2
+        assert len(frames) == place + 1
 
 
 @cocotb.test
@@ -331,7 +355,7 @@ async def the_answer_to_what_is_about_groups_comes_behind_all_samples_from_befor
     for request, answer in (
         *((b"GP00", b"GP00"), (b"GN00", b"GN00"), (b"GN09", b"GN09")),
         *((b"GX0F", b"X06"), (_set(9, 0, 0, [0x20]), b"X06"), (b"GP000", b"X03")),
-        (with_id(b"gx", 0, b"00"), with_id(b"x", 0, b"0A")),
+        (with_id(b"gx", 0, b"00"), with_id(b"x", 0, b"0A0000")),
     ):
         # Too many samples for the line: they fill the ring.
         gateway.pause_out = 0.9

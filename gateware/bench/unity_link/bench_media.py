@@ -17,7 +17,7 @@ from gateware.bench.ft245_async.chip import AsyncChip
 from gateware.bench.ft245_sync.chip import SyncChip
 from gateware.bench.streams import start
 from gateware.bench.uart.bench_uart import Line
-from gateware.bench.unity_link.gateway import checked, with_id
+from gateware.bench.unity_link.gateway import SESSION, checked, opening, with_id
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -122,9 +122,9 @@ async def requests_are_answered_at_the_pins(dut: SimHandleBase) -> None:
     for request, answer in (
         (checked(b"W0A00000012"), checked(b"W0A")),
         (checked(b"R0A"), checked(b"R0A00000012")),
-        (checked(with_id(b"K", 0)), checked(with_id(b"K", 0))),
-        (checked(with_id(b"r", 0, b"0A")), checked(with_id(b"r", 0, b"00000012"))),
-        (checked(with_id(b"w", 1, b"0A0000002A")), checked(with_id(b"w", 1))),
+        (checked(opening()), checked(opening() + b"0000")),
+        (checked(with_id(b"r", 0, b"0A"), SESSION), checked(with_id(b"r", 0, b"00000012"), SESSION, answers=True)),
+        (checked(with_id(b"w", 1, b"0A0000002A"), SESSION), checked(with_id(b"w", 1), SESSION, answers=True)),
         (b"R0A\r", b"R0A0000002A\r\n"),
         (b"R0A0000\n", checked(b"X01")),
     ):

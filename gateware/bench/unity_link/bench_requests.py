@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import cocotb
 from cocotb.triggers import ReadOnly, RisingEdge
 
-from gateware.bench.unity_link.gateway import Gateway, checked, with_id
+from gateware.bench.unity_link.gateway import SESSION, Gateway, checked, opening, with_id
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
@@ -74,10 +74,11 @@ async def the_worked_examples_of_the_protocol_hold(dut: SimHandleBase) -> None:
     for sent, answered in (
         (b"R0A6DDE\n", b"R0A000000125DF0\n"),
         (b"W0A00000012D4FE\n", b"W0A862E\n"),
-        (b"r0000A760E\n", b"x0000AF00C\n"),
-        (b"K00086E0\n", b"K00086E0\n"),
-        (b"r0000A760E\n", b"r00000000012D14E\n"),
-        (b"w0010A0000002AB2AF\n", b"w001F51A\n"),
+        (b"r0000A760E\n", b"x0000A000030A6\n"),
+        (b"K00012348D19\n", b"K00012340000E3C6\n"),
+        (b"r0000A5E56\n", b"r000000000122652\n"),
+        (b"w0010A0000002AAE27\n", b"w0010D5F\n"),
+        (b"KF9AF\n", b"K12342A1E\n"),
         (b"R0A\r", b"R0A0000002A\r\n"),
         (b"R0A0000\n", b"X01D488\n"),
     ):
@@ -157,7 +158,7 @@ async def a_bus_error_gives_error_04_and_what_was_done_stays_done(dut: SimHandle
     assert await gateway.ask(b"WQE0%08X" % 1) == b"X04"
     assert await gateway.ask(with_id(b"r", 0, b"DE")) == with_id(b"r", 0, b"%08X" % 1)
     assert await gateway.ask(with_id(b"r", 1, b"E0")) == with_id(b"x", 1, b"04")
-    assert await gateway.ask(with_id(b"h", 2)) == with_id(b"h", 2)
+    assert await gateway.ask(with_id(b"h", 2)) == with_id(b"h", 2, b"000")
 
 
 @cocotb.test
@@ -260,8 +261,7 @@ async def send_immediate_pulses_as_its_mode_says(dut: SimHandleBase) -> None:
     assert all(0 <= flushed - (index + 1) * length <= 3 for index, flushed in enumerate(always))
     assert await flushes_of(checked(b"I00")) == []
     assert await flushes_of(read * 3) == []
-    session = checked(with_id(b"K", 0))
-    assert await flushes_of(session) == [len(session)]
+    assert await flushes_of(checked(opening())) == [len(checked(opening() + b"0000"))]
     assert await flushes_of(read) == [length]
 
 
@@ -269,10 +269,14 @@ async def send_immediate_pulses_as_its_mode_says(dut: SimHandleBase) -> None:
 async def a_reset_in_any_state_recovers(dut: SimHandleBase) -> None:
     gateway = await _gateway(dut)
     traffic = (
-        checked(with_id(b"K", 0))
+        opening()
+        + b"\r"
         + checked(b"WM10" + b"0000000100000002")
         + checked(b"RM1004")
-        + checked(with_id(b"r", 0, b"11"))
+        + checked(with_id(b"r", 0, b"11"), SESSION)
+        + checked(with_id(b"rq", 1, b"1002"), SESSION)
+        + checked(with_id(b"rq", 1, b"1002"), SESSION)
+        + checked(with_id(b"h", 2), SESSION)
         + b"W0A1\r"
         + checked(b"Q")
         + checked(b"GS0001000102100F")
@@ -283,16 +287,17 @@ async def a_reset_in_any_state_recovers(dut: SimHandleBase) -> None:
     rng = random.Random(4)
     for _ in range(60):
         gateway.send(traffic)
-        await gateway.cycles(rng.randrange(1, 420))
+        await gateway.cycles(rng.randrange(1, 520))
         await gateway.reset()
         # An end cuts the byte that is still sent off.
         gateway.send(b"\n")
         await gateway.quiet(150)
         gateway.take()
         assert await gateway.ask(b"W0C00C0FFEE") == b"W0C"
-        assert await gateway.ask(with_id(b"h", 0)) == with_id(b"x", 0, b"0A")
-        assert await gateway.ask(with_id(b"K", 0)) == with_id(b"K", 0)
-        assert await gateway.ask(with_id(b"h", 0)) == with_id(b"h", 0)
+        assert await gateway.ask(with_id(b"h", 0)) == with_id(b"x", 0, b"0A0000")
+        assert await gateway.ask(b"K") == b"K0000"
+        await gateway.open()
+        assert await gateway.ask(with_id(b"h", 0)) == with_id(b"h", 0, b"000")
         assert await gateway.ask(b"GN00") == b"X06"
         assert await gateway.ask(b"R0C") == b"R0C00C0FFEE"
         await gateway.quiet(50)

@@ -38,7 +38,7 @@ async def each_request_is_answered_behind_its_last_byte_and_the_pair_is_free_aga
         (checked(b"GP00"), checked(b"P0000" + words[16:24]) + checked(b"GP00")),
         # A stateless write is answered by nothing, or by its error.
         (checked(b"WS2000000012"), b""),
-        (checked(b"r0000A"), checked(b"x0000A")),
+        (checked(b"r0000A"), checked(b"x0000A0000")),
         # A frame ends in the midst of what the host sends: by the LF behind a CR, and by noise.
         (b"R20\r\n", b"R2000000012\r\n"),
         (checked(b"R20")[:2] + b"\r" + checked(b"R20")[3:], b"X03\r\n" + checked(b"X01")),

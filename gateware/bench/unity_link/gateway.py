@@ -79,7 +79,7 @@ class Gateway:
         self.pause_out = pause_out
         self.cycle = 0
         self.session = 0
-        """Number of the session that `begin` or `open` began."""
+        """Number of the session that was begun last."""
         self.received = bytearray()
         self.sent_at: list[int] = []
         """The cycle at whose end each byte was taken by the gateway."""
@@ -113,6 +113,11 @@ class Gateway:
         body, ended = opening(first, session), b"%04X" % self.session
         assert await self.answer(body + b"\r") == body + ended + b"\r\n"
         self.session = session
+
+    def next_session(self) -> bytes:
+        """Return the plain frame that begins another session, and take that for the one under way from now on."""
+        self.session += 1
+        return opening(0, self.session) + b"\r"
 
     def checked(self, *bodies: bytes) -> bytes:
         """Return checked frames of the session."""
@@ -164,6 +169,7 @@ class Gateway:
 
     async def reset(self) -> None:
         """Reset the gateway for one cycle. Of what waits to be sent, the byte that is being offered still is."""
+        self.session = 0
         self.dut.rst.value = 1
         await RisingEdge(self.dut.clk)
         self.dut.rst.value = 0
