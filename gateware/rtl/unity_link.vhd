@@ -276,6 +276,7 @@ architecture rtl of unity_link is
   signal flush    : std_logic;
   signal active   : std_logic;
   signal now      : std_logic_vector(63 downto 0);
+  signal no_session : std_logic;
   signal ticks    : std_logic_vector(31 downto 0);
 
   signal bus_request    : std_logic;
@@ -356,6 +357,7 @@ begin
       tx_data        => tx_data,
       tx_valid       => tx_valid,
       tx_ready       => tx_ready,
+      no_session     => no_session,
       flush          => flush,
       active         => active,
       trigger        => trigger,
@@ -650,6 +652,7 @@ begin
         tx_data    => tx_data,
         tx_valid   => tx_valid,
         tx_ready   => tx_ready,
+        no_session => no_session,
         active     => active,
         cycles     => ticks,
         dropped    => phy_dropped
@@ -665,6 +668,7 @@ begin
     phy_tx_en   <= '0';
     phy_txc     <= '0';
     phy_dropped <= (others => '0');
+    no_session  <= '0';
 
   end generate without_ethernet;
 

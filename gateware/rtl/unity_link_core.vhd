@@ -103,6 +103,8 @@ entity unity_link_core is
     tx_valid : out   std_logic;
     -- The medium takes a byte.
     tx_ready : in    std_logic;
+    -- What comes is outside of every session, and changes none; stands still while anything is in the core but samples.
+    no_session : in    std_logic := '0';
     -- '1' for one cycle: send what was given so far at once.
     flush : out   std_logic;
     -- A byte, a request or an answer is somewhere in the core.
@@ -222,6 +224,9 @@ architecture rtl of unity_link_core is
   signal in_session   : std_logic;
   signal for_program  : std_logic;
   signal drop_samples : std_logic;
+  -- That of what comes.
+  signal taken_session : std_logic_vector(session'range);
+  signal takes_ids     : std_logic;
 
   -- Request.
   signal request_valid  : std_logic;
@@ -375,6 +380,10 @@ begin
     report "unity_link: a node on a shared medium needs checked frames"
     severity failure;
 
+  takes_ids     <= in_session and not no_session;
+  taken_session <= session when no_session = '0' else
+                   (others => '0');
+
   -- Bytes in.
 
   fifo_in <= rx_lost & rx_data;
@@ -427,8 +436,8 @@ begin
         in_lost     => character_in(8),
         in_valid    => character_valid,
         in_ready    => character_ready,
-        session     => session,
-        in_session  => in_session,
+        session     => taken_session,
+        in_session  => takes_ids,
         out_data    => body_data,
         out_valid   => body_valid,
         out_ready   => body_ready,
@@ -495,7 +504,7 @@ begin
       in_error             => body_error,
       in_silent            => body_silent,
       in_residue           => residue,
-      in_session           => in_session,
+      in_session           => takes_ids,
       for_program          => for_program,
       request_valid        => request_valid,
       request_accept       => request_accept,
@@ -572,6 +581,7 @@ begin
       session              => session,
       in_session           => in_session,
       for_program          => for_program,
+      no_session           => no_session,
       memory_index         => memory_index,
       memory_word          => memory_word(data_bits - 1 downto 0),
       ring_write           => response_write,
@@ -836,21 +846,22 @@ begin
         node           => node
       )
       port map (
-        clk       => clk,
-        rst       => rst,
-        in_data   => writer_data,
-        in_valid  => writer_valid,
-        in_ready  => writer_ready,
-        in_last   => writer_last,
-        in_plain  => writer_plain,
-        in_mark   => writer_mark,
-        session   => session,
+        clk        => clk,
+        rst        => rst,
+        in_data    => writer_data,
+        in_valid   => writer_valid,
+        in_ready   => writer_ready,
+        in_last    => writer_last,
+        in_plain   => writer_plain,
+        in_mark    => writer_mark,
+        session    => session,
         in_session => in_session,
-        out_data  => sent_data,
-        out_mark  => sent_mark,
-        out_valid => sent_valid,
-        out_ready => sent_ready,
-        busy      => sending_busy
+        no_session => no_session,
+        out_data   => sent_data,
+        out_mark   => sent_mark,
+        out_valid  => sent_valid,
+        out_ready  => sent_ready,
+        busy       => sending_busy
       );
 
   end generate with_datalink_tx;

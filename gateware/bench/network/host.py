@@ -5,8 +5,8 @@ from __future__ import annotations
 import struct
 
 from gateware.bench.network.wire import GATEWAY_IP, GATEWAY_MAC, GATEWAY_PORT, Taken, Wire
-from unity_link.protocol.crc import Crc
-from unity_link.protocol.frames import Framing
+from unity_link.protocol.crc import Crc, seed_of
+from unity_link.protocol.frames import Framing, in_session
 
 HOST_MAC = bytes.fromhex("0200000000aa")
 HOST_IP = bytes((192, 168, 1, 5))
@@ -77,9 +77,10 @@ def question(address: bytes = GATEWAY_IP, *, to: bytes = EVERYBODY, operation: i
     return ethernet(0x0806, head + HOST_MAC + HOST_IP + bytes(6) + address, to)
 
 
-def checked(*bodies: bytes) -> bytes:
-    """Return checked frames."""
-    return b"".join(map(_FRAMING.checked, bodies))
+def checked(*bodies: bytes, number: int = 0, answers: bool = False) -> bytes:
+    """Return checked frames that the host sends in the session of a number, or the gateway if it answers."""
+    seed = seed_of(number, from_gateway=answers)
+    return b"".join(_FRAMING.checked(body, seed if in_session(body[0]) else 0) for body in bodies)
 
 
 class Host:
@@ -94,6 +95,8 @@ class Host:
         self.wire, self.port = wire, port
         self.session = b""
         self.count = 0
+        self.number = port
+        """That of the session in the checks of its frames."""
 
     def datagram(self, frames: bytes, count: int | None = None, session: bytes | None = None) -> bytes:
         """Return a frame with a datagram of the session, by default the next one."""
@@ -106,12 +109,22 @@ class Host:
         """Send a frame; returns what the datagram that answers carries, nothing without one."""
         return b"".join(carried(taken) for taken in self.wire.ask(frame, cycles))
 
-    def open(self, number: int = 0x5A0) -> None:
-        """Ask what is on offer, and open it."""
+    def open(self, first: int = 0x5A0, *, plain: bool = False) -> None:
+        """Ask what is on offer, and open it: as a program does, or plain, as a person."""
         offer = self.ask(udp(b"Q\r", port=self.port))
         self.session, self.count = offer[1:9], 0
-        answer = self.ask(self.datagram(checked(b"K%03X" % number)))
-        assert answer == checked(b"U%s00000001" % self.session, b"K%03X" % number)
+        body = b"K%03X%04X" % (first, self.number)
+        answer = self.ask(self.datagram(body + b"\r" if plain else checked(body)))
+        body += b"0000"
+        assert answer == checked(b"U%s00000001" % self.session) + (body + b"\r\n" if plain else checked(body))
+
+    def checked(self, *bodies: bytes) -> bytes:
+        """Return checked frames of its session."""
+        return checked(*bodies, number=self.number)
+
+    def answered(self, *bodies: bytes) -> bytes:
+        """Return checked frames as the gateway sends them in that session."""
+        return checked(*bodies, number=self.number, answers=True)
 
 
 def carried(taken: Taken) -> bytes:

@@ -26,6 +26,7 @@ from gateware.bench.network.host import (
     udp,
 )
 from gateware.bench.network.wire import CLOCK_HZ, GATEWAY_IP, GATEWAY_MAC, GATEWAY_PORT, Wire, line_of
+from unity_link.protocol.crc import Crc, seed_of
 from unity_link.protocol.finding import Found, ask, read_answer
 
 if TYPE_CHECKING:
@@ -133,8 +134,8 @@ def test_the_table_of_datagrams_holds() -> None:
     host, other = Host(wire), Host(wire, 4001)
     wire.poke(0x0A, 0x12345678)
     host.open()
-    read = checked(b"r5A00A")
-    answer = checked(b"r5A012345678")
+    read = host.checked(b"r5A00A")
+    answer = host.answered(b"r5A012345678")
     assert host.ask(host.datagram(read)) == checked(b"U%s00000002" % host.session) + answer
     # Late, doubled, without a count, damaged, malformed.
     for count in (2, 1, 0, 0x80000002):
@@ -150,17 +151,23 @@ def test_the_table_of_datagrams_holds() -> None:
     offer = answer[1:9]
     assert answer == b"U%s00000000\r\nR0A12345678\r\n" % offer
     assert other.ask(udp(checked(b"R0A"), port=4001)) == checked(b"U%s00000000" % offer, b"R0A12345678")
-    assert other.ask(udp(checked(b"w0000A00000005"), port=4001)) == checked(b"U%s00000000" % offer, b"X0A")
-    assert other.ask(udp(b"K000\r", port=4001)) == b"U%s00000000\r\nX0A\r\n" % offer
+    headed = checked(b"U%s00000000" % offer)
+    asked = b"w5A10A00000005"
+    left = int(Crc().text(asked, seed_of(host.number, from_gateway=False)), 16) ^ int(Crc().text(asked), 16)
+    assert other.ask(udp(host.checked(asked), port=4001)) == headed + checked(b"x5A10A%04X" % left)
+    assert other.ask(udp(b"w5A10A00000005\r", port=4001)) == b"U%s00000000\r\nx5A10A0000\r\n" % offer
+    assert other.ask(udp(b"K0001235\r", port=4001)) == b"U%s00000000\r\nX0A\r\n" % offer
+    assert other.ask(udp(checked(b"W0A00000005", b"K"), port=4001)) == headed + checked(b"X0B", b"K%04X" % host.number)
     # The session goes on, by the newest count; a frame ends with its datagram.
-    assert host.ask(host.datagram(checked(b"r5A10A")[:-1], 0x7FFFFFFF)).endswith(checked(b"r5A112345678"))
+    assert host.ask(host.datagram(host.checked(b"r5A10A")[:-1], 0x7FFFFFFF)).endswith(host.answered(b"r5A112345678"))
     # On offer, but no K; then the other one opens it, and the first is told.
     other.session = offer
     assert other.ask(other.datagram(read, 1)) == checked(b"U%s00000000" % offer, b"X0A")
-    wire.put(other.datagram(checked(b"K111"), 2))
+    wire.put(other.datagram(checked(b"K1114321"), 2))
     wire.run(60_000, 2)
     told = [carried(taken) for taken in wire.take()]
-    assert told == [checked(b"U%s00000000" % host.session, b"X0A"), checked(b"U%s00000001" % offer, b"K111")]
+    begun = checked(b"U%s00000001" % offer, b"K1114321%04X" % host.number)
+    assert told == [checked(b"U%s00000000" % host.session, b"X0A"), begun]
     assert host.ask(host.datagram(read, 0x80000001)) == checked(b"U%s00000000" % host.session, b"X0A")
     assert (0x0A, 5) not in wire.writes()
 
@@ -170,7 +177,7 @@ def test_after_a_reset_there_is_another_session() -> None:
     host = Host(wire)
     host.open()
     wire.reset()
-    assert host.ask(host.datagram(checked(b"w5A00A00000001"))) == checked(b"U%s00000000" % host.session, b"X0A")
+    assert host.ask(host.datagram(host.checked(b"w5A00A00000001"))) == checked(b"U%s00000000" % host.session, b"X0A")
     before = host.session
     host.open(0x5A0)
     assert host.session != before
@@ -182,9 +189,8 @@ def test_counts_go_round() -> None:
     host = Host(wire)
     host.open()
     for place, count in enumerate((0x7FFFFFF0, 0xE0000000, 0xFFFFFFFF, 1, 2)):
-        assert host.ask(host.datagram(checked(b"h%03X" % (0x5A0 + place)), count)).endswith(
-            checked(b"h%03X" % (0x5A0 + place))
-        )
+        body = b"h%03X" % (0x5A0 + place)
+        assert host.ask(host.datagram(host.checked(body), count)).endswith(host.answered(body + b"000"))
 
 
 # Found and addressed
@@ -276,10 +282,10 @@ def test_a_session_goes_on_while_others_are_asked() -> None:
     for number in range(60):
         for _ in range(rng.randrange(3)):
             wire.put(rng.choice([to_all(ask()), to_all(ask(bytes(6), OTHER_IP)), question(OTHER_IP)]))
-        wire.put(host.datagram(checked(b"w%03X0A%08X" % (number, number))))
+        wire.put(host.datagram(host.checked(b"w%03X0A%08X" % (number, number))))
         wire.run(wire.waiting() + 6000)
         answers = [taken.body[42:] for taken in wire.take()]
-        assert any(checked(b"w%03X" % number) in one for one in answers)
+        assert any(host.answered(b"w%03X" % number) in one for one in answers)
     assert [word for _, word in wire.writes()] == [*range(60)]
 
 
@@ -291,7 +297,7 @@ def test_a_word_is_read_within_sixteen_microseconds() -> None:
     wire = Wire()
     host = Host(wire)
     host.open()
-    for frame, most_us in ((host.datagram(checked(b"r5A00A")), 15.7), (udp(b"R0A\r", port=4000), 15)):
+    for frame, most_us in ((host.datagram(host.checked(b"r5A00A")), 15.7), (udp(b"R0A\r", port=4000), 15)):
         wire.run(5000)
         began = wire.run(0)
         (taken,) = wire.ask(frame)
@@ -303,7 +309,7 @@ def test_ten_megabytes_a_second_go_in_and_out() -> None:
     wire = Wire()
     host = Host(wire)
     host.open()
-    write = [checked(b"ws%03X0A%08X" % (0x5A0 + number & 0xFFF, number)) for number in range(1200)]
+    write = [host.checked(b"ws%03X0A%08X" % (0x5A0 + number & 0xFFF, number)) for number in range(1200)]
     each = 1378 // len(write[0])
     began = wire.run(0)
     for at in range(0, len(write), each):
@@ -329,7 +335,7 @@ def test_ten_megabytes_a_second_go_in_and_out() -> None:
 def test_what_does_not_fit_is_dropped_whole_and_counted() -> None:
     wire = Wire()
     host = Host(wire)
-    host.open()
+    host.open(plain=True)
     for number in range(40):
         frames = [checked(b"RM0080")] * 40 + [checked(b"WS0B%08X" % number)]
         wire.put(host.datagram(b"".join(frames)))
@@ -339,7 +345,7 @@ def test_what_does_not_fit_is_dropped_whole_and_counted() -> None:
     assert 0 < executed < 40
     assert wire.dropped() == 40 - executed
     assert sum(one.count(b"RM0080") for one in taken) == 40 * executed
-    assert host.ask(host.datagram(checked(b"h5A0"))).endswith(checked(b"h5A0"))
+    assert host.ask(host.datagram(host.checked(b"h5A0"))).endswith(host.answered(b"h5A0000"))
 
 
 # In a campaign
@@ -354,7 +360,7 @@ def test_nothing_wrong_reaches_the_core_and_all_is_done_once(frames: int) -> Non
     done = sent = 0
     foreign = [*FOREIGN.values()]
     while sent < frames:
-        frame = host.datagram(checked(b"w%03X0A%08X" % (done & 0xFFF, done)))
+        frame = host.datagram(host.checked(b"w%03X0A%08X" % (done & 0xFFF, done)))
         good = with_check(frame)
         lines = []
         chance = rng.random()
@@ -375,13 +381,12 @@ def test_nothing_wrong_reaches_the_core_and_all_is_done_once(frames: int) -> Non
         sent += max(len(lines), 1)
         wire.run(wire.waiting() + 800)
         answers = b"".join(carried(taken)[22:] for taken in wire.take())
-        if checked(b"w%03X" % (done & 0xFFF)) in answers:
+        if host.answered(b"w%03X" % (done & 0xFFF)) in answers:
             done += 1
     # The last one may be under way.
     wire.run(5000)
     writes = [word for _, word in wire.writes()]
     assert writes in ([*range(done)], [*range(done + 1)])
     assert done > frames // 4
-    assert host.ask(host.datagram(checked(b"h%03X" % (len(writes) & 0xFFF)))).endswith(
-        checked(b"h%03X" % (len(writes) & 0xFFF))
-    )
+    fence = b"h%03X" % (len(writes) & 0xFFF)
+    assert host.ask(host.datagram(host.checked(fence))).endswith(host.answered(fence + b"000"))

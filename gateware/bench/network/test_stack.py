@@ -88,9 +88,9 @@ def test_that_nobody_listens_any_more_disturbs_no_other(gateway: Plugged) -> Non
         killed.connect((GATEWAY, GATEWAY_PORT))
         killed.send(b"Q\r")
         session = killed.recv(2000)[1:9]
-        killed.send(checked(b"U%s00000001" % session, b"K000"))
+        killed.send(checked(b"U%s00000001" % session, b"K0001234"))
         killed.recv(2000)
-        killed.send(checked(b"U%s00000002" % session, b"GS0001000A0110", b"GN00"))
+        killed.send(checked(b"U%s00000002" % session, b"gs0000001000A0110", b"gn00100", number=0x1234))
         killed.recv(2000)
     until = time.monotonic() + 60
     while len(refusals := [frame for frame in gateway.heard if frame[23:24] == b"\x01"]) < 3:

@@ -69,6 +69,8 @@ entity ul_request_executor is
     session     : out   std_logic_vector(4 * session_digits_of(crc_bits) - 1 downto 0);
     in_session  : out   std_logic;
     for_program : out   std_logic;
+    -- Requests come from outside of every session.
+    no_session : in    std_logic := '0';
     -- Request memory.
     memory_index : out   std_logic_vector(7 downto 0);
     memory_word  : in    std_logic_vector(data_bits - 1 downto 0);
@@ -325,6 +327,7 @@ architecture rtl of ul_request_executor is
   signal memory_kept : std_logic_vector(data_bits - 1 downto 0);
   signal for_nobody  : std_logic;
   signal shut_out    : std_logic;
+  signal begins      : std_logic;
   signal in_order    : std_logic;
   signal repeats     : std_logic;
   signal runs        : std_logic;
@@ -385,17 +388,19 @@ begin
   for_nobody <= request_silent and
                 (request_has_id or to_std_logic(request_error /= error_none or request_command /= command_ws) or
                  (r.for_program and request_plain));
-  shut_out   <= (r.for_program and request_has_id and request_plain) or
+  shut_out   <= (r.for_program and request_has_id and request_plain and not no_session) or
                 (r.for_program and not request_has_id and not request_silent and
                  to_std_logic(not looks(request_command))) or
-                (r.in_session and r.is_same and not request_asks and to_std_logic(request_command = command_k));
-  in_order   <= request_has_id and r.in_session and to_std_logic(request_error = error_none) and
+                (r.in_session and r.is_same and begins and not no_session);
+  begins     <= not request_asks and to_std_logic(request_command = command_k);
+  in_order   <= request_has_id and r.in_session and not no_session and to_std_logic(request_error = error_none) and
                 not (r.for_program and request_plain);
   repeats    <= in_order and not r.is_expected and not r.is_ahead;
   runs       <= not request_has_id or r.is_expected or (repeats and to_std_logic(request_command(3 downto 2) = "00"));
   refusal    <= request_error when request_error /= error_none else
                 error_under_way when shut_out = '1' else
-                error_session when (request_has_id and not r.in_session) = '1' else
+                error_session when ((request_has_id and not r.in_session) or
+                                    (no_session and (request_has_id or begins))) = '1' else
                 error_of(fate) when repeats = '1' and fate /= "00" else
                 error_range when (runs and (request_out_of_range or group_is_missing)) = '1' else
                 error_none;
@@ -459,7 +464,7 @@ begin
   -- The tail.
 
   is_opening  <= to_std_logic(r.command = command_k) and not r.asks;
-  has_tail    <= to_std_logic(r.error = error_session) or
+  has_tail    <= (to_std_logic(r.error = error_session) and r.has_id) or
                  (to_std_logic(r.error = error_none) and
                   (to_std_logic(r.command = command_k) or
                    (to_std_logic(r.command = command_h) and r.has_id and not r.out_of_order)));

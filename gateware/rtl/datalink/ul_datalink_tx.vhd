@@ -36,6 +36,8 @@ entity ul_datalink_tx is
     -- The session under way, 0 for none; counts when the first letter of a body is taken.
     session    : in    std_logic_vector(4 * session_digits_of(crc_bits) - 1 downto 0);
     in_session : in    std_logic;
+    -- What is answered is outside of it: samples alone have it in their checks.
+    no_session : in    std_logic := '0';
     out_data  : out   std_logic_vector(7 downto 0);
     out_mark  : out   flush_mark_t;
     out_valid : out   std_logic;
@@ -122,7 +124,8 @@ begin
 
   main : process (clk) is
 
-    variable v : registers_t;
+    variable v          : registers_t;
+    variable of_session : std_logic;
 
     -- One character of what the CRC covers.
 
@@ -164,7 +167,8 @@ begin
           when state_body =>
             if in_valid = '1' then
               -- Of the letters that a body begins with, P alone has four low bits of 0.
-              put_covered(in_data, not r.text_begun and (in_data(5) or to_std_logic(unsigned(in_data(3 downto 0)) = 0)));
+              of_session := (in_data(5) and not no_session) or to_std_logic(unsigned(in_data(3 downto 0)) = 0);
+              put_covered(in_data, of_session and not r.text_begun);
               v.text_begun := '1';
             end if;
             v.left := to_unsigned(crc_digits, v.left'length);

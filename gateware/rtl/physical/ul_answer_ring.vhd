@@ -29,7 +29,7 @@ entity ul_answer_ring is
     in_data  : in    std_logic_vector(7 downto 0);
     in_valid : in    std_logic;
     in_ready : out   std_logic;
-    -- There is a session; answers without an ID are for the host that asks.
+    -- There is a session; answers are for the host that asks, and only samples of that session.
     has_session : in    std_logic;
     asking      : in    std_logic;
     -- Bytes of the datagram that gathers, and whether it is for the host that asks.
@@ -61,7 +61,6 @@ architecture rtl of ul_answer_ring is
   signal line_start : std_logic;
   signal dropping   : std_logic;
   signal kept_for   : std_logic;
-  signal of_session : std_logic;
   signal for_asking : std_logic;
   signal for_nobody : std_logic;
   signal is_lf      : std_logic;
@@ -72,9 +71,7 @@ architecture rtl of ul_answer_ring is
 begin
 
   is_lf <= to_std_logic(in_data = character_lf);
-  -- What has an ID, K and P are of a session.
-  of_session <= to_std_logic(unsigned(in_data) >= x"67" or in_data = x"4B" or in_data = x"50");
-  for_asking <= asking and not (has_session and of_session);
+  for_asking <= asking and not (has_session and to_std_logic(in_data = x"50"));
   for_nobody <= not for_asking and not has_session;
   waits      <= full or (is_lf and too_many)
                 or (line_start and not for_nobody and to_std_logic(gathered /= 0) and (for_asking xor kept_for));

@@ -18,7 +18,7 @@
 -- wait, besides, until the core has answered all before: `active` has been '0' for a while. Where samples leave it no
 -- rest, they wait for `patience`, in which every request is answered.
 --
--- In a datagram without a header, frames that need a session, and `K`, do not reach the core: they are answered by X0A.
+-- The frames of a datagram without a header go to the core as well, which is told by `asking` that they have no session.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -63,7 +63,7 @@ entity ul_datagram_reader is
     has_session : out   std_logic;
     -- '1' for one cycle: a session begins.
     opened : out   std_logic;
-    -- Answers without an ID go to the requester, in plain frames if its first one was.
+    -- What goes to the core is the requester's, and so are the answers: in plain frames if its first one was.
     asking       : out   std_logic;
     asking_plain : out   std_logic;
     -- What is to be sent beside the answers of the core; `job_done` ends it. `candidate` is its bank.
@@ -145,9 +145,6 @@ architecture rtl of ul_datagram_reader is
 
   signal numbers    : std_logic_vector(31 downto 0);
   signal line_start : std_logic;
-  signal skipping   : std_logic;
-  signal refused    : std_logic;
-  signal forbidden  : std_logic;
   signal ended      : std_logic;
   signal is_end     : std_logic;
   signal take       : std_logic;
@@ -182,9 +179,7 @@ begin
                  '0';
   is_end      <= to_std_logic(in_data = character_lf or in_data = character_cr);
 
-  -- G to Z in small letters, which have an ID, and K.
-  forbidden <= headless and line_start and to_std_logic(unsigned(in_data) >= x"67" or in_data = x"4B");
-  passes    <= in_valid and not none_left and not skipping and not forbidden when state = pass else
+  passes    <= in_valid and not none_left when state = pass else
                '0';
   out_valid <= '1' when passes = '1' or state = end_line else
                '0';
@@ -196,7 +191,7 @@ begin
     in_valid and (is_end or to_std_logic(in_data = x"55")) and not none_left when first,
     in_valid and is_end and not none_left and not trial when peek,
     in_valid and not none_left when line_end,
-    in_valid and not none_left and (out_ready or skipping or forbidden) when pass,
+    in_valid and not none_left and out_ready when pass,
     in_valid and not none_left when drain,
     '0' when others;
 
@@ -439,8 +434,6 @@ begin
         when decide =>
           line_start <= '1';
           ended      <= '1';
-          skipping   <= '0';
-          refused    <= '0';
           purpose    <= to_take;
           job_bank   <= candidate;
           if trial = '0' then
@@ -542,9 +535,7 @@ begin
         when pass =>
           if take = '1' then
             line_start <= is_end;
-            ended      <= to_std_logic(in_data = character_lf) or forbidden or skipping;
-            skipping   <= (skipping or forbidden) and not is_end;
-            refused    <= refused or forbidden;
+            ended      <= to_std_logic(in_data = character_lf);
             if (headless and is_end and not line_start and not form_known) = '1' then
               form_known   <= '1';
               asking_plain <= to_std_logic(in_data = character_cr);
@@ -553,12 +544,6 @@ begin
             state <= end_line;
             if ended = '1' then
               state <= drain;
-              if refused = '1' then
-                job      <= job_refuse_offer;
-                job_bank <= requester_i;
-                is_plain <= asking_plain;
-                state    <= answer;
-              end if;
             end if;
           end if;
 
@@ -626,8 +611,6 @@ begin
         waited       <= 0;
         numbers      <= (others => '0');
         line_start   <= '1';
-        skipping     <= '0';
-        refused      <= '0';
         ended        <= '1';
         job          <= job_none;
         job_bank     <= "00";

@@ -140,7 +140,7 @@ begin
                 '0';
   still      <= to_std_logic(state = idle) and not valid;
   close      <= to_std_logic(state = head and kind = job_none and place = 16) and not phase;
-  refuses    <= to_std_logic(kind = job_refuse or kind = job_refuse_offer);
+  refuses    <= to_std_logic(kind = job_refuse);
   echo_taken <= free and echo_valid when state = payload and kind = job_echo else
                 '0';
 
@@ -238,7 +238,7 @@ begin
             kind    <= job;
             bank    <= job_bank;
             plain   <= job_plain;
-            offered <= to_std_logic(job = job_refuse_offer);
+            offered <= '0';
             state   <= head;
           elsif whole /= 0 and job = job_none and hold = '0' then
             kind    <= job_none;

@@ -66,6 +66,8 @@ entity ul_ethernet is
     tx_valid : in    std_logic;
     -- This layer takes a byte.
     tx_ready : out   std_logic;
+    -- What goes to the core asks without a session.
+    no_session : out   std_logic;
     -- Something is in the core that may be answered.
     active : in    std_logic;
     -- Cycles since the reset, its lower half.
@@ -246,7 +248,8 @@ begin
 
   end process hosts;
 
-  under_way <= active or not empty;
+  no_session <= asking;
+  under_way  <= active or not empty;
 
   datagram_reader_inst : entity work.ul_datagram_reader
     generic map (

@@ -22,9 +22,9 @@ package ul_ethernet_pkg is
   constant find_bytes : positive := 32;
 
   -- What is sent beside the answers of the core: the answer to a question for an address, to a ping, to a question who
-  -- is there, and X0A, under the session that is refused or under that on offer.
+  -- is there, and X0A under the session that is refused.
 
-  type job_t is (job_none, job_arp, job_echo, job_find, job_refuse, job_refuse_offer);
+  type job_t is (job_none, job_arp, job_echo, job_find, job_refuse);
 
   -- Most bytes of UDP in a datagram (docs/protocol.md, "Datagrams").
   constant largest_datagram : positive := 1400;
