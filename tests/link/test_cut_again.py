@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import re
 from typing import TYPE_CHECKING
 
 import pytest
@@ -10,14 +11,18 @@ import pytest
 import unity_link
 from support.sharing import until
 from support.simulated_time import on_simulated_time
-from support.valve import Valve, cut, numbers_in
+from support.valve import Valve, as_gateway, cut, numbers_in
 from unity_link import LinkClosedError, LinkLostError, Reconnect
 from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.messages import Codec, ErrorCode
+from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual import VirtualGateway
 
 if TYPE_CHECKING:
     from unity_link import Link
+
+
+OPENING = re.compile(rb"^K(?=[0-9A-F]{7})", re.MULTILINE)
+"""A `K` that begins a session: it has the fields i and s."""
 
 
 class CutInSecondSession(Valve):
@@ -27,7 +32,7 @@ class CutInSecondSession(Valve):
     sessions = 0
 
     def receive(self, data: bytes, now: float) -> bytes:
-        self.sessions += data.count(b"K")
+        self.sessions += len(OPENING.findall(data))
         if self.sessions == 2 and data.startswith(b"r"):
             self.sessions = 3
             cut(self.link)
@@ -91,8 +96,8 @@ async def test_a_gateway_that_refuses_a_group_at_a_reconnection_is_asked_again()
             if b"gs" in data and self.refusals:
                 self.refusals -= 1
                 self.gateway.receive(data, now)
-                codec = Codec(self.info)
-                return codec.framing.checked(codec.error(ErrorCode.OUT_OF_RANGE, *numbers_in(data, self.info)))
+                codec = link._flow.codec
+                return as_gateway(codec, codec.error(ErrorCode.OUT_OF_RANGE, *numbers_in(data, self.info)))
             return super().receive(data, now)
 
     gateway = Busy(VirtualGateway(GatewayInfo(base_frequency_millihertz=1_000_000)))

@@ -15,7 +15,7 @@ import pytest
 import unity_link
 from support.makers import SLOW, Maker
 from support.simulated_time import on_simulated_time
-from support.valve import Valve, cut
+from support.valve import Valve, as_gateway, cut
 from unity_link import LinkClosedError, LinkLostError
 from unity_link.link.flow import Flow
 from unity_link.link.runtime import AsyncioRuntime, LoneFuture
@@ -95,7 +95,7 @@ async def test_a_medium_may_answer_while_it_is_given_the_request(make_bare: Make
 
         def answer(data: bytes) -> None:
             identifier = data[1 : 1 + flow.codec.info.id_digits]
-            flow.receive(flow.codec.framing.checked(b"r" + identifier + b"0000002A"))
+            flow.receive(as_gateway(flow.codec, b"r" + identifier + b"0000002A"))
 
         flow.stream.send = answer  # type: ignore[method-assign]
         async with asyncio.timeout(1):

@@ -15,7 +15,7 @@ from support.makers import BUS_ERROR, BUS_TIMEOUT, SLOW, Maker, simulated, with_
 from support.recorded_bus import RecordedBus
 from support.scripted import Scripted
 from support.simulated_time import on_simulated_time
-from support.valve import Valve, cut
+from support.valve import Valve, as_gateway, cut
 from unity_link import ArgumentError, BusError, BusTimeoutError, LinkLostError, UnityLinkError, UnsupportedError
 from unity_link.link.connection import Reconnect
 from unity_link.protocol.configuration import Feature
@@ -508,10 +508,9 @@ async def test_samples_that_come_after_a_slow_reader_has_failed_are_counted_as_l
 async def test_all_that_was_sampled_is_read_or_counted(make_bare: Maker, *, together: bool) -> None:
     """A reader that is too slow, and a line on which samples are missing, lose nothing that is not told."""
     gateway = Scripted(make_bare(**SLOW))
-    framing = Codec(gateway.info).framing
     numbers = [number for number in range(400) if number % 50 not in (7, 8)]
-    frames = [framing.checked(b"P00%02X%08X" % (number & 0xFF, number)) for number in numbers]
     async with unity_link.connect(gateway) as link, link.subscribe([1], timestamps=False, buffer=30) as samples:
+        frames = [as_gateway(link._flow.codec, b"P00%02X%08X" % (number & 0xFF, number)) for number in numbers]
         with anyio.fail_after(100):
             await asyncio.sleep(gateway.say([b"".join(frames)] if together else frames))
         read = await samples.take()

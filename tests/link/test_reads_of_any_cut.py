@@ -16,6 +16,7 @@ from support.makers import SLOW, Maker, simulated
 from support.scripted import Scripted
 from support.searching import examples
 from support.simulated_time import on_simulated_time, run_simulated
+from support.valve import as_gateway
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import Framing
 from unity_link.virtual.build import build_gateway
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from unity_link import Sample
+    from unity_link.protocol.host_codec import HostCodec
 
 NODE, OTHER_NODE = 5, 6
 FOREIGN = 7
@@ -69,8 +71,8 @@ bursts = st.lists(st.builds(Burst, st.sampled_from(KINDS), st.integers(1, 3) | s
 class Speaker:
     """Makes the frames of a gateway with two groups that are subscribed to."""
 
-    def __init__(self, node: int | None) -> None:
-        self._ours = Framing(Crc(), node)
+    def __init__(self, codec: HostCodec, node: int | None) -> None:
+        self._ours = codec
         self._other = Framing(Crc(), None if node is None else OTHER_NODE)
         self._numbers = dict.fromkeys(GROUPS.values(), -1)
 
@@ -78,7 +80,7 @@ class Speaker:
         if kind in ("noise", "empty"):
             return kind.encode().replace(b"empty", b"") + b"\n"
         if kind in ("answer", "endless answer"):
-            frame = self._ours.checked(b"r000%08X" % 0xA)
+            frame = as_gateway(self._ours, b"r000%08X" % 0xA)
             return frame if kind == "answer" else frame[:-1] + b"\x0b"
         if kind == "endless sample":
             return self.frame("second")[:-1] + b"\x0b"
@@ -91,7 +93,7 @@ class Speaker:
         body += word * (WORDS[group] - 1)
         if kind == "wrong length":
             body += b"00000000"
-        frame = (self._other if kind == "other node" else self._ours).checked(body)
+        frame = self._other.checked(body) if kind == "other node" else as_gateway(self._ours, body)
         return frame[:-4] + b"?" + frame[-3:] if kind == "damaged" else frame
 
 
@@ -104,8 +106,8 @@ def seen(samples: Sequence[Sample]) -> list[tuple[int, list[int], int]]:
     return [(sample.sequence, sample.values.tolist(), sample.lost) for sample in samples]
 
 
-async def heard(pieces: Sequence[bytes], node: int | None) -> object:
-    """Return all that a program can see of a link on which `pieces` arrive."""
+async def heard(kinds: Sequence[str], node: int | None, cuts: Sequence[int] | None) -> object:
+    """Return all that a program can see of a link on which frames arrive: one a read, or cut anywhere."""
     told: list[object] = []
 
     def tell(group: int, sample: Sample) -> None:
@@ -122,7 +124,9 @@ async def heard(pieces: Sequence[bytes], node: int | None) -> object:
                 callback = functools.partial(tell, group)
                 subscription = link.subscribe(addresses, timestamps=stamped, callback=callback)
                 subscriptions.append(await stack.enter_async_context(subscription))
-            await asyncio.sleep(gateways[0].say(pieces))
+            speaker = Speaker(link._flow.codec, node)
+            lines = [speaker.frame(kind) for kind in kinds]
+            await asyncio.sleep(gateways[0].say(lines if cuts is None else pieces_of(b"".join(lines), cuts)))
             counted = link.statistics
             return (
                 told,
@@ -151,11 +155,9 @@ def scripted_driver() -> Iterator[list[Scripted]]:
 def test_any_mixture_of_frames_cut_anywhere_is_what_it_is_line_by_line(
     node: int | None, arriving: list[Burst], cuts: list[int]
 ) -> None:
-    speaker = Speaker(node)
-    kinds = (kind for burst in arriving for _ in range(burst.length) for kind in TURNS.get(burst.kind, [burst.kind]))
-    lines = [speaker.frame(kind) for kind in kinds]
-    expected = run_simulated(heard(lines, node))
-    assert run_simulated(heard(pieces_of(b"".join(lines), cuts), node)) == expected
+    kinds = [kind for burst in arriving for _ in range(burst.length) for kind in TURNS.get(burst.kind, [burst.kind])]
+    expected = run_simulated(heard(kinds, node, None))
+    assert run_simulated(heard(kinds, node, cuts)) == expected
 
 
 @pytest.mark.parametrize("burst", [1, 2, 11, 12, 16, 40])
@@ -164,13 +166,13 @@ async def test_samples_of_two_groups_in_bursts_reach_the_subscription_that_asked
     make_bare: Maker, burst: int
 ) -> None:
     gateway = Scripted(make_bare(**SLOW))
-    speaker = Speaker(None)
-    frames = [speaker.frame(kind) for _ in range(20) for kind in ("first", "second") for _ in range(burst)]
     async with (
         unity_link.connect(gateway) as link,
         link.subscribe([1], timestamps=False) as first,
         link.subscribe([2], timestamps=False) as second,
     ):
+        speaker = Speaker(link._flow.codec, None)
+        frames = [speaker.frame(kind) for _ in range(20) for kind in ("first", "second") for _ in range(burst)]
         await asyncio.sleep(gateway.say([b"".join(frames)]))
         for group, samples in enumerate((first, second)):
             assert [sample.values.tolist() for sample in await samples.take()] == [
@@ -198,10 +200,10 @@ async def test_answers_of_the_length_of_samples_reach_their_calls() -> None:
 async def test_answers_behind_samples_in_one_read_reach_their_calls() -> None:
     """Twenty samples and forty answers of their length arrive together."""
     gateway = Scripted(simulated(**SLOW, id_digits=3))
-    speaker = Speaker(None)
     for address in range(40):
         gateway.memory[0x40 + address] = address
     async with unity_link.connect(gateway) as link, link.subscribe([1], timestamps=False) as samples:
+        speaker = Speaker(link._flow.codec, None)
         gateway.before_answer = b"".join(speaker.frame("first") for _ in range(20))
         words = await asyncio.gather(*(link.read_block(0x40 + address, 1) for address in range(40)))
         assert [word.tolist() for word in words] == [[address] for address in range(40)]

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 import unity_link
 from support.simulated_time import on_simulated_time, run_simulated
-from support.valve import Valve
+from support.valve import Valve, as_gateway
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.virtual import VirtualGateway
 
@@ -48,7 +48,7 @@ def frames_of(link: Link, samples: Subscription, arriving: list[Arriving], *, st
         number += step
         stamp = b"%08X" % (0xFFFF_0000 + number * PERIOD & 0xFFFF_FFFF) if stamped else b""
         body = b"P%b%02X%b%08X%08X" % (group.text, number & 0xFF, stamp, number, 0xFFFF_FFFF - number)
-        frame = codec.framing.checked(body)
+        frame = as_gateway(codec, body)
         if damage is not None:
             middle = len(frame) // 2
             frame = frame[:middle] + damage + frame[middle + 1 :]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING, Any
 
+from unity_link.protocol.frames import in_session
 from unity_link.virtual.gateway import Gateway
 
 if TYPE_CHECKING:
@@ -12,6 +13,7 @@ if TYPE_CHECKING:
 
     from unity_link import GatewayInfo
     from unity_link.link.connection import Connection
+    from unity_link.protocol.host_codec import HostCodec
 
 
 class Valve(Gateway):
@@ -68,6 +70,11 @@ def numbers_in(sent: bytes, info: GatewayInfo) -> list[int]:
     """Return the IDs of the requests in what a host has sent, in their order."""
     heads = rb"^[g-z]+([0-9A-F]{%d})" % info.id_digits
     return [int(digits, 16) for digits in re.findall(heads, sent, re.MULTILINE)]
+
+
+def as_gateway(codec: HostCodec, body: bytes) -> bytes:
+    """Return the frame of a body as the gateway of a host sends it in the session under way."""
+    return codec.framing.checked(body, codec.seed_back if body and in_session(body[0]) else 0)
 
 
 def cut(connection: Connection) -> None:
