@@ -178,8 +178,8 @@ async def test_a_gateway_that_is_silent_after_its_reset_is_lost(make_direct: Mak
 
 
 @on_simulated_time
-async def test_each_session_begins_with_an_id_of_its_own(make_direct: Maker, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(connection, "choose_seed", iter([0x1234, 0xFFFF]).__next__)
+async def test_each_session_has_a_number_and_a_first_id_of_its_own(make_direct: Maker, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(connection, "choose_seed", iter([0x1234, 0x4320, 0xFFFF, 0x4321]).__next__)
     valve = Valve(gateway := make_direct(**SLOW))
     async with unity_link.connect(valve) as link:
         await link.write(1, 1)
@@ -189,7 +189,7 @@ async def test_each_session_begins_with_an_id_of_its_own(make_direct: Maker, mon
         for value in range(5):
             await link.write(1, value)
         assert gateway.memory[1] == 4
-    assert b"K234" in valve.heard
+    assert b"K2344321" in valve.heard
     assert b"w234" in valve.heard
-    assert b"KFFF" in valve.heard
+    assert b"KFFF4322" in valve.heard
     assert b"wFFF" in valve.heard

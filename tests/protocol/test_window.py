@@ -16,7 +16,8 @@ from hypothesis.stateful import RuleBasedStateMachine, invariant, precondition, 
 from support.searching import examples
 from unity_link.errors import Outcome
 from unity_link.protocol import constants as module
-from unity_link.protocol.window import Run, Unanswered, Window
+from unity_link.protocol.ring import Run
+from unity_link.protocol.window import Unanswered, Window
 
 RING = 256
 SIZE, REPLY = 8, 14

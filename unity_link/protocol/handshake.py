@@ -129,8 +129,10 @@ class Handshake:
         self._numbers = numbers
         self._first = numbers.choose()
         self._before = before
-        self._asked_for: list[int] = []
-        """Sessions that were asked for."""
+        self.session = NO_SESSION
+        """Number of the session that was asked for last."""
+        self._asked_for: dict[int, float] = {}
+        """Instants at which sessions were asked for, by number."""
         self._out: list[bytes] = []
         self._heard = self._unread = 0
         """Bytes that were looked at, and that have arrived behind them."""
@@ -168,14 +170,9 @@ class Handshake:
         return self._first & self.codec.ring - 1
 
     @property
-    def session(self) -> int:
-        """The number of the session."""
-        return self._asked_for[-1]
-
-    @property
     def byte_time(self) -> float:
         """Seconds that a byte can need on the wire, at most: as the answer to the last question came."""
-        return self.round_trip / len(self._question.frame())
+        return self.round_trip / len(self._sent)
 
     @property
     def asks(self) -> bool:
@@ -259,14 +256,29 @@ class Handshake:
 
     def _ask_session(self, now: float) -> None:
         def frame() -> bytes:
-            self._asked_for.append(self._numbers.next(self.codec.info.last_session))
-            return self._framing.checked(self.codec.opening(self.first, self._asked_for[-1]))
+            self.session = self._numbers.next(self.codec.info.last_session)
+            self._asked_for[self.session] = self._asked_at
+            return self._framing.checked(self.codec.opening(self.first, self.session))
 
         def is_answer(body: bytes) -> bool:
-            opening = self.codec.opening(self.first, self._asked_for[-1])
-            return body.startswith(opening) and len(body) == len(opening) + self.codec.info.session_digits
+            return self._is_opening(body, self.session)
 
         self._ask(_Question(frame, is_answer, self._session_begun), now, FIRST_TRY)
+
+    def _is_opening(self, body: bytes, session: int) -> bool:
+        """Return whether a body is the answer to the opening of a session."""
+        opening = self.codec.opening(self.first, session)
+        return body.startswith(opening) and len(body) == len(opening) + self.codec.info.session_digits
+
+    def _is_late(self, line: bytes, body: bytes, now: float) -> bool:
+        """Return whether a line answers an earlier question; where another session was asked for since, wait longer."""
+        if self._believed and self._believed in line:
+            return True
+        late = [asked_at for session, asked_at in self._asked_for.items() if self._is_opening(body, session)]
+        if late:
+            self._patience = max(self._patience, 2 * (now - late[0]))
+            self.deadline = max(self.deadline, self._asked_at + self._patience + self._wire_time)
+        return bool(late)
 
     def _ask(self, question: _Question, now: float, patience: float | None = None) -> None:
         self._question = question
@@ -278,10 +290,10 @@ class Handshake:
 
     def _send(self, now: float) -> None:
         self._questions += 1
-        self._sent = self._question.frame()
-        self._out.append(self._sent)
         self._asked += 1
         self._asked_at = now
+        self._sent = self._question.frame()
+        self._out.append(self._sent)
         self._damaged = False
         self.deadline = now + self._patience + self._wire_time
 
@@ -292,7 +304,7 @@ class Handshake:
         if self._damaged:
             self._tries -= DAMAGE_COST
         else:
-            self._patience = min(2 * self._patience, LONGEST_TRY, self._longest_try)
+            self._patience = max(self._patience, min(2 * self._patience, LONGEST_TRY, self._longest_try))
             self._tries -= 1
         if self._tries > 0:
             self._send(now)
@@ -334,6 +346,8 @@ class Handshake:
         if body and self._question.is_answer(body):
             self._answers += 1
             self._question.answered(body, now)
+            return
+        if self._is_late(line, body, now):
             return
         text = line[:_LONGEST_TEXT].decode("ascii", "replace").strip()
         self._text = text if text.isprintable() else ""

@@ -22,7 +22,7 @@ class Repetition(Generic[R]):
         ring: whose requests they are.
     """
 
-    __slots__ = ("_again", "_behind", "_questions", "_ring", "answered", "end", "sent", "start")
+    __slots__ = ("_again", "_behind", "_ring", "answered", "end", "questions", "sent", "start")
 
     def __init__(self, ring: Ring[R]) -> None:
         self._ring = ring
@@ -37,8 +37,8 @@ class Repetition(Generic[R]):
         that of the run."""
         self._behind = ring.next
         """ID behind the last that was sent again, or is to be."""
-        self._questions: list[int] = []
-        """Places of the `K` that were not answered."""
+        self.questions: list[int] = []
+        """Places of the `K` whose answers may still come."""
 
     def is_due(self) -> bool:
         """Return whether something is to be sent again."""
@@ -91,18 +91,18 @@ class Repetition(Generic[R]):
 
     def ask(self) -> None:
         """Record that a `K` is sent."""
-        self._questions.append(self.sent)
+        self.questions.append(self.sent)
         self.sent += 1
 
     def told(self) -> int:
         """Return the place that a `K` had which is answered, or of an earlier one."""
-        return self._questions.pop(0) if self._questions else NEVER
+        return self.questions.pop(0) if self.questions else NEVER
 
     def arrived(self, place: int) -> None:
         """Record that all up to a sending has arrived, or was lost; where nothing in flight was sent again, forget."""
         self.answered = max(self.answered, place)
-        while self._questions and self._questions[0] <= place:
-            del self._questions[0]
+        while self.questions and self.questions[0] <= place:
+            del self.questions[0]
         ring = self._ring
         if self._again and not 0 < ring.distance(self._behind) <= ring.unanswered_count:
             self._again.clear()

@@ -215,15 +215,19 @@ class Window(Ring[R]):
     def answered(self, number: int, count: int, now: float) -> None:
         """Record the answers to `count` IDs from `number` on, all of which wait for one."""
         last, after = number + count - 1 & self.mask, number + count & self.mask
-        run = self.slots[last]
-        if run is None or self.slots[number] is None:
+        run, beginning = self.slots[last], self.slots[number]
+        if run is None or beginning is None:
             raise ValueError(f"no request with ID {number} waits for an answer")
         trip, repetition = self.round_trip, self.repetition
         if trip.timed is not None and trip.timed - number & self.mask < count:
             trip.end(now)
         # Without repetitions, the answer to the oldest says nothing of the others.
         tells = repetition.is_any() or number != self.oldest
-        place = repetition.answered_sending(run, last) if tells else NEVER
+        place = NEVER
+        if tells:
+            # Behind the sending of the first came those of the others.
+            repetition.answered = max(repetition.answered, repetition.answered_sending(beginning, number))
+            place = repetition.answered_sending(run, last)
         if trip.is_doubled and repetition.sending(run, last) == repetition.first_sending(run, last):
             trip.undo_doubling()
         self._confirm(number)
@@ -276,7 +280,11 @@ class Window(Ring[R]):
         """Record ``n``: the gateway expects this ID, so a request has been lost."""
         if self.distance(expected) > self.unanswered_count:
             return
+        executed = [(self.slots[number], number) for number in (self.executed, expected - 1 & self.mask)]
         if self._confirm(expected):
+            for earlier, number in executed:
+                if earlier is not None:
+                    self.repetition.arrived(self.repetition.answered_sending(earlier, number))
             self._news(now)
         run = self.slots[expected]
         if expected == self.executed and run is not None:
@@ -343,6 +351,7 @@ class Window(Ring[R]):
             return None
         # Also where something was heard: it may be the beginning of a long answer on a slow line.
         self.round_trip.double()
+        self.repetition.questions.clear()
         given_up = self._give_up() if self.signs.time_out(now, self.since) else None
         self._repeat_from_oldest(now)
         return given_up
