@@ -19,7 +19,6 @@ from support.valve import Valve, as_gateway, cut
 from unity_link import ArgumentError, BusError, BusTimeoutError, LinkLostError, UnityLinkError, UnsupportedError
 from unity_link.link.connection import Reconnect
 from unity_link.protocol.configuration import Feature
-from unity_link.protocol.messages import Codec
 
 if TYPE_CHECKING:
     from collections.abc import Awaitable, Callable

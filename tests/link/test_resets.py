@@ -178,7 +178,9 @@ async def test_a_gateway_that_is_silent_after_its_reset_is_lost(make_direct: Mak
 
 
 @on_simulated_time
-async def test_each_session_has_a_number_and_a_first_id_of_its_own(make_direct: Maker, monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_each_session_has_a_number_and_a_first_id_of_its_own(
+    make_direct: Maker, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(connection, "choose_seed", iter([0x1234, 0x4320, 0xFFFF, 0x4321]).__next__)
     valve = Valve(gateway := make_direct(**SLOW))
     async with unity_link.connect(valve) as link:

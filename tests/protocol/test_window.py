@@ -35,20 +35,54 @@ class Named(Run):
     def __repr__(self) -> str:
         return self.name
 
+    def question(self, offset: int, count: int) -> Named:
+        return Asked(self, offset, count)
+
+
+class Confirming(Named):
+    """An ``h``."""
+
+    __slots__ = ()
+    is_fence = True
+
+
+class Asked(Named):
+    """Posted writes that are asked for."""
+
+    __slots__ = ("asked",)
+    is_question = True
+
+    def __init__(self, asked: Named, offset: int, count: int) -> None:
+        super().__init__(f"{asked.name}?", count)
+        self.asked = asked
+        self.first, self.sending = asked.first + offset & RING - 1, asked.sending + offset
+
+
+def named(name: str) -> Named:
+    """Return a request; a name that begins with ``p`` is that of a posted write, ``h`` that of what confirms them."""
+    if name.startswith("h"):
+        return Confirming(name)
+    return Named(name, reply_size=0 if name.startswith("p") else REPLY)
+
 
 def sent(window: Window[Named], *names: str, now: float = 0.0) -> list[Named]:
-    """Send requests; a name that begins with ``p`` is a posted write."""
-    runs = [Named(name, reply_size=0 if name.startswith("p") else REPLY) for name in names]
+    """Send requests."""
+    runs = [named(name) for name in names]
     for run in runs:
         window.send(run, now)
     return runs
 
 
 def repeated(window: Window[Named]) -> str:
-    """Return what the window sends again, and nothing where it does not want to."""
-    if not window.wants_repetition():
+    """Return what the window sends again, and nothing where it does not want to; `K` ahead where it went back."""
+    if not window.repetition.is_due():
         return ""
-    return " ".join(f"{run.name}@{number}" for number, run, _, count in window.repetition() for _ in range(count))
+    sent = []
+    if window.signs.place == window.repetition.sent:
+        window.repetition.ask()
+        sent.append("K")
+    sent += [f"{run.name}@{number}" for number, run, _, count in window.repeat() for _ in range(count)]
+    return " ".join(sent)
 
 
 def names(parts: list[Unanswered[Named]]) -> list[tuple[str, bool]]:
@@ -67,7 +101,7 @@ def test_an_answer_is_no_matter_of_its_own_while_others_are_to_be_sent_again() -
     window.damaged(1.0)
     window.answered(0, 1, 1.0)
     assert not window.is_quiet()
-    assert repeated(window) == "b@1 c@2"
+    assert repeated(window) == "K b@1 c@2"
     window.answered(1, 2, 2.0)
     assert window.is_quiet()
 
@@ -102,7 +136,7 @@ def test_the_answer_to_a_repetition_says_what_was_lost_of_that_sent_before_it() 
     window.answered(3, 1, now=0.002)
     assert repeated(window) == ""
     window.answered(0, 1, now=0.003)
-    assert repeated(window) == "c@2 e@4 f@5 g@6"
+    assert repeated(window) == "K c@2 e@4 f@5 g@6"
 
 
 def test_what_was_sent_behind_a_repetition_is_not_taken_for_lost_by_its_answer() -> None:
@@ -130,7 +164,7 @@ def test_a_repetition_that_was_lost_is_shown_by_the_answer_to_what_was_sent_behi
     assert repeated(window) == "a@0"
 
 
-def test_each_damaged_answer_has_one_more_sent_again_until_one_must_be_about_a_repetition() -> None:
+def test_each_damaged_answer_has_one_more_sent_again_and_one_more_than_there_are_has_it_go_back() -> None:
     window: Window[Named] = Window(RING, round_trip=0.01)
     sent(window, *"abcd")
     room = window.room(SIZE)
@@ -140,8 +174,10 @@ def test_each_damaged_answer_has_one_more_sent_again_until_one_must_be_about_a_r
     window.answer_damaged(now=0.002)
     assert repeated(window) == "b@1 c@2"
     assert window.room(SIZE) == room
-    window.answer_damaged(now=0.02)
-    assert repeated(window) == "a@0 b@1 c@2 d@3"
+    window.answer_damaged(now=0.002)
+    assert repeated(window) == "d@3"
+    window.answer_damaged(now=0.002)
+    assert repeated(window) == "K a@0 b@1 c@2 d@3"
 
 
 def test_the_answer_to_what_was_perhaps_lost_may_be_the_first_and_says_nothing_of_the_others() -> None:
@@ -153,13 +189,13 @@ def test_the_answer_to_what_was_perhaps_lost_may_be_the_first_and_says_nothing_o
     assert repeated(window) == ""
 
 
-def test_a_damaged_request_while_an_answer_is_missing_is_perhaps_the_repetition_of_that() -> None:
+def test_a_damaged_request_while_an_answer_is_missing_goes_back() -> None:
     window: Window[Named] = Window(RING, round_trip=0.01)
     sent(window, *"abc")
     window.answered(1, 1, now=0.001)
     assert repeated(window) == "a@0"
     window.damaged(now=0.02)
-    assert repeated(window) == "a@0"
+    assert repeated(window) == "K a@0 c@2"
 
 
 def test_a_damaged_request_while_nothing_is_repeated_is_one_that_was_not_executed() -> None:
@@ -168,7 +204,7 @@ def test_a_damaged_request_while_nothing_is_repeated_is_one_that_was_not_execute
     window.answer_damaged(now=0.001)
     window.answered(1, 1, now=0.001)
     window.damaged(now=0.001)
-    assert repeated(window) == "a@0 c@2 d@3"
+    assert repeated(window) == "K a@0 c@2 d@3"
 
 
 def test_a_damaged_request_behind_the_answer_to_a_repetition_is_another() -> None:
@@ -178,45 +214,74 @@ def test_a_damaged_request_behind_the_answer_to_a_repetition_is_another() -> Non
     assert repeated(window) == "a@0 b@1"
     window.answered(1, 1, now=0.002)
     window.damaged(now=0.002)
-    assert repeated(window) == "a@0 d@3"
+    assert repeated(window) == "K a@0 d@3"
 
 
-def test_where_silence_follows_a_damaged_request_it_was_not_the_repetition() -> None:
-    window: Window[Named] = Window(RING, round_trip=0.01, shortest_timeout=1.0)
-    sent(window, *"abc")
-    window.answered(1, 1, now=0.001)
-    assert repeated(window) == "a@0"
-    window.damaged(now=0.02)
-    assert repeated(window) == "a@0"
-    window.answered(0, 1, now=0.029)
-    assert repeated(window) == ""
-    assert window.deadline == pytest.approx(0.039)
-    window.expire(now=0.039)
-    assert repeated(window) == "c@2"
-    assert not window.timed_out
-
-
-def test_what_is_damaged_behind_a_damaged_answer_before_anything_is_sent_again_is_another_loss() -> None:
-    window: Window[Named] = Window(RING, round_trip=0.01)
-    sent(window, *"abc")
+def test_no_further_sign_is_taken_before_something_is_answered_that_was_sent_since() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, *"abcd")
     window.damaged(now=0.001)
-    assert repeated(window) == "a@0 b@1 c@2"
-    for sign in (window.answer_damaged, window.damaged):
-        sign(now=0.02)
-    assert repeated(window) == "a@0 b@1 c@2"
-
-
-def test_a_damaged_answer_too_early_to_be_the_last_repetition_s_is_taken_when_silence_follows() -> None:
-    window: Window[Named] = Window(RING, round_trip=0.01, shortest_timeout=1.0)
-    sent(window, "a")
-    window.answer_damaged(now=0.001)
-    assert repeated(window) == "a@0"
-    window.answer_damaged(now=0.009)
+    assert repeated(window) == "K a@0 b@1 c@2 d@3"
+    for sign in (window.damaged, window.answer_damaged):
+        sign(now=0.002)
+    window.out_of_sequence(0, now=0.002)
     assert repeated(window) == ""
-    assert window.deadline == pytest.approx(0.019)
-    window.expire(now=0.019)
-    assert repeated(window) == "a@0"
-    assert not window.timed_out
+    # Perhaps the answer to what was sent first.
+    window.answered(1, 1, now=0.003)
+    window.damaged(now=0.003)
+    assert repeated(window) == ""
+    window.asked(now=0.003)
+    window.damaged(now=0.003)
+    assert repeated(window) == "K a@0 c@2 d@3"
+
+
+def test_the_answer_to_the_question_ahead_of_a_repetition_says_that_the_next_sign_is_about_it() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, *"ab")
+    window.damaged(now=0.001)
+    assert repeated(window) == "K a@0 b@1"
+    window.asked(now=0.002)
+    assert repeated(window) == ""
+    window.damaged(now=0.002)
+    assert repeated(window) == "K a@0 b@1"
+
+
+def test_the_answer_to_a_question_has_sent_again_what_was_sent_before_it_and_is_not_answered() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, *"ab")
+    window.repetition.ask()
+    sent(window, *"c")
+    window.asked(now=0.001)
+    assert repeated(window) == "K a@0 b@1 c@2"
+
+
+def test_an_answer_to_nothing_that_was_asked_says_nothing() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, *"ab")
+    window.asked(now=0.001)
+    assert repeated(window) == ""
+
+
+def test_where_the_time_has_run_out_the_next_answer_is_that_to_the_last_question() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, *"ab")
+    window.damaged(now=0.001)
+    assert repeated(window) == "K a@0 b@1"
+    assert window.deadline is not None
+    window.expire(window.deadline)
+    assert repeated(window) == "K a@0 b@1"
+    window.asked(now=1.0)
+    window.damaged(now=1.0)
+    assert repeated(window) == "K a@0 b@1"
+
+
+def test_a_gap_behind_what_was_sent_again_is_another_loss() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, *"abc")
+    window.out_of_sequence(0, now=0.001)
+    assert repeated(window) == "K a@0 b@1 c@2"
+    window.out_of_sequence(1, now=0.002)
+    assert repeated(window) == "K a@0 b@1 c@2"
 
 
 def test_a_damaged_answer_has_posted_writes_sent_again_up_to_a_request_that_is_answered() -> None:
@@ -241,7 +306,7 @@ def test_out_of_sequence_goes_back_and_tells_what_was_executed() -> None:
     sent(window, "a", "b", "c")
     window.out_of_sequence(1, now=0.001)
     assert names(list(window.unanswered())) == [("a", True), ("b", False), ("c", False)]
-    assert repeated(window) == "a@0 b@1 c@2"
+    assert repeated(window) == "K a@0 b@1 c@2"
 
 
 def test_out_of_sequence_confirms_posted_writes() -> None:
@@ -249,7 +314,7 @@ def test_out_of_sequence_confirms_posted_writes() -> None:
     sent(window, "p", "p", "a")
     window.out_of_sequence(2, now=0.001)
     assert (window.oldest, window.executed) == (2, 2)
-    assert repeated(window) == "a@2"
+    assert repeated(window) == "K a@2"
 
 
 def test_out_of_sequence_with_an_id_that_was_never_sent_is_noise() -> None:
@@ -273,89 +338,32 @@ def test_damage_goes_back() -> None:
     window: Window[Named] = Window(RING)
     sent(window, "a", "b")
     window.damaged(now=0.001)
-    assert repeated(window) == "a@0 b@1"
+    assert repeated(window) == "K a@0 b@1"
 
 
 def test_it_goes_back_once_for_a_gap_until_something_new_is_confirmed() -> None:
     window: Window[Named] = Window(RING, round_trip=0.01)
     sent(window, "a", "b", "c")
     window.damaged(now=0.001)
-    assert repeated(window) == "a@0 b@1 c@2"
+    assert repeated(window) == "K a@0 b@1 c@2"
     window.out_of_sequence(0, now=0.002)
     window.damaged(now=0.002)
     window.answer_damaged(now=0.002)
     assert repeated(window) == ""
     window.answered(0, 1, now=0.003)
     window.damaged(now=0.004)
-    assert repeated(window) == "b@1 c@2"
+    assert repeated(window) == "K b@1 c@2"
 
 
-def test_signs_are_taken_after_pauses_that_double_as_long_as_nothing_moves() -> None:
-    window: Window[Named] = Window(RING, round_trip=0.01, shortest_timeout=1.0)
-    sent(window, "a", "b")
-    window.damaged(now=0.0)
-    repeated(window)
-    taken = []
-    for millisecond in range(1, 800):
-        window.damaged(now=millisecond / 1000)
-        if repeated(window):
-            taken.append(millisecond)
-    # Six at the pace of a usual round trip, then after 64 times the least.
-    assert taken == pytest.approx([10, 20, 30, 40, 50, 60, 700], abs=2)
-
-
-def test_a_sign_that_comes_too_early_is_taken_when_nothing_else_comes_for_as_long_again() -> None:
-    window: Window[Named] = Window(RING, round_trip=0.01, shortest_timeout=1.0)
-    sent(window, "a", "b")
-    window.damaged(now=0.0)
-    assert repeated(window) == "a@0 b@1"
-    window.damaged(now=0.009)
-    assert repeated(window) == ""
-    assert window.deadline == pytest.approx(0.019)
-    window.expire(now=0.019)
-    assert repeated(window) == "a@0 b@1"
-    assert not window.timed_out
-
-
-def test_a_sign_that_comes_too_early_outlives_answers_to_what_was_sent_before_it() -> None:
-    window: Window[Named] = Window(RING, round_trip=0.01, shortest_timeout=1.0)
-    sent(window, "a", "b", "c")
-    window.damaged(now=0.0)
-    repeated(window)
-    window.damaged(now=0.009)
-    window.answered(0, 1, now=0.0095)
-    assert window.deadline == pytest.approx(0.0195)
-    window.expire(now=0.0195)
-    assert repeated(window) == "b@1 c@2"
-
-
-def test_a_sign_that_comes_too_early_is_forgotten_when_all_that_was_sent_before_it_is_answered() -> None:
-    window: Window[Named] = Window(RING, round_trip=0.01, shortest_timeout=1.0)
+def test_signs_about_the_same_request_are_left_to_the_time_in_the_end() -> None:
+    window: Window[Named] = Window(RING)
     sent(window, "a")
-    window.damaged(now=0.0)
-    repeated(window)
-    window.damaged(now=0.009)
-    sent(window, "b")
-    window.answered(0, 1, now=0.0095)
-    assert window.deadline is not None
-    assert window.deadline > 1.0
-
-
-def test_a_sign_that_comes_too_early_is_taken_also_at_the_very_time_of_a_fence(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    monkeypatch.setattr("unity_link.protocol.window.FENCE_DELAY", 0.25)
-    window: Window[Named] = Window(RING, round_trip=0.5, shortest_timeout=2.0)
-    sent(window, *("a" for _ in range(100)))
-    window.damaged(now=0.0)
-    repeated(window)
-    assert window.wants_repetition()
-    window.damaged(now=0.25)
-    sent(window, "p", now=0.5)
-    assert window.deadline == 0.75
-    window.expire(now=0.75)
-    assert window.deadline is not None
-    assert window.deadline > 0.75
+    taken = 0
+    for _ in range(2 * module.MOST_SIGNS):
+        window.damaged(now=0.0)
+        taken += repeated(window) == "K a@0"
+        window.asked(now=0.0)
+    assert taken == module.MOST_SIGNS
 
 
 def test_many_signs_that_arrive_together_are_one() -> None:
@@ -363,32 +371,28 @@ def test_many_signs_that_arrive_together_are_one() -> None:
     sent(window, *"abcdefghijklmnopqrstuvwxyz")
     for _ in range(100):
         window.damaged(now=0.0)
-    assert len(repeated(window).split()) == 26
+    assert len(repeated(window).split()) == 1 + 26
 
 
 def test_it_goes_back_again_when_the_time_has_run_out() -> None:
     window: Window[Named] = Window(RING)
     sent(window, "a")
     window.damaged(now=0.001)
-    assert repeated(window) == "a@0"
+    assert repeated(window) == "K a@0"
     assert window.deadline is not None
     window.expire(window.deadline)
-    assert repeated(window) == "a@0"
+    assert repeated(window) == "K a@0"
 
 
 def test_a_refusal_goes_back_and_the_third_one_gives_the_oldest_up() -> None:
     window: Window[Named] = Window(RING)
     a, _ = sent(window, "a", "b")
-    now = 0.0
     for _ in range(module.MOST_REFUSALS - 1):
-        assert window.refused(now) is None
-        repeated(window)
-        assert window.deadline is not None
-        now = window.deadline
-        window.expire(now)
-        assert repeated(window) == "a@0 b@1"
-    assert window.refused(now) is a
-    assert repeated(window) == "a@0 b@1"
+        assert window.refused(now=0.0) is None
+        assert repeated(window) == "K a@0 b@1"
+        window.asked(now=0.0)
+    assert window.refused(now=0.0) is a
+    assert repeated(window) == "K a@0 b@1"
 
 
 def test_refusals_of_different_requests_do_not_add_up() -> None:
@@ -418,12 +422,12 @@ def test_silence_goes_back_with_twice_the_time_each_time_and_then_is_lost() -> N
     window: Window[Named] = Window(RING, round_trip=0.02)
     sent(window, "a")
     now, pauses = 0.0, []
-    while not window.lost:
+    while not window.signs.lost:
         assert window.deadline is not None
         pauses.append(window.deadline - now)
         now = window.deadline
         assert window.expire(now) is None
-        assert repeated(window) == "a@0"
+        assert repeated(window) == "K a@0"
     assert sum(pauses[:-1]) < module.LONGEST_SILENCE <= sum(pauses)
     for first, second in itertools.pairwise(pauses):
         assert second == pytest.approx(min(2 * first, module.LONGEST_TIMEOUT))
@@ -433,9 +437,9 @@ def test_damage_alone_gives_the_oldest_up_and_is_lost_when_its_replacement_fares
     window: Window[Named] = Window(RING, round_trip=0.02)
     a, _ = sent(window, "a", "b")
     given_up, tries = [], 0
-    while not window.lost:
+    while not window.signs.lost:
         assert window.deadline is not None
-        window.heard = True
+        window.signs.heard = True
         run = window.expire(window.deadline)
         tries += 1
         if run is not None:
@@ -457,7 +461,7 @@ def test_what_is_damaged_each_time_is_given_up_however_long_its_answers_take(lat
             now = window.deadline
             given_up = window.expire(now)
             repeated(window)
-        window.heard, now = True, max(now, arrives)
+        window.signs.heard, now = True, max(now, arrives)
         window.answer_damaged(now)
         if given_up is None:
             given_up = window.expire(now)
@@ -472,9 +476,9 @@ def test_news_after_a_request_was_given_up_begins_anew() -> None:
         given_up = None
         while given_up is None:
             assert window.deadline is not None
-            window.heard = True
+            window.signs.heard = True
             given_up = window.expire(window.deadline)
-        assert not window.lost
+        assert not window.signs.lost
         window.answered(given_up.first, 1, now=window.deadline or 0.0)
     assert window.in_flight == 0
 
@@ -503,12 +507,12 @@ def test_time_outs_of_requests_that_were_answered_in_the_end_do_not_add_up() -> 
         sent(window, "a", now=now)
         deadline = window.deadline
         assert deadline is not None
-        window.heard = True
+        window.signs.heard = True
         assert window.expire(deadline) is None
-        assert repeated(window) == f"a@{number}"
+        assert repeated(window) == f"K a@{number}"
         now = deadline + 0.001
         window.answered(number, 1, now)
-        assert not window.lost
+        assert not window.signs.lost
 
 
 def test_of_refusals_that_come_before_the_repetition_can_have_arrived_two_count() -> None:
@@ -524,6 +528,7 @@ def test_a_posted_write_that_is_given_up_has_an_answer_from_then_on() -> None:
     while given_up is None:
         given_up = window.refused(now)
         repeated(window)
+        window.asked(now)
         now += 1.0
     assert given_up is posted
     assert not posted.posted
@@ -538,7 +543,7 @@ def test_an_answer_begins_the_count_of_the_tries_anew() -> None:
         tries.append(0)
         while given_up is None:
             tries[-1] += 1
-            window.heard = True
+            window.signs.heard = True
             assert window.deadline is not None
             now = window.deadline
             given_up = window.expire(now)
@@ -552,9 +557,10 @@ def test_a_damaged_answer_behind_a_time_out_undoes_the_doubling_of_the_next() ->
     window: Window[Named] = Window(RING, round_trip=0.01, shortest_timeout=0.1)
     sent(window, *"abc")
     window.expire(now=0.1)
-    assert repeated(window) == "a@0 b@1 c@2"
+    assert repeated(window) == "K a@0 b@1 c@2"
+    window.asked(now=0.2)
     window.answer_damaged(now=0.2)
-    assert repeated(window) == "a@0"
+    assert repeated(window) == "K a@0 b@1 c@2"
     window.answered(0, 1, now=0.26)
     assert window.deadline == pytest.approx(0.26 + 0.1)
 
@@ -567,27 +573,14 @@ def test_what_is_answered_before_it_could_be_sent_again_is_not_sent_again(first:
     window.answered(first, 1, now=0.002)
     window.answered(first + 1, 1, now=0.002)
     third = (first + 2) % RING
-    assert repeated(window) == f"c@{third} d@{third + 1}"
-
-
-def test_pauses_between_signs_double_from_the_least_round_trip_to_a_usual_one() -> None:
-    window: Window[Named] = Window(RING, round_trip=0.01, shortest_timeout=1.0)
-    sent(window, "a")
-    window.answered(0, 1, now=0.001)
-    sent(window, "b", now=1.0)
-    taken = []
-    for tenth in range(200):
-        window.damaged(now=1.0 + tenth / 10_000)
-        if repeated(window):
-            taken.append(tenth / 10)
-    assert taken == pytest.approx([0, 1, 3, 7, 15], abs=0.2)
+    assert repeated(window) == f"K c@{third} d@{third + 1}"
 
 
 def test_the_answer_to_what_was_sent_once_undoes_the_doubling_of_the_time_out() -> None:
     window: Window[Named] = Window(RING, round_trip=0.01, shortest_timeout=0.1)
     sent(window, "a")
     window.expire(now=0.1)
-    assert repeated(window) == "a@0"
+    assert repeated(window) == "K a@0"
     # The round trip of the first of these is measured, and that of no other.
     sent(window, "b", "c", now=0.15)
     window.answered(2, 1, now=0.16)
@@ -669,7 +662,7 @@ def test_answers_to_a_part_that_is_known_to_be_executed_and_one_that_is_not_clos
     window.out_of_sequence(50, now=0.001)
     window.answered(0, 100, now=0.002)
     assert (window.oldest, window.executed, window.in_flight) == (100, 100, 0)
-    assert window.room(SIZE) == window.most_room(SIZE)
+    assert window.room(SIZE) == window.allowance.most_room(SIZE)
     assert window.deadline is None
 
 
@@ -680,10 +673,10 @@ def test_the_requests_of_a_run_that_still_wait_are_counted_up_to_the_first_that_
         window.send(Named("x", count=100), 0.0)
         window.answered(start, 100, now=0.0)
     window.send(Named("m", count=100), 0.0)
-    assert window.unanswered_from(first, 100) == 100
+    assert window.waiting_from(first, 100) == 100
     window.answered(first + 60 & 255, 1, now=0.0)
-    assert window.unanswered_from(first, 100) == 60
-    assert window.unanswered_from(first, 30) == 30
+    assert window.waiting_from(first, 100) == 60
+    assert window.waiting_from(first, 30) == 30
 
 
 def test_a_run_goes_round_the_ring() -> None:
@@ -692,8 +685,8 @@ def test_a_run_goes_round_the_ring() -> None:
         window.send(run := Named("m", count=100), 0.0)
         assert run.first == start % RING
         window.damaged(now=0.0)
-        again = [(number, offset, count) for number, _, offset, count in window.repetition()]
-        assert again == [(start % RING, 0, window.most_room(SIZE))]
+        again = [(number, offset, count) for number, _, offset, count in window.repeat()]
+        assert again == [(start % RING, 0, window.allowance.most_room(SIZE))]
         window.answered(start % RING, 100, now=0.0)
     assert window.in_flight == 0
 
@@ -734,16 +727,19 @@ def test_a_request_longer_than_the_receive_fifo_goes_alone() -> None:
     assert window.room(100) == 0
 
 
-def test_posted_writes_leave_room_for_their_fence() -> None:
+def test_a_place_is_left_for_the_fence_of_posted_writes() -> None:
     window: Window[Named] = Window(RING)
-    sent(window, *["p"] * 127)
-    assert window.room(SIZE, posted=True) == 0
-    assert window.room(SIZE) == 1
+    sent(window, *["p"] * 126)
+    assert window.room(SIZE, posted=True) == window.room(SIZE) == 1
+    sent(window, "p")
+    assert window.room(SIZE, posted=True) == window.room(SIZE) == 0
+    sent(window, "h")
+    assert window.in_flight == RING // 2
 
 
 def test_while_it_loses_it_keeps_less_in_flight_and_grows_again_with_answers() -> None:
     window: Window[Named] = Window(RING)
-    sent(window, *"abcdefghijklmnopqrstuvwxyz")
+    sent(window, *"ABCDEFGHIJKLMNOPQRSTUVWXYZ")
     window.damaged(now=0.0)
     assert window.room(SIZE) == 0
     repeated(window)
@@ -758,6 +754,7 @@ def test_posted_writes_that_their_fence_confirms_let_it_grow_as_answers_do() -> 
     sent(window, *["p"] * 25, "h")
     window.damaged(now=0.0)
     repeated(window)
+    assert window.told(25, 0, now=0.0)
     window.answered(25, 1, now=0.0)
     assert window.room(SIZE) == RING // 4 + 26 // module.DONE_FOR_ONE_MORE
 
@@ -767,14 +764,14 @@ def test_the_repetition_sends_no_more_than_the_smaller_window_holds_and_goes_on_
     run = Named("m", count=100)
     window.send(run, 0.0)
     window.damaged(now=0.0)
-    assert [part[2:] for part in window.repetition()] == [(0, 64)]
-    assert list(window.repetition()) == []
+    assert [part[2:] for part in window.repeat()] == [(0, 64)]
+    assert list(window.repeat()) == []
     window.answered(0, 10, now=0.02)
-    assert [part[2:] for part in window.repetition()] == [(64, 12)]
+    assert [part[2:] for part in window.repeat()] == [(64, 12)]
     assert window.room(SIZE) == 0
     window.answered(10, 54, now=0.03)
-    assert [part[2:] for part in window.repetition()] == [(76, 24)]
-    assert not window.wants_repetition()
+    assert [part[2:] for part in window.repeat()] == [(76, 24)]
+    assert not window.repetition.is_due()
     assert window.room(SIZE) > 0
 
 
@@ -785,16 +782,17 @@ def test_the_repetition_goes_on_to_a_request_that_has_an_answer() -> None:
     for now in (0.0, 1.0, 3.0, 7.0):
         window.damaged(now)
         again = repeated(window)
-    assert again == " ".join([*(f"p@{number}" for number in range(30)), "a@30"])
+        window.asked(now)
+    assert again == " ".join(["K", *(f"p@{number}" for number in range(30)), "a@30"])
 
 
 def test_room_at_most_follows_the_smaller_window_and_the_receive_fifo() -> None:
     window: Window[Named] = Window(RING, byte_limit=100 * SIZE, round_trip=0.01)
-    assert window.most_room(SIZE) == 100
-    assert window.most_room(200 * SIZE) == 1
+    assert window.allowance.most_room(SIZE) == 100
+    assert window.allowance.most_room(200 * SIZE) == 1
     sent(window, "a")
     window.damaged(now=0.0)
-    assert window.most_room(SIZE) == 64
+    assert window.allowance.most_room(SIZE) == 64
 
 
 # Posted writes
@@ -810,12 +808,45 @@ def test_posted_writes_wait_for_a_fence_and_not_for_an_answer() -> None:
     assert repeated(window) == ""
 
 
-def test_a_request_behind_posted_writes_is_their_fence() -> None:
+def test_posted_writes_are_done_when_the_answer_to_a_fence_has_counted_those_that_failed() -> None:
     window: Window[Named] = Window(RING)
     sent(window, "p", "p", "a", now=1.0)
-    assert not window.needs_fence(10.0)
     window.answered(2, 1, now=1.001)
-    assert window.in_flight == 0
+    assert (window.oldest, window.in_flight) == (3, 3)
+    assert not window.is_idle()
+    assert window.needs_fence(1.0 + module.FENCE_DELAY)
+    sent(window, "h", now=2.0)
+    assert not window.needs_fence(10.0)
+    assert window.told(3, 0, now=2.001)
+    window.answered(3, 1, now=2.001)
+    assert window.is_idle()
+
+
+def test_posted_writes_are_asked_for_where_more_have_failed_than_errors_have_come() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, "p", "p", "p", "h")
+    window.post_failed()
+    window.answered(0, 1, now=0.001)
+    assert not window.told(3, 2, now=0.002)
+    assert repeated(window) == "p?@1 p?@2 h@3"
+    window.answered(1, 1, now=0.003)
+    window.post_failed()
+    window.answered(2, 1, now=0.003)
+    assert window.told(3, 2, now=0.003)
+    window.answered(3, 1, now=0.003)
+    assert window.is_idle()
+
+
+def test_errors_that_come_after_all_let_posted_writes_be_done_that_were_asked_for() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, "p", "p", "h")
+    assert not window.told(2, 1, now=0.002)
+    assert repeated(window) == "p?@0 p?@1 h@2"
+    window.post_failed()
+    window.answered(0, 1, now=0.003)
+    assert window.told(2, 1, now=0.003)
+    window.answered(2, 1, now=0.003)
+    assert window.is_idle()
 
 
 def test_many_posted_writes_do_not_wait_for_their_fence() -> None:
@@ -841,7 +872,7 @@ def test_a_time_out_may_come_before_the_fence() -> None:
     almost = window.deadline - module.FENCE_DELAY / 2
     sent(window, "p", now=almost)
     window.expire(window.deadline)
-    assert repeated(window) == "a@0 p@1"
+    assert repeated(window) == "K a@0 p@1"
 
 
 # Time
@@ -893,6 +924,7 @@ def test_progress_after_a_sign_of_loss_undoes_a_longer_time_out() -> None:
     assert window.deadline is not None
     window.expire(window.deadline)
     repeated(window)
+    window.asked(now=0.6)
     window.damaged(now=0.6)
     repeated(window)
     window.answered(0, 1, now=0.7)
@@ -904,8 +936,9 @@ def test_a_longer_time_out_stays_until_a_round_trip_is_measured() -> None:
     sent(window, "a", now=0.0)
     assert window.deadline is not None
     assert window.deadline == pytest.approx(0.3)
-    window.heard = True
+    window.signs.heard = True
     window.expire(window.deadline)
+    repeated(window)
     assert window.deadline == pytest.approx(0.3 + 0.6)
     window.answered(0, 1, now=0.5)
     sent(window, "b", now=1.0)
@@ -926,26 +959,36 @@ def test_the_time_on_the_wire_of_a_slow_line_counts() -> None:
 
 
 class Peer:
-    """A gateway as docs/protocol.md says, for requests of one kind each: reads, acknowledged writes, posted ones."""
+    """A gateway as docs/protocol.md says: ``pf`` fails, and an ``h`` counts."""
 
     def __init__(self) -> None:
-        self.expected = 0
+        self.expected = self.failed = 0
         self.gap_told = False
+        self.fates = [False] * (RING // 2)
         self.executed: list[Named] = []
 
     def take(self, number: int, run: Named) -> tuple[str, int] | None:
+        """Return the kind of the answer and its number: the count of an ``h`` that asks is behind its ID."""
+        if run.name == "K":
+            return ("K", 0)
         distance = number - self.expected & RING - 1
-        if distance == 0:
-            self.expected = number + 1 & RING - 1
-            self.gap_told = False
-            self.executed.append(run)
-            return None if run.name == "p" else ("answer", number)
-        if distance < RING // 2:
+        if 0 < distance < RING // 2:
             if self.gap_told:
                 return None
             self.gap_told = True
             return ("n", self.expected)
-        return None if run.name == "p" else ("answer", number)
+        if distance == 0:
+            assert not run.is_question
+            self.expected = number + 1 & RING - 1
+            self.gap_told = False
+            self.executed.append(run)
+            self.fates[number % (RING // 2)] = run.name == "pf"
+            self.failed += run.name == "pf"
+        if self.fates[number % (RING // 2)]:
+            return ("x", number)
+        if run.is_fence:
+            return ("h", self.failed << 8 | number)
+        return None if run.posted else ("answer", number)
 
 
 class LossyLine(RuleBasedStateMachine):
@@ -960,6 +1003,7 @@ class LossyLine(RuleBasedStateMachine):
         self.back: deque[tuple[str, int]] = deque()
         self.called: list[Named] = []
         self.answered: list[Named] = []
+        self.failed = 0
 
     def submit(self, run: Named) -> None:
         self.window.send(run, self.now)
@@ -967,15 +1011,21 @@ class LossyLine(RuleBasedStateMachine):
         self.towards.append((run.first, run))
 
     def settle(self) -> None:
-        if self.window.wants_repetition():
-            self.towards.extend((number, run) for number, run, _, _ in self.window.repetition())
-        if self.window.needs_fence(self.now):
-            self.submit(Named("h"))
+        window = self.window
+        if window.repetition.is_due():
+            if window.signs.place == window.repetition.sent:
+                window.repetition.ask()
+                self.towards.append((0, Named("K")))
+            self.towards.extend(
+                (number + place & RING - 1, run) for number, run, _, count in window.repeat() for place in range(count)
+            )
+        if window.needs_fence(self.now):
+            self.submit(named("h"))
 
-    @rule(name=st.sampled_from(["r", "w", "p"]), count=st.integers(1, 60))
+    @rule(name=st.sampled_from(["r", "w", "p", "pf"]), count=st.integers(1, 60))
     def call(self, name: str, count: int) -> None:
-        for _ in range(min(count, self.window.room(SIZE, posted=name == "p"))):
-            self.submit(Named(name, reply_size=0 if name == "p" else REPLY))
+        for _ in range(min(count, self.window.room(SIZE, posted=name.startswith("p")))):
+            self.submit(named(name))
             self.settle()
 
     @precondition(lambda self: self.towards)
@@ -1001,21 +1051,36 @@ class LossyLine(RuleBasedStateMachine):
         self.settle()
 
     def hear(self, kind: str, number: int) -> None:
-        self.window.heard = True
+        self.window.signs.heard = True
         if kind == "damaged":
             self.window.damaged(self.now)
         elif kind == "unreadable":
             self.window.answer_damaged(self.now)
         elif kind == "n":
             self.window.out_of_sequence(number, self.now)
-        elif (run := self.window.find(number)) is not None:
+        elif kind == "K":
+            self.window.asked(self.now)
+        else:
+            self.hear_of(kind, number & RING - 1, number >> 8)
+
+    def hear_of(self, kind: str, number: int, failed: int) -> None:
+        """Take an answer as `Exchange` does."""
+        run = self.window.find(number)
+        if run is None or (kind == "answer" and run.posted):
+            return
+        if kind == "x":
+            self.window.post_failed()
+            self.failed += 1
+        elif kind == "h" and run.is_fence and not self.window.told(number, failed & RING - 1, self.now):
+            return
+        else:
             self.answered.append(run)
-            self.window.answered(number, 1, self.now)
+        self.window.answered(number, 1, self.now)
 
     @rule(seconds=st.floats(0.0, 0.1))
     def wait(self, seconds: float) -> None:
         self.now += seconds
-        self.window.heard = True
+        self.window.signs.heard = True
         self.window.expire(self.now)
         self.settle()
 
@@ -1025,13 +1090,20 @@ class LossyLine(RuleBasedStateMachine):
 
     @invariant()
     def the_host_never_believes_more_than_the_gateway_did(self) -> None:
-        assert self.called.index(self.answered[-1]) < len(self.peer.executed) if self.answered else True
+        answered = [run for run in self.answered if not run.is_question]
+        assert self.called.index(answered[-1]) < len(self.peer.executed) if answered else True
         assert self.window.in_flight <= RING // 2
+
+    @invariant()
+    def no_failed_write_is_told_as_done(self) -> None:
+        assert self.failed <= self.peer.failed
+        if self.window.is_idle():
+            assert self.failed == self.peer.failed
 
     def teardown(self) -> None:
         """On a line that has become good, everything ends: executed once, answered once, and nothing is left over."""
         for _ in range(20_000):
-            if not self.window.in_flight:
+            if self.window.is_idle():
                 break
             while self.towards:
                 answer = self.peer.take(*self.towards.popleft())
@@ -1044,9 +1116,11 @@ class LossyLine(RuleBasedStateMachine):
             self.settle()
         assert self.window.in_flight == 0
         assert self.peer.executed == self.called
-        assert sorted(map(id, self.answered)) == sorted(id(run) for run in self.called if run.name != "p")
+        assert self.failed == self.peer.failed == sum(run.name == "pf" for run in self.called)
+        answered = [id(run) for run in self.answered if not run.is_question]
+        assert sorted(answered) == sorted(id(run) for run in self.called if not run.name.startswith("p"))
         assert self.window.room(SIZE) >= min(module.FEWEST_IN_FLIGHT, 40)
-        assert not self.window.lost
+        assert not self.window.signs.lost
 
 
 TestLossyLine = LossyLine.TestCase

@@ -190,10 +190,12 @@ class GatewaySession:
 
     def _fits(self, request: DecodedRequest) -> bool:
         """Return whether a destructive read asks for what this gateway has."""
-        info, (address, *rest) = self._codec.info, request.values
+        info = self._codec.info
+        address: int = request.values[0]
+        words: tuple[int, ...] = request.values[1:]
         if request.command == "RQ":
-            return address < 1 << info.address_bits and 1 <= rest[0] <= info.block_words
-        return address < 1 << info.address_bits and max(rest) < 1 << info.data_bits
+            return address < 1 << info.address_bits and 1 <= words[0] <= info.block_words
+        return address < 1 << info.address_bits and max(words) < 1 << info.data_bits
 
     def _once_more(self, request: DecodedRequest, number: int) -> int | list[int] | None:
         """Return what the answer to a repetition has beside the ID."""

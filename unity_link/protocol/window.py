@@ -225,9 +225,11 @@ class Window(Ring[R]):
         tells = repetition.is_any() or number != self.oldest
         place = NEVER
         if tells:
-            # Behind the sending of the first came those of the others.
-            repetition.answered = max(repetition.answered, repetition.answered_sending(beginning, number))
-            place = repetition.answered_sending(run, last)
+            place = repetition.answered_sending(beginning, number)
+            if count > 1:
+                # Those of the others came behind it.
+                repetition.answered = max(repetition.answered, place)
+                place = repetition.answered_sending(run, last)
         if trip.is_doubled and repetition.sending(run, last) == repetition.first_sending(run, last):
             trip.undo_doubling()
         self._confirm(number)
@@ -280,7 +282,8 @@ class Window(Ring[R]):
         """Record ``n``: the gateway expects this ID, so a request has been lost."""
         if self.distance(expected) > self.unanswered_count:
             return
-        executed = [(self.slots[number], number) for number in (self.executed, expected - 1 & self.mask)]
+        marks = dict.fromkeys((self.executed, expected - 1 & self.mask))
+        executed = [(self.slots[number], number) for number in marks]
         if self._confirm(expected):
             for earlier, number in executed:
                 if earlier is not None:
