@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import itertools
+
 import pytest
 
-from unity_link.errors import ConnectError, UnsupportedError
+from unity_link.errors import ConnectError, LinkLostError, UnsupportedError
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.constants import (
     CHECKED_TRIES,
@@ -17,7 +19,7 @@ from unity_link.protocol.constants import (
 )
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import Framing
-from unity_link.protocol.handshake import ECHO, RESET_TRIES, Handshake
+from unity_link.protocol.handshake import ECHO, RESET_TRIES, Handshake, SessionNumbers
 from unity_link.transport import udp
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Straying
@@ -28,13 +30,28 @@ FRAMING = Framing(Crc())
 CHECKED = FRAMING.checked(b"Q" + INFO.to_hex())
 ASKS_PLAIN, ASKS_CHECKED = b"\nQ\r", FRAMING.checked(b"Q")
 SEED = 0x1234
+ASKS_WHOSE = FRAMING.checked(b"K")
+BEFORE = 0x4321
 
 
-def asking(
-    now: float = 0.0, *, again: bool = False, group: bytes | None = None, wire_time: float | None = None
-) -> Handshake:
+def numbers(seed: int = SEED) -> SessionNumbers:
+    """Return numbers of sessions from 1235 on, where the first ID is 234."""
+    return SessionNumbers(itertools.count(seed).__next__)
+
+
+def asks_session(place: int = 0) -> bytes:
+    """Return a question for a session: each is for another."""
+    return FRAMING.checked(b"K234%04X" % (0x1236 + place))
+
+
+def begins(place: int = 0, ended: int = 0) -> bytes:
+    """Return the answer to it."""
+    return FRAMING.checked(b"K234%04X%04X" % (0x1236 + place, ended))
+
+
+def asking(now: float = 0.0, *, before: int = 0, wire_time: float | None = None) -> Handshake:
     """Return a handshake that has sent its first question."""
-    handshake = Handshake(None, SEED, now, again=again, group=group, wire_time=wire_time)
+    handshake = Handshake(None, numbers(), now, before=before, wire_time=wire_time)
     assert handshake.asks
     assert handshake.take_output() == ASKS_PLAIN
     assert handshake.take_output() == b""
@@ -45,9 +62,9 @@ def is_complete(handshake: Handshake) -> bool:
     return handshake.complete
 
 
-def known(*, again: bool = False, group: bytes | None = None) -> Handshake:
+def known(*, before: int = 0) -> Handshake:
     """Return one that knows the gateway, at time 0.02."""
-    handshake = asking(again=again, group=group)
+    handshake = asking(before=before)
     handshake.receive(PLAIN, 0.01)
     assert handshake.take_output() == ASKS_CHECKED
     handshake.receive(CHECKED, 0.02)
@@ -57,11 +74,11 @@ def known(*, again: bool = False, group: bytes | None = None) -> Handshake:
 def test_a_session_begins_when_both_answers_agree_and_the_third_has_come() -> None:
     handshake = known()
     assert (handshake.codec.info, handshake.first) == (INFO, SEED & 0xFFF)
-    session = handshake.take_output()
-    assert session == FRAMING.checked(b"K234")
+    assert handshake.take_output() == asks_session()
     assert not is_complete(handshake)
-    assert handshake.receive(session + b"more", 0.025) == len(session)
+    assert handshake.receive(begins() + b"more", 0.025) == len(begins())
     assert is_complete(handshake)
+    assert handshake.session == 0x1236
     assert handshake.round_trip == pytest.approx(0.005)
 
 
@@ -116,13 +133,13 @@ def test_a_checked_answer_that_says_something_else_must_be_said_twice() -> None:
     assert handshake.take_output() == ASKS_CHECKED
     handshake.receive(other, 0.03)
     assert handshake.codec.info.groups == 3
-    assert handshake.take_output() == FRAMING.checked(b"K234")
+    assert handshake.take_output() == asks_session()
 
 
 def test_an_impossible_answer_is_believed_when_it_was_said_often_enough_in_a_row() -> None:
     handshake = asking()
-    wrong = b"Q" + INFO.to_hex().replace(b"02", b"09", 1) + b"\r\n"
-    other = b"Q" + INFO.to_hex().replace(b"02", b"08", 1) + b"\r\n"
+    wrong = b"Q" + INFO.to_hex().replace(b"03", b"09", 1) + b"\r\n"
+    other = b"Q" + INFO.to_hex().replace(b"03", b"08", 1) + b"\r\n"
     for answer in [wrong] * (SURE - 1) + [other] + [wrong] * (SURE - 1):
         handshake.receive(answer, 0.01)
         assert handshake.take_output() == ASKS_PLAIN
@@ -150,77 +167,87 @@ def test_an_answer_behind_an_echo_is_an_answer() -> None:
     assert handshake.take_output() == ASKS_CHECKED
 
 
-def test_after_an_earlier_session_it_is_asked_whether_the_gateway_was_reset() -> None:
-    handshake = known(again=True)
-    assert handshake.take_output() == FRAMING.checked(b"h234")
-    handshake.receive(FRAMING.checked(b"x2340A"), 0.03)
-    assert handshake.found_reset
-    assert handshake.take_output() == FRAMING.checked(b"K234")
-    not_reset = known(again=True)
-    not_reset.receive(FRAMING.checked(b"n100"), 0.03)
-    assert not not_reset.found_reset
+@pytest.mark.parametrize(("under_way", "was_reset"), [(0, True), (BEFORE, False)])
+def test_after_an_earlier_session_it_is_asked_whether_the_gateway_was_reset(under_way: int, was_reset: bool) -> None:
+    handshake = known(before=BEFORE)
+    assert handshake.take_output() == ASKS_WHOSE
+    handshake.receive(FRAMING.checked(b"K%04X" % under_way), 0.03)
+    assert handshake.found_reset == was_reset
+    assert handshake.take_output() == asks_session()
+    handshake.receive(begins(ended=under_way), 0.04)
+    assert (is_complete(handshake), handshake.found_reset) == (True, was_reset)
+
+
+def test_a_gateway_that_has_a_session_of_another_program_is_left_to_it() -> None:
+    handshake = known(before=BEFORE)
+    assert handshake.take_output() == ASKS_WHOSE
+    with pytest.raises(LinkLostError, match="unity-link serve"):
+        handshake.receive(FRAMING.checked(b"K0077"), 0.03)
 
 
 def test_who_does_not_say_whether_it_was_reset_is_asked_for_a_session_all_the_same() -> None:
-    handshake = known(again=True)
+    handshake = known(before=BEFORE)
     for _ in range(RESET_TRIES):
-        assert handshake.take_output() == FRAMING.checked(b"h234")
+        assert handshake.take_output() == ASKS_WHOSE
         handshake.expire(handshake.deadline)
-    assert handshake.take_output() == FRAMING.checked(b"K234")
+    assert handshake.take_output() == asks_session()
 
 
-def begun(answer: bytes) -> Handshake:
-    """Return one that has set up a group before, and has asked for a session after an answer to its `h`."""
-    handshake = known(again=True, group=b"0B")
+@pytest.mark.parametrize(("ended", "was_reset"), [(BEFORE, False), (0, True), (0x0077, True)])
+def test_a_session_that_did_not_end_the_one_before_tells_of_a_reset_in_between(ended: int, was_reset: bool) -> None:
+    handshake = known(before=BEFORE)
     handshake.take_output()
-    handshake.receive(FRAMING.checked(answer), 0.03)
-    handshake.receive(handshake.take_output(), 0.035)
-    return handshake
+    handshake.receive(FRAMING.checked(b"K%04X" % BEFORE), 0.03)
+    handshake.take_output()
+    handshake.receive(begins(ended=ended), 0.04)
+    assert (is_complete(handshake), handshake.found_reset) == (True, was_reset)
 
 
-def test_a_gateway_that_has_a_group_of_an_earlier_session_was_not_reset_before_this_one_either() -> None:
-    handshake = begun(b"n100")
-    asks = handshake.take_output()
-    assert asks == FRAMING.checked(b"GX0B")
+def test_a_session_that_ended_one_which_was_asked_for_in_vain_tells_of_no_reset() -> None:
+    handshake = known(before=BEFORE)
+    handshake.take_output()
+    handshake.receive(FRAMING.checked(b"K%04X" % BEFORE), 0.03)
+    assert handshake.take_output() == asks_session(0)
     handshake.expire(handshake.deadline)
-    assert handshake.take_output() == asks
-    assert not is_complete(handshake)
-    handshake.receive(asks, 0.04)
+    assert handshake.take_output() == asks_session(1)
+    handshake.receive(begins(1, ended=0x1236), 0.2)
     assert (is_complete(handshake), handshake.found_reset) == (True, False)
-    assert handshake.round_trip == pytest.approx(0.005)
 
 
-def test_a_gateway_that_has_forgotten_a_group_was_reset_just_before_this_session_which_is_asked_for_again() -> None:
-    handshake = begun(b"n100")
-    handshake.take_output()
-    handshake.receive(FRAMING.checked(b"X06"), 0.04)
-    assert (is_complete(handshake), handshake.found_reset) == (False, True)
-    session = handshake.take_output()
-    assert session == FRAMING.checked(b"K234")
-    handshake.receive(session, 0.05)
-    assert is_complete(handshake)
-
-
-def test_a_gateway_that_is_known_to_be_reset_is_asked_for_no_group() -> None:
-    handshake = begun(b"x2340A")
-    assert (is_complete(handshake), handshake.take_output()) == (True, b"")
-
-
-def test_a_session_that_was_asked_for_twice_is_asked_for_once_more_behind_the_other_answers() -> None:
+def test_of_sessions_that_were_asked_for_the_last_alone_begins() -> None:
     handshake = known()
-    session = handshake.take_output()
-    handshake.expire(handshake.deadline)
-    assert handshake.take_output() == session
-    handshake.receive(session, 0.5)
-    assert not is_complete(handshake)
-    pause = handshake.deadline - 0.5
-    assert pause == pytest.approx(0.5 - 0.02)
-    handshake.receive(session, 0.6)
-    assert not is_complete(handshake)
-    handshake.expire(handshake.deadline)
-    assert handshake.take_output() == session
-    handshake.receive(session, 1.1)
+    for place in range(2):
+        assert handshake.take_output() == asks_session(place)
+        handshake.expire(handshake.deadline)
+    assert handshake.take_output() == asks_session(2)
+    for place in range(2):
+        handshake.receive(begins(place), 0.33)
+        assert not is_complete(handshake)
+    handshake.receive(begins(2), 0.4)
     assert is_complete(handshake)
+    assert handshake.session == 0x1238
+
+
+def test_a_late_answer_to_what_was_asked_before_is_no_damage_and_has_the_next_waited_for_longer() -> None:
+    handshake = known()
+    handshake.take_output()
+    handshake.expire(handshake.deadline)
+    asked_at = 0.02 + FIRST_TRY
+    assert handshake.take_output() == asks_session(1)
+    handshake.receive(PLAIN + CHECKED, asked_at)
+    assert handshake.deadline == pytest.approx(asked_at + 2 * FIRST_TRY)
+    handshake.receive(begins(0), asked_at + 0.15)
+    assert handshake.deadline == pytest.approx(asked_at + 2 * (FIRST_TRY + 0.15))
+
+
+def test_numbers_of_sessions_are_never_0_one_of_the_last_or_one_that_damage_could_pass_for() -> None:
+    small = SessionNumbers(itertools.count().__next__)
+    drawn = [small.next(0x7F) for _ in range(1000)]
+    assert set(drawn) == {*range(1, 0x80)} - {0x10}
+    stuck = SessionNumbers(lambda: 0x0FFF)
+    drawn = [stuck.next(0x7FFF) for _ in range(100)]
+    assert 0x1000 not in drawn
+    assert all(len(set(drawn[place : place + 16])) == 16 for place in range(84))
 
 
 @pytest.mark.parametrize(
@@ -245,36 +272,25 @@ def test_the_end_of_a_connection_is_told_with_the_last_line_that_was_said() -> N
     assert "want a token?" in asking().describe_end(None)
 
 
-def test_an_adapter_that_echoes_is_named_where_its_echo_and_the_answer_stand_in_one_line() -> None:
+def test_an_answer_that_stands_in_one_line_with_the_echo_of_its_question_is_an_answer() -> None:
     handshake = asking()
     handshake.receive(ASKS_PLAIN + PLAIN, 0.01)
-    assert handshake.take_output() == ASKS_PLAIN
-    with pytest.raises(ConnectError, match=r"comes back before each answer.*RS-485"):
-        handshake.receive(ASKS_PLAIN + PLAIN, 0.02)
+    assert handshake.take_output() == ASKS_CHECKED
+    assert handshake.echoes == 1
 
 
-def test_an_adapter_that_echoes_is_named_before_an_echo_can_begin_a_session() -> None:
+def test_an_echo_begins_no_session() -> None:
     handshake = asking()
     handshake.receive(PLAIN, 0.01)
-    checked = handshake.take_output()
-    handshake.receive(checked + FRAMING.checked(b"Q" + INFO.to_hex()), 0.02)
-    sent = handshake.take_output()
-    assert sent == checked + FRAMING.checked(b"K234")
-    assert "comes back" in handshake.describe()
-    with pytest.raises(ConnectError, match="comes back before each answer"):
-        handshake.receive(sent, 0.03)
-
-
-def test_a_question_that_came_back_once_only_is_no_echo() -> None:
-    handshake = asking()
-    handshake.receive(PLAIN, 0.01)
-    handshake.receive(handshake.take_output(), 0.02)
-    handshake.receive(FRAMING.checked(b"Q" + INFO.to_hex()), 0.03)
-    handshake.take_output()
-    handshake.receive(FRAMING.checked(b"K234"), 0.04)
-    handshake.expire(handshake.deadline)
-    handshake.receive(FRAMING.checked(b"K234"), handshake.deadline)
+    handshake.receive(handshake.take_output() + CHECKED, 0.02)
+    session = handshake.take_output()
+    assert session == asks_session()
+    handshake.receive(session, 0.03)
+    assert not is_complete(handshake)
+    assert handshake.describe() == ECHO
+    handshake.receive(begins(), 0.04)
     assert is_complete(handshake)
+    assert handshake.echoes == 2
 
 
 def test_a_line_that_loses_is_named_where_some_questions_were_answered() -> None:
@@ -289,7 +305,7 @@ def test_a_line_that_loses_is_named_where_some_questions_were_answered() -> None
 
 @pytest.mark.parametrize("round_trip", [0.01, 0.3, 3.0])
 def test_a_medium_that_asks_sooner_connects_however_long_answers_take(round_trip: float) -> None:
-    handshake, now = Handshake(None, SEED, 0.0, again=False, longest_try=0.2), 0.0
+    handshake, now = Handshake(None, numbers(), 0.0, longest_try=0.2), 0.0
     gateway = VirtualGateway(INFO)
     arriving: list[tuple[float, bytes]] = []
     while not handshake.complete:
@@ -304,7 +320,7 @@ def test_a_medium_that_asks_sooner_connects_however_long_answers_take(round_trip
 @pytest.mark.parametrize("seed", range(20))
 def test_through_datagrams_of_which_many_are_lost_or_late_a_session_begins_within_five_seconds(seed: int) -> None:
     towards, back = (Straying[bytes](seed + place, loss=0.2, late=0.1, double=0.1, latest=500) for place in (0, 100))
-    handshake, gateway = Handshake(None, SEED, 0.0, again=False, longest_try=udp.LONGEST_TRY), VirtualGateway(INFO)
+    handshake, gateway = Handshake(None, numbers(seed), 0.0, longest_try=udp.LONGEST_TRY), VirtualGateway(INFO)
     now = 0.0
     while not handshake.complete:
         assert now < 5

@@ -197,7 +197,7 @@ class Handshake:
         """Return what was heard, for the message of a time out."""
         if self._other:
             return f"{self._other} answers there, no gateway: is it the right port?"
-        if self.echoes or self._doubtful == b"Q":
+        if self.echoes:
             return ECHO
         if self._doubtful:
             return f"what answers is no gateway: it said {self._doubtful[:80]!r}"
@@ -332,13 +332,19 @@ class Handshake:
         return start
 
     def _receive_line(self, line: bytes, now: float) -> None:
+        if not line:
+            return
         echo = self._sent.strip(LF)
         if line == echo or (self._plain and line.startswith(echo) and len(line) > len(echo) + 1):
             # What is sent comes back, perhaps with the answer behind it.
             self.echoes += 1
             line = line[len(echo) :]
             if not line:
+                if not self._answers and now - self._echoed_at > ECHO_PATIENCE:
+                    raise ConnectError(ECHO)
+                self._echoed_at = min(self._echoed_at, now)
                 return
+        self._echoed_at = math.inf
         body = b""
         if line.endswith(b"\r") == self._plain:
             with contextlib.suppress(FrameError):
@@ -372,15 +378,8 @@ class Handshake:
         """Read what the gateway says it is; what it says `SURE` times in the same words is no damage.
 
         Raises:
-            ConnectError: where it is the question that comes back.
             UnsupportedError: for another protocol version, or impossible widths.
         """
-        if answer != b"Q":
-            self._echoed_at = math.inf
-        elif now - self._echoed_at > ECHO_PATIENCE:
-            raise ConnectError(ECHO)
-        else:
-            self._echoed_at = min(self._echoed_at, now)
         try:
             self._codec = HostCodec(GatewayInfo.from_hex(answer[1:]), self._node)
         except UnsupportedError:
