@@ -391,7 +391,11 @@ def test_what_no_gateway_could_do_is_refused_before_it_is_sent(client: Driven) -
         ("tcp://localhost:65537", BAD_ARGUMENT, "'tcp://localhost:65537' is no URL of a gateway: serial:PORT"),
         ("tcp://localhost:-1", BAD_ARGUMENT, "'tcp://localhost:-1' is no URL of a gateway: serial:PORT"),
         ("tcp://localhost:1?node=255", BAD_ARGUMENT, "'node=255' is no option of this URL: a number from 0 to 254"),
-        ("tcp://localhost:1?baud=9600", BAD_ARGUMENT, "'baud=9600' is no option of this URL: node=NUMBER, echo=1 or map="),
+        (
+            "tcp://localhost:1?baud=9600",
+            BAD_ARGUMENT,
+            "'baud=9600' is no option of this URL: node=NUMBER, echo=1 or map=",
+        ),
         ("tcp://localhost:1?map=all", BAD_ARGUMENT, "'map=all' is no option of this URL: map=any was expected"),
         ("tcp://localhost:1?map=anything", BAD_ARGUMENT, "'map=anything' is no option of this URL: map=any was"),
         ("serial:/dev/nosuch", NO_CONNECTION, "serial:/dev/nosuch cannot be opened: there is no such port"),

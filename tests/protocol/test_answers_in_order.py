@@ -15,19 +15,22 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from support.searching import examples
+from support.valve import as_gateway
+from support.window_state import window_state
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.exchange import Counters, Exchange
 from unity_link.protocol.frames import FrameError
 from unity_link.protocol.group_table import GroupTable
-from unity_link.protocol.messages import Codec
+from unity_link.protocol.host_codec import HostCodec
 from unity_link.protocol.requests import BatchRun, Fence, Request, WordBatch
-from unity_link.protocol.round_trip import RoundTrip
 from unity_link.protocol.window import Window
 
-REPLIES = {"R": 8, "W": 0, "WS": None, "RM": 24, "H": 0}
+REPLIES = {"R": 8, "W": 0, "WS": None, "RM": 24, "H": 2}
 KINDS = ["whole"] * 12 + ["damaged", "lost", "double", "other ID", "error", "no session", "out of sequence", "sample"]
+KINDS += ["stray residue", "failed", "whose", "whose", "another's"]
 KINDS += ["line end within", "line end in front", "plain", "short", "upper case"]
 INFO = GatewayInfo(id_digits=2)
+SESSION = 0x1234
 BATCHES = {"batch": 40, "small batch": 5}
 
 
@@ -51,7 +54,7 @@ class Line(Exchange):
                 waiting.rotate(-1)
             else:
                 room = window.room(source.size, posted=source.posted)
-                if room < min(source.least, max(1, window.most_room(source.size) // 2)):
+                if room < min(source.least, max(1, window.allowance.most_room(source.size) // 2)):
                     break
                 waiting.popleft()
                 run = source.take(room, events)
@@ -78,7 +81,7 @@ class Line(Exchange):
         taken: list[int] = []
         for line in data[start:].split(b"\n")[:-1]:
             try:
-                body = self._open(line)
+                body = self._open(line, self.codec.seed_back)
                 answer = self.codec.decode_response(body)
             except (FrameError, ValueError):
                 break
@@ -95,7 +98,7 @@ class Line(Exchange):
             taken.append(number)
             start += len(line) + 1
         if taken:
-            self.window.heard = True
+            self.window.signs.heard = True
             self._counters.responses += len(taken)
             self.window.answered(taken[0], len(taken), now)
         return start
@@ -132,7 +135,8 @@ class Host:
     """One side of the comparison: what it sends, is told and keeps."""
 
     def __init__(self, kind: type[Exchange], node: int | None, credit: int | None = None) -> None:
-        self.codec = Codec(INFO, node)
+        self.codec = HostCodec(INFO, node)
+        self.codec.begin(SESSION)
         self.window: Window[Any] = Window(self.codec.ring, first=250, byte_limit=credit, round_trip=0.002)
         self.out: list[bytes] = []
         self.sent = b""
@@ -172,7 +176,7 @@ class Host:
 
     def flush(self) -> None:
         """Send what is to be sent, as a session does."""
-        if self.out and self.window.loses:
+        if self.out and self.window.allowance.loses:
             self.exchange.end_output()
         self.sent += b"".join(self.out)
         self.out.clear()
@@ -184,16 +188,14 @@ class Host:
                 continue
             data = self.rest + piece
             self.rest = data[self.exchange.receive(data, now, self.events) :]
-            if self.exchange.refused is not None:
+            if self.exchange.has_ended:
                 # The session ends it here.
                 return
             self.exchange.go_on(now, self.events)
             self.flush()
 
     def state(self) -> object:
-        window = {name: getattr(self.window, name) for name in Window.__slots__}
-        window["round_trip"] = [getattr(self.window.round_trip, name) for name in RoundTrip.__slots__]
-        window["_slots"] = [None if run is None else (run.first, run.command) for run in window["_slots"]]
+        window = window_state(self.window)
         told = [
             (event.command, str(event.answer), str(event.error))
             if isinstance(event, Request | WordBatch)
@@ -201,7 +203,16 @@ class Host:
             for event in self.events
         ]
         counters = [getattr(self.counters, name) for name in Counters.__slots__]
-        return window, told, counters, self.sent, self.rest, self.exchange.refused, self.exchange.deadline
+        return (
+            window,
+            told,
+            counters,
+            self.sent,
+            self.rest,
+            self.exchange.refused,
+            self.exchange.under_way,
+            self.exchange.deadline,
+        )
 
 
 def frames(host: Host, kinds: list[str]) -> list[bytes]:
@@ -214,25 +225,31 @@ def frames(host: Host, kinds: list[str]) -> list[bytes]:
             number = number + 1 & codec.ring - 1
             run = host.window.find(number)
         command, identifier = (run.command if run is not None else "R"), codec.id_text[number]
-        reply = codec.framing.checked(codec.lower[command] + identifier + b"%0*X" % (REPLIES[command] or 0, 0x5A))
+        reply = as_gateway(codec, codec.lower[command] + identifier + b"%0*X" % (REPLIES[command] or 0, 0x5A))
         if not REPLIES[command]:
-            reply = codec.framing.checked(codec.lower[command] + identifier)
+            reply = as_gateway(codec, codec.lower[command] + identifier)
         kinds_of_answers = {
             "whole": reply,
             "damaged": reply[:-3] + b"?" + reply[-2:],
             "lost": b"",
             "double": 2 * reply,
-            "other ID": codec.framing.checked(b"r%02X0000005A" % (number + 3 & 0xFF)),
-            "error": codec.framing.checked(b"x" + identifier + b"04"),
-            "no session": codec.framing.checked(b"x" + identifier + b"0A"),
-            "out of sequence": codec.framing.checked(b"n" + identifier),
-            "sample": codec.framing.checked(b"P010700000001"),
+            "other ID": as_gateway(codec, b"r%02X0000005A" % (number + 3 & 0xFF)),
+            "error": as_gateway(codec, b"x" + identifier + b"04"),
+            "no session": codec.framing.checked(
+                b"x" + identifier + b"0A%04X" % codec.residue(run.size if run else 0x20)
+            ),
+            "stray residue": codec.framing.checked(b"x" + identifier + b"0A5555"),
+            "failed": as_gateway(codec, b"h" + identifier + b"01"),
+            "whose": codec.framing.checked(b"K1234"),
+            "another's": codec.framing.checked(b"K4321"),
+            "out of sequence": as_gateway(codec, b"n" + identifier),
+            "sample": as_gateway(codec, b"P010700000001"),
             # Sound, and no answers all the same; or sound in a way that is seldom.
-            "line end within": codec.framing.checked(codec.lower[command] + identifier + b"00\n00005"),
-            "line end in front": codec.framing.checked(codec.lower[command] + identifier + b"\n000005A"),
+            "line end within": as_gateway(codec, codec.lower[command] + identifier + b"00\n00005"),
+            "line end in front": as_gateway(codec, codec.lower[command] + identifier + b"\n000005A"),
             "plain": codec.framing.plain_reply(codec.lower[command] + identifier + b"0000005A"),
-            "short": codec.framing.checked(codec.lower[command] + identifier + b"000005A"),
-            "upper case": codec.framing.checked(codec.lower[command].upper() + identifier + b"0000005A"),
+            "short": as_gateway(codec, codec.lower[command] + identifier + b"000005A"),
+            "upper case": as_gateway(codec, codec.lower[command].upper() + identifier + b"0000005A"),
         }
         data.append(kinds_of_answers[kind])
         number = number + 1 & codec.ring - 1
@@ -270,7 +287,7 @@ def test_answers_side_by_side_are_what_they_are_line_by_line(
             host.hear(arriving, now)
         assert quick.state() == slow.state()
         assert_has_room_where_there_is_some(quick.window)
-        if slow.exchange.refused is not None or slow.window.lost:
+        if slow.exchange.has_ended or slow.window.signs.lost:
             break
 
 

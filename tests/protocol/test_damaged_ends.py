@@ -10,10 +10,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from support.valve import as_gateway
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.exchange import Counters, Exchange
 from unity_link.protocol.group_table import GroupTable
-from unity_link.protocol.messages import Codec
+from unity_link.protocol.host_codec import HostCodec
 from unity_link.protocol.requests import Request, WordBatch
 from unity_link.protocol.window import Window
 
@@ -36,7 +37,8 @@ class Host:
     """An exchange with requests in flight, and the bytes of their answers."""
 
     def __init__(self, info: GatewayInfo, node: int | None, commands: list[str]) -> None:
-        self.codec = codec = Codec(info, node)
+        self.codec = codec = HostCodec(info, node)
+        codec.begin(0x34)
         self.window: Window[Any] = Window(codec.ring)
         self.out: list[bytes] = []
         self.counters = Counters()
@@ -46,10 +48,12 @@ class Host:
         self.answers: list[bytes] = []
         self.events: list[Any] = []
         for number, command in enumerate(commands):
-            words = REPLIES[command]
-            self.exchange.submit(Request(codec, command, b"", info.data_digits * words), 0.0, self.events)
-            body = codec.lower[command] + codec.id_text[number] + b"%0*X" % (info.data_digits, number) * words
-            self.answers.append(codec.framing.checked(body))
+            digits = info.id_digits if command == "H" else info.data_digits * REPLIES[command]
+            self.exchange.submit(Request(codec, command, b"", digits), 0.0, self.events)
+            body = (
+                codec.lower[command] + codec.id_text[number] + (b"%0*X" % (info.data_digits, number) * WORDS)[:digits]
+            )
+            self.answers.append(as_gateway(codec, body))
 
     def ask_many(self, count: int) -> WordBatch:
         """Submit a batch of reads whose answers are their numbers."""
@@ -57,13 +61,13 @@ class Host:
         batch = WordBatch(codec, "R", [(np.zeros(count, np.uint8), codec.info.address_digits)])
         self.exchange.submit(batch, 0.0, self.events)
         self.answers += [
-            codec.framing.checked(b"r%b%0*X" % (codec.id_text[first + place], codec.data_digits, 1 + place))
+            as_gateway(codec, b"r%b%0*X" % (codec.id_text[first + place], codec.data_digits, 1 + place))
             for place in range(count)
         ]
         return batch
 
     def sample(self) -> bytes:
-        return self.codec.framing.checked(b"P0107" + b"5" * self.codec.data_digits)
+        return as_gateway(self.codec, b"P0107" + b"5" * self.codec.data_digits)
 
     def hear(self, pieces: list[bytes]) -> object:
         """Take bytes as a session does, and return all that can be seen of it."""
@@ -83,7 +87,7 @@ class Host:
             else event.body
             for event in self.events
         ]
-        return delivered, counters.damaged, counters.responses, rest, self.window.wants_repetition()
+        return delivered, counters.damaged, counters.responses, rest, self.window.repetition.is_due()
 
     def spoil(self, fates: list[Fate]) -> bytes:
         arrived = b""
@@ -164,9 +168,9 @@ def test_an_answer_whose_end_is_damaged_is_known_for_damaged_with_its_last_byte(
     host = Host(GatewayInfo(), node, [command])
     (answer,) = host.answers
     host.hear([answer[:-1]])
-    assert (host.counters.damaged, host.window.wants_repetition()) == (0, False)
+    assert (host.counters.damaged, host.window.repetition.is_due()) == (0, False)
     host.exchange.receive(answer[:-1] + b"\x0b", 0.0, host.events)
-    assert (host.counters.damaged, host.window.wants_repetition(), host.events) == (1, True, [])
+    assert (host.counters.damaged, host.window.repetition.is_due(), host.events) == (1, True, [])
 
 
 def test_an_answer_behind_one_whose_end_is_damaged_is_taken() -> None:
@@ -180,7 +184,7 @@ def test_an_answer_behind_one_whose_end_is_damaged_is_taken() -> None:
 def test_a_frame_that_is_too_long_for_what_it_begins_as_is_damaged_though_it_looks_plain() -> None:
     host = Host(GatewayInfo(), None, ["R", "R"])
     host.hear([host.answers[0][:-1] + b"?" + host.answers[1][:-2] + b"\r\n"])
-    assert (host.events, host.counters.damaged, host.window.wants_repetition()) == ([], 1, True)
+    assert (host.events, host.counters.damaged, host.window.repetition.is_due()) == ([], 1, True)
 
 
 def test_an_answer_whose_end_is_lost_is_not_taken_though_its_check_is_right() -> None:
@@ -198,4 +202,4 @@ def test_a_sample_whose_end_is_damaged_does_not_take_the_answer_behind_it_along(
 def test_an_error_whose_first_letter_became_that_of_samples_is_a_sign_of_loss() -> None:
     host = Host(GatewayInfo(), None, ["R"])
     host.exchange.receive(b"P01D488\n", 0.0, host.events)
-    assert host.window.wants_repetition()
+    assert host.window.repetition.is_due()

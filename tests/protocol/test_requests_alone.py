@@ -9,17 +9,16 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from support.searching import examples
+from support.window_state import window_state
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.exchange import Counters
 from unity_link.protocol.requests import Events, Request
-from unity_link.protocol.round_trip import RoundTrip
 from unity_link.protocol.session import Session
-from unity_link.protocol.window import Window
 from unity_link.virtual import VirtualGateway
 
 FIELDS = {"R": (0x10,), "RM": (0x10, 3), "W": (0x10, 7), "WS": (0x10, 8), "H": ()}
 WITHOUT_FLOW_CONTROL = ~Feature.FLOW_CONTROL & GatewayInfo().features
-REPLY_DIGITS = {"R": 8, "RM": 24, "W": 0, "WS": None, "H": 0}
+REPLY_DIGITS = {"R": 8, "RM": 24, "W": 0, "WS": None, "H": 3}
 
 
 class Side:
@@ -84,9 +83,7 @@ class Side:
             self.events += self.session.expire(now)
 
     def state(self) -> object:
-        window = {name: getattr(self.session.window, name) for name in Window.__slots__}
-        window["round_trip"] = [getattr(self.session.window.round_trip, name) for name in RoundTrip.__slots__]
-        window["_slots"] = [None if run is None else (run.first, run.command) for run in window["_slots"]]
+        window = window_state(self.session.window)
         told = [
             (event.command, str(event.answer), str(event.error)) if isinstance(event, Request) else str(event)
             for event in self.events
@@ -165,7 +162,7 @@ def test_an_empty_frame_ends_it_on_a_line_that_has_just_lost_some() -> None:
     for step in LOSS:
         side.do(step, 1.0 + step.seconds)
     assert side.session.window.is_idle()
-    assert side.session.window.loses
+    assert side.session.window.allowance.loses
     assert side.session.submit_alone(side.request("R"), 2.0).endswith(b"\n\n")
 
 

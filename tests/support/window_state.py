@@ -1,0 +1,28 @@
+"""All that a window knows, for tests that compare two ways of doing the same."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from unity_link.protocol.ring import Run
+
+if TYPE_CHECKING:
+    from unity_link.protocol.window import Window
+
+
+def window_state(window: Window[Any]) -> object:
+    """Return what can be seen of a window, its parts and its runs."""
+    return _state_of(window)
+
+
+def _state_of(thing: object) -> object:
+    if isinstance(thing, Run):
+        return type(thing).__name__, thing.first, thing.count, thing.sending, thing.posted
+    if isinstance(thing, list | tuple):
+        # Most places of a ring are free.
+        free = thing.count(None)
+        return free, [] if free == len(thing) else [_state_of(part) for part in thing if part is not None]
+    slots = [name for kind in type(thing).__mro__ for name in getattr(kind, "__slots__", ())]
+    if not slots:
+        return thing
+    return {name: _state_of(getattr(thing, name)) for name in slots if name != "_ring"}
