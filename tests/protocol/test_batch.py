@@ -7,10 +7,10 @@ import pytest
 
 from unity_link.errors import BusError
 from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.messages import Codec
+from unity_link.protocol.host_codec import HostCodec
 from unity_link.protocol.requests import WordBatch
 
-CODEC = Codec(GatewayInfo())
+CODEC = HostCodec(GatewayInfo())
 
 
 @pytest.mark.parametrize("refused", [(4, 3), (3, 4)], ids=["the later first", "in order"])

@@ -11,7 +11,7 @@ from support.any_gateway import gateway_infos
 from unity_link.errors import UnsupportedError
 from unity_link.protocol.configuration import Feature, GatewayInfo
 
-DEFAULT = b"022008031000001021FF0100FF0005F5E10002FAF08001000100007F00000000"
+DEFAULT = b"032008031000001021FF0100FF0005F5E10002FAF08001000100007F00000000"
 
 
 def test_the_default_configuration_is_that_of_the_document() -> None:
@@ -35,7 +35,7 @@ def test_digits_may_come_in_lower_case(info: GatewayInfo) -> None:
 
 def test_another_version_says_what_to_install_whatever_follows_it() -> None:
     advice = (
-        "the gateway speaks version 01 of the protocol and this program version 02: build the gateway anew with this "
+        "the gateway speaks version 01 of the protocol and this program version 03: build the gateway anew with this "
         "version of unity-link, or install one that speaks 01"
     )
     with pytest.raises(UnsupportedError, match=advice):

@@ -10,6 +10,7 @@ from unity_link.protocol.group_table import HeldGroup
 from unity_link.protocol.mixture import FEWEST_OF_A_SIZE, find_mixture
 
 FRAMING = Framing(Crc())
+SEED = 0x2469
 SHORT, LONG = (
     HeldGroup(number, b"", length, owner) for number, length, owner in ((1, 13, "short"), (0x2A, 21, "long"))
 )
@@ -18,12 +19,12 @@ GROUPS = {group.text: group for group in (SHORT, LONG)}
 
 def sample(group: HeldGroup, sequence: int) -> bytes:
     body = b"P" + group.text + b"%02X" % sequence
-    return FRAMING.checked(body.ljust(group.length, b"A"))
+    return FRAMING.checked(body.ljust(group.length, b"A"), SEED)
 
 
 def found(data: bytes, start: int = 0) -> tuple[list[str], int]:
     """Return the owners in the order of the samples, and how many characters they take."""
-    mixture = find_mixture(data, start, FRAMING, GROUPS)
+    mixture = find_mixture(data, start, FRAMING, GROUPS, SEED)
     if mixture is None:
         return [], 0
     assert sorted(place for places, _ in mixture.parts for place in places) == [*range(len(mixture.owners))]
@@ -34,7 +35,7 @@ def found(data: bytes, start: int = 0) -> tuple[list[str], int]:
 @pytest.mark.parametrize("start", [0, 5])
 def test_samples_of_one_size_are_found_up_to_the_first_that_is_of_no_group(start: int) -> None:
     data = b"".join(sample(SHORT, number) for number in range(10))
-    stray = FRAMING.checked(b"P0905".ljust(SHORT.length, b"A"))
+    stray = FRAMING.checked(b"P0905".ljust(SHORT.length, b"A"), SEED)
     assert found(b"-" * start + data + stray + data, start) == (["short"] * 10, len(data))
 
 
@@ -42,7 +43,7 @@ def test_samples_of_unlike_sizes_are_found_in_their_order() -> None:
     order = [SHORT, LONG, LONG, SHORT] * FEWEST_OF_A_SIZE
     data = b"".join(sample(group, number) for number, group in enumerate(order))
     assert found(data) == ([group.owner for group in order], len(data))
-    mixture = find_mixture(data, 0, FRAMING, GROUPS)
+    mixture = find_mixture(data, 0, FRAMING, GROUPS, SEED)
     assert mixture is not None
     for places, bodies in mixture.parts:
         assert [bytes(body) for body in bodies] == [sample(order[place], place)[:-5] for place in places]
@@ -58,7 +59,7 @@ def test_a_damaged_sample_ends_what_is_found() -> None:
 
 def test_a_sample_of_another_length_than_its_group_has_is_none_of_it() -> None:
     good = b"".join(sample(SHORT, number) for number in range(10))
-    long = FRAMING.checked((b"P" + SHORT.text + b"00").ljust(SHORT.length + 8, b"A"))
+    long = FRAMING.checked((b"P" + SHORT.text + b"00").ljust(SHORT.length + 8, b"A"), SEED)
     assert found(long * 10) == ([], 0)
     assert found(good + long * 10)[0] == ["short"] * 10
 
