@@ -30,7 +30,7 @@ static bool take_end(const ul_link *link, const char *start, text *rest)
         *rest = without_first(*rest, rest->size > 1 && rest->at[1] == CHECKED_END ? 2 : 1);
         return true;
     }
-    if (link->crc_digits == 0 || !take_number(rest, link->crc_digits, &check) || check != check_of(link, body)) return false;
+    if (link->crc_digits == 0 || !take_number(rest, link->crc_digits, &check) || check != check_of(link, body, 0)) return false;
     if (rest->size == 0 || *rest->at != CHECKED_END) return false;
     *rest = without_first(*rest, 1);
     return true;
@@ -57,12 +57,12 @@ static bool takes_count(ul_link *link, uint32_t count)
 static bool takes_datagram(ul_link *link, uint32_t session, uint32_t count, text frames)
 {
     bool refused = count == 0 && is_refusal(link, frames);
-    if (link->session == 0) {
+    if (link->datagram_session == 0) {
         if (count != 0 || session == 0 || refused) return false;
         link->offer = session;
         return true;
     }
-    if (session != link->session) return false;
+    if (session != link->datagram_session) return false;
     if (refused) lose(link, SESSION_OVER);
     return takes_count(link, count);
 }
@@ -77,7 +77,7 @@ static size_t take_datagram(ul_link *link, char *at, size_t size)
         if (!take_number(&frames, 8, &session) || !take_number(&frames, 8, &count)) return 0;
         if (!take_end(link, start.at, &frames)) return 0;
         if (!takes_datagram(link, (uint32_t)session, (uint32_t)count, frames)) return 0;
-    } else if (link->session != 0) {
+    } else if (link->datagram_session != 0) {
         return 0;
     } else {
         frames = start;     /* a gateway of an earlier version, which says so */
@@ -102,10 +102,10 @@ static size_t piece_of(text frames, size_t room)
 static bool opens_session(ul_link *link, text frames)
 {
     text first = without_line_ends(frames);
-    if (link->session != 0 || !take_prefix(link, &first) || !starts_with(first, "K")) return true;
-    link->session = link->offer;
+    if (link->datagram_session != 0 || !take_prefix(link, &first) || !starts_with(first, "K")) return true;
+    link->datagram_session = link->offer;
     link->sent_datagrams = link->taken_datagrams = 0;
-    return link->session != 0;
+    return link->datagram_session != 0;
 }
 
 /* Send what has room in a datagram, from a place on; as the transport's `send`. */
@@ -116,14 +116,14 @@ static ptrdiff_t send_datagram(ul_link *link, const char *from, size_t size)
     ptrdiff_t consumed = (ptrdiff_t)frames.size, sent;
     if (!opens_session(link, frames)) return consumed;
     uint32_t count = link->sent_datagrams == UINT32_MAX ? 1 : link->sent_datagrams + 1;
-    if (link->session != 0) {
+    if (link->datagram_session != 0) {
         frames = without_line_ends(frames);
         if (frames.size == 0) return consumed;
-        at = put_number(put_text(put_prefix(link, at), "U"), 8, link->session);
+        at = put_number(put_text(put_prefix(link, at), "U"), 8, link->datagram_session);
         at = put_check(link, put_number(at, 8, count), datagram);
     }
     memcpy(at, frames.at, frames.size);
     sent = link->transport.send(link->transport.context, datagram, (size_t)(at - datagram) + frames.size);
-    if (sent > 0 && link->session != 0) link->sent_datagrams = count;
+    if (sent > 0 && link->datagram_session != 0) link->sent_datagrams = count;
     return sent > 0 ? consumed : sent;
 }
