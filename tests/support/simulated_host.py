@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import re
 from collections import deque
@@ -32,17 +33,17 @@ class LineOfASession:
         self._noisy = NoisyLine(gateway, Noise(2 * seed, **chances), Noise(2 * seed + 1, **chances))
         self.sent: list[tuple[float, bytes]] = []
         """Frames sent in the session, and their instants."""
-        self.first: int | None = None
-        """The first ID of the session."""
+        self.chosen: tuple[int, int] | None = None
+        """The first ID of the session, and its number."""
 
     def receive(self, data: bytes, now: float) -> bytes:
         """Take bytes at a time, and return what arrives."""
-        if self.first is not None:
+        if self.chosen is not None:
             if data:
                 self.sent.append((now, data))
             return self._noisy.receive(data, now)
-        if begun := re.search(rb"K([0-9A-F]+)[0-9A-F]{4}\n", data):
-            self.first = int(begun[1], 16)
+        if begun := re.search(rb"K([0-9A-F]{2,3})([0-9A-F]{4})[0-9A-F]{4}\n", data):
+            self.chosen = int(begun[1], 16), int(begun[2], 16)
         return self._clean.receive(data, now)
 
 
@@ -52,12 +53,17 @@ class SimulatedHost:
     Args:
         gateway: takes bytes and the time, and gives the bytes that arrive after `LATENCY`.
         shortest_timeout: of the medium.
-        first: the first ID of the session.
+        chosen: the first ID of the session, and its number.
     """
 
-    def __init__(self, gateway: Callable[[bytes, float], bytes], shortest_timeout: float, first: int = 0) -> None:
+    def __init__(
+        self, gateway: Callable[[bytes, float], bytes], shortest_timeout: float, chosen: tuple[int, int] = (0, 1)
+    ) -> None:
         self.now = 0.0
-        self.session = Session(None, lambda: first)
+        first, number = chosen
+        # A number is counted from 1.
+        draws = itertools.chain([first], itertools.count(number - 1))
+        self.session = Session(None, lambda: next(draws))
         self._gateway = gateway
         self._under_way: deque[tuple[float, bytes]] = deque()
         self._events: Events = []

@@ -48,6 +48,10 @@ class Repetition(Generic[R]):
         """Return whether something in flight was sent again."""
         return bool(self._again)
 
+    def awaits(self) -> bool:
+        """Return whether something in flight was sent again, or a `K` is not answered."""
+        return bool(self._again or self._questions)
+
     def begin(self, start: int, end: int) -> None:
         """Have all be sent again from `start` on and before `end`, besides what already is to be."""
         distance = self._ring.distance

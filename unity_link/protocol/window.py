@@ -194,7 +194,7 @@ class Window(Ring[R]):
         return (
             self.oldest == self.executed
             and repetition.start == repetition.end
-            and not repetition.is_any()
+            and not repetition.awaits()
             and not self.round_trip.is_doubled
         )
 
@@ -222,7 +222,7 @@ class Window(Ring[R]):
         if trip.timed is not None and trip.timed - number & self.mask < count:
             trip.end(now)
         # Without repetitions, the answer to the oldest says nothing of the others.
-        tells = repetition.is_any() or number != self.oldest
+        tells = repetition.awaits() or number != self.oldest
         place = NEVER
         if tells:
             place = repetition.answered_sending(beginning, number)

@@ -176,30 +176,40 @@ static void send_fence(ul_link *link)
     link->statistics.requests++;
 }
 
-/* Ask, in doubt, whose the session is. Where sides take turns, that goes before what is sent again for the second time,
- * and not twice in a row; where not, along with whatever is sent. */
-static void ask_whose(ul_link *link, double now)
+/* Ask whose the session is. */
+static void ask_whose(ul_link *link)
 {
-    bool turns = is_half_duplex(link), is_late = link->asked && now >= link->answer_by;
-    if (is_late) link->asked = false;
-    if (!link->in_doubt || link->asked) return;
-    if (turns && (is_late || link->gone_back < 2)) {
-        link->in_doubt = false;
-        return;
-    }
     if (link->send_size + question_size(link) >= sizeof link->send) flush(link);
     char *start = link->send + link->send_size;
     char *end = put_check(link, put_text(put_prefix(link, start), "K"), start);
     link->send_size += (size_t)(end - start);
-    link->asked = true;
-    link->answer_by = now + link->timeout;
+    note_question(link);
 }
 
-/* Send again what is to be sent again now. */
-static void repeat(ul_link *link)
+/* Ask that where sides take turns: alone, before what is sent again for the second time, and not twice in a row. Whether
+ * the answer is waited for. */
+static bool ask_alone(ul_link *link, double now)
 {
-    unsigned room = repetition_room(link);
+    bool was_asked = link->asked;
+    link->asked = was_asked && now < link->answer_by;
+    if (was_asked || link->sign != link->sent || link->gone_back < 2) return link->asked;
+    ask_whose(link);
+    link->asked = true;
+    link->answer_by = now + link->timeout;
+    return true;
+}
+
+/* Send again what is to be sent again now. Ahead of all goes the question whose the session is: the answer says how far
+ * the line has come, too. */
+static void repeat(ul_link *link, double now)
+{
     uint64_t before = link->statistics.repetitions;
+    if (is_half_duplex(link)) {
+        if (ask_alone(link, now)) return;
+    } else if (link->sign == link->sent) {
+        ask_whose(link);
+    }
+    unsigned room = repetition_room(link);
     while (is_repeating(link) && !link->gone) {
         uint32_t id = link->to_repeat;
         bool is_wanted = find(link, id) != NULL;
@@ -239,8 +249,7 @@ static void recover(ul_link *link)
     settle(&given_up, UL_UNANSWERED);
     if (flooded) lose(link, FLOODED);
     if (link->gone) return;
-    ask_whose(link, now);
-    if (is_repeating(link) && !(link->asked && is_half_duplex(link))) repeat(link);
+    if (is_repeating(link)) repeat(link, now);
     if (!is_due || !link->waited || link->statistics.repetitions == before) return;
     link->statistics.timeouts++;
     if (link->transport.set_again != NULL)
@@ -384,11 +393,15 @@ static void note_no_session(ul_link *link, text fields)
     uint64_t id, code, rest;
     if (!take_number(&fields, link->info.id_digits, &id) || !take_number(&fields, 2, &code)) return;
     const ul_request *request = find(link, (uint32_t)id);
-    link->heard = link->in_doubt = true;
-    if (request == NULL || !take_number(&fields, link->crc_digits, &rest)) return;
-    size_t size = request_size(link, request) - prefix_size(link) - link->crc_digits - 1;
-    if (rest == go_on(link, seed_of(link, request->command[0], OURS), NULL, size))
+    link->heard = true;
+    size_t size = request == NULL ? 0 : request_size(link, request) - prefix_size(link) - link->crc_digits - 1;
+    if (request != NULL && take_number(&fields, link->crc_digits, &rest)
+        && rest == go_on(link, seed_of(link, request->command[0], OURS), NULL, size)) {
         end_session(link, never_executed_from(link, (uint32_t)id), RESET);
+    } else {
+        link->statistics.stray++;
+        go_back(link, now_of(link));
+    }
 }
 
 /* An answer to `K`: whose the session is. That to one with fields is another program's, or late. */
@@ -396,11 +409,11 @@ static void take_session(ul_link *link, text fields)
 {
     uint64_t session;
     bool is_answer = take_number(&fields, session_digits(link), &session) && fields.size == 0;
+    if (!is_answer) return;
     link->heard = true;
-    link->in_doubt = !is_answer || session != link->session;
     link->asked = false;
-    if (is_answer && session == 0) lose(link, RESET);
-    else if (is_answer && session != link->session) lose(link, TAKEN);
+    if (session != link->session) lose(link, session == 0 ? RESET : TAKEN);
+    else note_session_told(link, now_of(link));
 }
 
 /* An error without an ID is about a frame that was damaged, or that the gateway does not understand. */
@@ -410,11 +423,10 @@ static void take_nameless_error(ul_link *link, text code, double now)
     link->heard = true;
     link->unasked++;
     if (!take_number(&code, 2, &number)) return;
-    if (number == UL_DAMAGED) link->in_doubt = true;
-    if (number == UL_DAMAGED || number == UL_TOO_LONG || number == UL_RECEIVE_OVERFLOW) note_damaged_request(link, now);
+    if (number == UL_DAMAGED || number == UL_TOO_LONG || number == UL_RECEIVE_OVERFLOW) go_back(link, now);
     if (number == UL_UNKNOWN_COMMAND || number == UL_MALFORMED) {
         ul_request given_up = {.batch = NULL};
-        if (note_refusal(link, now, &given_up)) lose(link, SILENT);
+        note_refusal(link, now, &given_up);
         settle(&given_up, (ul_status)number);
     }
 }
@@ -494,7 +506,6 @@ static size_t cut(ul_link *link, text frame, size_t size)
     bool sample = is_sample(link, frame) && frame.size >= frame_overhead(link) + 3;
     link->statistics.damaged++;
     link->unasked++;
-    link->in_doubt = true;
     if (!sample) {
         link->heard = true;
         /* Where sides take turns, more of it may follow: the time shows its end. */
@@ -531,8 +542,8 @@ static size_t take_plain(ul_link *link, text line)
         note_stray(link);
     } else if (take_prefix(link, &body) && body.size == body_size(link, body)) {
         link->unasked++;
-        link->heard = link->in_doubt = true;
-        note_damaged_request(link, now_of(link));
+        link->heard = true;
+        go_back(link, now_of(link));
     }
     return line.size + 1;
 }

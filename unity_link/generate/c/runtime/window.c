@@ -9,27 +9,24 @@
  *                   oldest                  executed                 next
  *
  * A response to ID k, and `n k`, say that all before k were executed. Posted writes have no answer, and have been executed
- * when `executed` passes them. How they ended, an `h` behind them tells, which counts those that failed: where fewer errors
- * have have come, each of them is asked for by an `h` with its ID, and the one behind them is told when they are. Until then all
- * keep their places, from `held` on, which stands at `oldest` or before it. To *go back* is to send what is not answered again, in order, from `oldest` on.
+ * when `executed` passes them. How they ended, an `h` behind them tells, which counts those that failed: where fewer
+ * errors have come, each of them is asked for by an `h` with its ID, and the one behind them is told when they are. Until
+ * then all keep their places, from `held` on, which stands at `oldest` or before it.
  *
- * Both directions keep the order, and each request knows its place among all that were sent, repetitions among them. So
- * a response says which others will not come any more: where the gateway has executed these, they alone are sent again;
+ * To *go back* is to ask whose the session is, by a `K`, and to send what is not answered again, in order, from `oldest`
+ * on. Both directions keep the order, and each sending has its place among all, repetitions and `K` among them. So what
+ * has arrived says which others will not come any more: where the gateway has executed these, they alone are sent again;
  * else the window goes back. A damaged answer was perhaps that to the oldest, which alone is sent again; the next such
  * sign is about the next. `to_repeat` and `repeat_end` are the marks between which is sent again what is not answered.
+ *
+ * A loss brings many signs. When it was gone back for one, no further one counts before something has arrived that was
+ * sent since. What brings no sign, or had its `K` lost, the time out finds; from MOST_SIGNS on for the same request it is
+ * left to the time.
  *
  * One damaged request costs all those behind it. So where the window goes back, fewer are kept in flight: half as many,
  * and at most twice as many as came through since it went back before; some that are done later it is one more, and
  * posted writes count as they are confirmed. The repetition, too, sends only as many at a time. What is answered does not
  * count, so that new requests follow also where the oldest alone is sent again.
- *
- * A loss brings many signs. When it was gone back for one, and that is sent, no further one counts as long as neither `oldest` nor `executed` has moved
- * and a sign must still be about what was sent before: for the least round trip seen, and twice as long each time; the
- * first few, for a usual round trip at most. A later one says that the repetition was lost, too. An earlier one may say
- * the same of a line that was quicker than ever before: where nothing comes for as long again, the window goes back for
- * that. What brings no sign, the time out finds. From MOST_SIGNS on, a sign counts as a time out. Where no flow control
- * protects the gateway's receive FIFO, only the time out sends the same once more: what waits in the FIFO must have left
- * it.
  *
  * The time out is RFC 6298's, but never less than twice the round trip. What was sent twice is not timed. The doubling is
  * undone by the answer to what was sent once, and by progress after a sign.
@@ -126,14 +123,13 @@ static void measure(ul_link *link, double round_trip)
 {
     if (!link->knows_round_trip) {
         link->knows_round_trip = true;
-        link->round_trip = link->least_round_trip = round_trip;
+        link->round_trip = round_trip;
         link->variation = round_trip / 2;
     } else {
         double error = link->round_trip - round_trip;
         link->variation += ((error < 0 ? -error : error) - link->variation) / 4;
         link->round_trip -= error / 8;
     }
-    if (round_trip < link->least_round_trip) link->least_round_trip = round_trip;
     double spread = 4 * link->variation > link->round_trip ? 4 * link->variation : link->round_trip;
     double timeout = link->round_trip + spread;
     if (timeout < link->transport.shortest_timeout) timeout = link->transport.shortest_timeout;
@@ -151,10 +147,10 @@ static void start_window(ul_link *link, uint32_t first, double byte_time, double
 {
     uint32_t half = (link->ring_mask + 1) / 2;
     link->held = link->oldest = link->executed = link->next = first;
-    link->to_repeat = link->repeat_end = link->sent_once_from = link->asked_to = link->gap = first;
-    link->next_sign = link->next_measurement = -FOR_EVER;
-    link->sent_at_sign = link->sent - 1;
-    link->knows_answered = false;
+    link->to_repeat = link->repeat_end = link->again_end = first;
+    link->next_measurement = -FOR_EVER;
+    /* Places begin with 1. */
+    link->sent = 1;
     link->flood_responses = UINT64_MAX;
     link->most_in_flight = is_half_duplex(link) ? 1 : half < UL_WINDOW ? half : UL_WINDOW;
     link->allowed = link->most_in_flight;
@@ -211,7 +207,6 @@ static uint32_t number_request(ul_link *link, const ul_request *request, double 
     *slot = *request;
     slot->waiting = true;
     slot->first_sending = slot->last_sending = link->sent++;
-    slot->ambiguous_until = -FOR_EVER;
     link->bytes += size;
     if (request->posted) link->unfenced++;
     else if (shape_of(request->command)->counts) link->unfenced = 0;
@@ -256,19 +251,19 @@ static const ul_request *note_repetition(ul_link *link, uint32_t id)
 {
     ul_request *request = slot_of(link, id);
     request->last_sending = link->sent++;
-    request->ambiguous_until = link->repeat_ambiguous_until;
+    link->sent_again = true;
     return request;
 }
 
 /* The first ID from which on nothing was sent again. */
-static uint32_t sent_once(const ul_link *link)
+static uint32_t first_sent_once(const ul_link *link)
 {
-    return distance(link, link->sent_once_from) <= in_flight(link) ? link->sent_once_from : link->oldest;
+    bool again = link->sent_again || is_repeating(link);
+    return again && distance(link, link->again_end) <= in_flight(link) ? link->again_end : link->oldest;
 }
 
-/* Have what is not answered from one ID on and before another sent again, besides what is to be. Until an instant, an
- * answer may be to what was sent before. */
-static void repeat_part(ul_link *link, uint32_t start, uint32_t end, double now, double ambiguous_until)
+/* Have what is not answered from one ID on and before another sent again, besides what is to be. */
+static void repeat_part(ul_link *link, uint32_t start, uint32_t end, double now)
 {
     if (!is_repeating(link)) {
         link->to_repeat = start;
@@ -276,23 +271,11 @@ static void repeat_part(ul_link *link, uint32_t start, uint32_t end, double now,
     } else {
         if (distance(link, start) < distance(link, link->to_repeat)) link->to_repeat = start;
         if (distance(link, end) > distance(link, link->repeat_end)) link->repeat_end = end;
-        if (start != link->to_repeat || end != link->repeat_end) ambiguous_until = FOR_EVER;
     }
-    link->repeat_ambiguous_until = ambiguous_until;
-    if (distance(link, end) > distance(link, sent_once(link))) link->sent_once_from = end;
+    end = link->repeat_end;
+    if (!link->sent_again || distance(link, end) > distance(link, link->again_end)) link->again_end = end;
     link->is_timed = false;
     link->since = now;
-}
-
-/* Seconds from going back until a sign can be about that. */
-static double pause_of(const ul_link *link)
-{
-    bool quick = link->gone_back < MOST_QUICK_SIGNS;
-    double pause = link->least_round_trip, most = quick ? link->round_trip : LONGEST_TIMEOUT;
-    if (link->byte_limit != SIZE_MAX) return LONGEST_TIMEOUT;
-    if (!quick && pause < SLOWER_SIGNS) pause = SLOWER_SIGNS;
-    pause *= (double)(1u << link->gone_back);
-    return pause < most ? pause : most;
 }
 
 /* Keep fewer in flight. */
@@ -316,85 +299,77 @@ static void allow_more(ul_link *link)
     link->loses = link->allowed < link->most_in_flight;
 }
 
-/* Something is to be sent again for a sign; one about it comes after a pause at the earliest. */
-static void follow_sign(ul_link *link, double now, double pause)
+/* The oldest questions whose the session is are answered, or will not be. */
+static void drop_questions(ul_link *link, unsigned count)
 {
-    link->next_sign = now + pause;
-    link->sign_pause = pause;
-    link->sent_at_sign = link->sent;
+    link->questions -= count;
+    memmove(link->question, link->question + count, link->questions * sizeof *link->question);
 }
 
-/* Whether a sign can be about what was lost before the last repetition. As long as that is not sent, it is about another
- * loss: both directions keep the order. */
-static bool is_early(const ul_link *link, double now)
+/* Whose the session is will be asked ahead of what is sent again; where more questions than have a place are not
+ * answered, an answer counts as that to an earlier one. */
+static void note_question(ul_link *link)
 {
-    return now < link->next_sign && link->sent != link->sent_at_sign;
+    if (link->questions < UL_QUESTIONS) link->question[link->questions++] = link->sent;
+    link->sent++;
 }
 
-static void go_back(ul_link *link, double now, double ambiguous_until)
+static void repeat_from_oldest(ul_link *link, double now)
 {
-    follow_sign(link, now, pause_of(link));
-    link->has_early_sign = false;
+    link->sign = link->sent;
     if (link->gone_back < MOST_SIGNS) link->gone_back++;
-    link->refused = false;
     allow_fewer(link);
-    link->gap = link->executed;
-    repeat_part(link, link->oldest, link->next, now, ambiguous_until);
+    repeat_part(link, link->oldest, link->next, now);
 }
 
-/* Have `note_time` take a sign at a time; its pause begins again where the oldest request changes. */
-static void keep_sign(ul_link *link, double due, double pause)
+/* Whether a sign of loss counts: as long as nothing has arrived that was sent since the window went back, it may be one of
+ * the loss before. */
+static bool takes_sign(const ul_link *link)
 {
-    link->has_early_sign = true;
-    link->early_sent = link->sent;
-    link->early_due = due;
-    link->early_pause = pause;
+    return !came_before(link->arrived, link->sign) && link->gone_back < MOST_SIGNS;
 }
 
-/* Take a sign only if nothing comes for as long as a pause. */
-static void note_early_sign(ul_link *link, double now, double pause)
+/* Go back for a sign of loss. */
+static void go_back(ul_link *link, double now)
 {
-    if (!link->has_early_sign) keep_sign(link, now + pause, pause);
+    if (link->oldest == link->next || !takes_sign(link)) return;
+    link->waited = false;
+    repeat_from_oldest(link, now);
 }
 
-/* Go back for a sign of loss, unless it may be one of the loss before. */
-static void note_loss(ul_link *link, double now, double ambiguous_until)
+/* All up to a sending has arrived, or was lost. */
+static void note_arrival(ul_link *link, uint32_t sending)
 {
-    bool begun = link->to_repeat != link->oldest || link->repeat_end != link->next;
-    if (link->gone_back > 0 && link->executed == link->gap && is_early(link, now)) {
-        note_early_sign(link, now, link->sign_pause);
-    } else if (link->oldest == link->next || !begun) {
-        return;
-    } else if (link->gone_back == MOST_SIGNS) {
-        keep_sign(link, now, link->sign_pause);
-    } else {
-        link->waited = false;
-        go_back(link, now, ambiguous_until);
-    }
+    unsigned over = 0;
+    if (came_before(link->arrived, sending)) link->arrived = sending;
+    while (over < link->questions && !came_before(sending, link->question[over])) over++;
+    drop_questions(link, over);
+    uint32_t ahead = distance(link, link->again_end);
+    if (ahead == 0 || ahead > in_flight(link)) link->sent_again = false;
 }
 
-/* Whether a request waits for its answer, and was sent before another that was answered. */
-static bool is_overtaken(const ul_link *link, uint32_t id, uint32_t sending)
+/* Whether a request waits for its answer, and was sent before what has arrived now. */
+static bool is_lost_before(const ul_link *link, uint32_t id, uint32_t sending)
 {
     const ul_request *request = find(link, id);
     return request != NULL && came_before(request->last_sending, sending) && !is_to_be_repeated(link, id);
 }
 
-/* Send again what was sent before a request that is answered now, and is not: it or its answer was lost. Where the
+/* Send again what was sent before something that has arrived, and is not answered: it or its answer was lost. Where the
  * gateway has executed it, only the answer was lost, and what is behind it is on its way. */
 static void find_lost(ul_link *link, uint32_t sending, double now)
 {
-    if (!link->knows_answered || came_before(link->answered, sending)) link->answered = sending;
-    link->knows_answered = true;
-    if (!is_overtaken(link, link->oldest, sending)) return;
+    note_arrival(link, sending);
+    if (!link->sent_again && !is_repeating(link)) link->sign = link->arrived;
+    if (!is_lost_before(link, link->oldest, sending)) return;
     link->waited = false;
-    if (is_overtaken(link, link->executed, sending)) {
-        go_back(link, now, now);
+    if (is_lost_before(link, link->executed, sending)) {
+        repeat_from_oldest(link, now);
         return;
     }
     uint32_t end = link->oldest;
-    while (end != link->executed && (find(link, end) == NULL || is_overtaken(link, end, sending))) end = after(link, end);
-    repeat_part(link, link->oldest, end, now, now);
+    while (end != link->executed && (find(link, end) == NULL || is_lost_before(link, end, sending))) end = after(link, end);
+    repeat_part(link, link->oldest, end, now);
 }
 
 /* What arrives */
@@ -413,19 +388,10 @@ static void confirm(ul_link *link, uint32_t expected)
     }
 }
 
-/* Where an early sign may still be about the oldest request, which has changed, its time begins again. */
-static void renew_early_sign(ul_link *link, double now)
-{
-    const ul_request *request = find(link, link->oldest);
-    if (!link->has_early_sign) return;
-    link->has_early_sign = request != NULL && came_before(request->last_sending, link->early_sent);
-    link->early_due = now + link->early_pause;
-}
-
 /* Begin anew with another oldest request. */
-static void begin_anew(ul_link *link, double now)
+static void begin_anew(ul_link *link)
 {
-    link->refused = link->gave_up = false;
+    link->gave_up = false;
     link->gone_back = link->refusals = 0;
     /* Where the time had run out, it may be a late answer to what was sent before. */
     if (!link->waited) link->timeout = link->measured_timeout;
@@ -433,7 +399,6 @@ static void begin_anew(ul_link *link, double now)
         link->to_repeat = link->oldest;
         if (distance(link, link->repeat_end) > in_flight(link)) link->repeat_end = link->oldest;
     }
-    renew_early_sign(link, now);
 }
 
 /* Give up the places of what is told. */
@@ -448,7 +413,7 @@ static void note_news(ul_link *link, double now)
     uint32_t before = link->oldest;
     while (link->oldest != link->executed && !slot_of(link, link->oldest)->waiting)
         link->oldest = after(link, link->oldest);
-    if (link->oldest != before) begin_anew(link, now);
+    if (link->oldest != before) begin_anew(link);
     release_places(link);
     link->tries = link->silent_tries = 0;
     link->since = now;
@@ -466,21 +431,24 @@ static void note_round_trip(ul_link *link, double now)
     link->next_measurement = now + MEASUREMENT_PAUSE;
 }
 
-/* The answer to a request has come. */
+/* The answer to a request has come. Without repetitions, that to the oldest says nothing of the others. */
 static void note_answer(ul_link *link, uint32_t id, double now)
 {
     ul_request *request = slot_of(link, id);
-    uint32_t sending = now < request->ambiguous_until ? request->first_sending : request->last_sending;
+    bool tells = link->sent_again || id != link->oldest;
+    /* It is that to the first sending, unless a later one is known to have arrived. */
+    uint32_t sending =
+        came_before(link->arrived, request->first_sending) ? request->first_sending : request->last_sending;
     if (link->is_timed && link->timed == id) note_round_trip(link, now);
-    allow_more(link);
-    if (((id - link->sent_once_from) & link->ring_mask) <= (link->ring_mask + 1) / 2)
-        link->timeout = link->measured_timeout;
+    if (request->first_sending == request->last_sending) link->timeout = link->measured_timeout;
     if (!has_no_answer(request)) link->awaited--;
     if (distance(link, id) >= distance(link, link->executed)) confirm(link, after(link, id));
     request->waiting = false;
     if (has_no_answer(request)) request->untold = false;
+    allow_more(link);
     note_news(link, now);
-    find_lost(link, sending, now);
+    if (tells) find_lost(link, sending, now);
+    else note_arrival(link, sending);
 }
 
 /* An `h` says how many posted writes have failed. Where as many errors have come, those before it are told; else each is
@@ -518,59 +486,35 @@ static void note_gap(ul_link *link, uint32_t expected, double now)
     const ul_request *request = find(link, expected);
     if (expected != link->executed || request == NULL) return;
     /* Nothing behind a request that was lost is executed before that was sent again. */
-    note_loss(link, now, request->first_sending == request->last_sending ? now : FOR_EVER);
+    note_arrival(link, request->first_sending);
+    go_back(link, now);
 }
 
 /* Something arrived damaged: perhaps the answer to the oldest request, or to the next one if it came before. */
 static void note_damaged_answer(ul_link *link, double now)
 {
-    uint32_t asked = distance(link, link->asked_to);
-    bool early = is_early(link, now);
-    if (link->gone_back > 0 && early) {
-        note_early_sign(link, now, link->sign_pause);
-        return;
+    if (!takes_sign(link)) return;
+    uint32_t start = first_sent_once(link), end = behind_next_with_answer(link, start);
+    if (start == end) {
+        go_back(link, now);
+    } else if (!is_to_be_repeated(link, start)) {
+        link->waited = false;
+        repeat_part(link, start, end, now);
     }
-    if (asked == 0 || asked > in_flight(link)) {
-        link->asked_to = link->oldest;
-    } else if (now >= link->next_sign) {
-        note_loss(link, now, FOR_EVER);
-        return;
-    }
-    uint32_t start = link->asked_to, end = behind_next_with_answer(link, start);
-    link->asked_to = end;
-    if (start == end && early) note_early_sign(link, now, link->sign_pause);
-    if (start == end || is_to_be_repeated(link, start)) return;
-    follow_sign(link, now, link->least_round_trip);
-    link->waited = false;
-    repeat_part(link, start, end, now, link->next_sign);
 }
 
-/* Whether a request that was executed may have been sent again, and the gateway not have come to it. */
-static bool awaits_answer_again(const ul_link *link)
+/* The answer to the oldest question whose the session is: what was sent before that will not be answered any more. */
+static void note_session_told(ul_link *link, double now)
 {
-    for (uint32_t id = link->oldest; id != link->executed; id = after(link, id)) {
-        const ul_request *request = find(link, id);
-        if (request == NULL || request->first_sending == request->last_sending) continue;
-        if (!link->knows_answered || came_before(link->answered, request->last_sending)) return true;
-    }
-    return false;
-}
-
-/* Errors 01, 07 and 09: a request arrived damaged. */
-static void note_damaged_request(ul_link *link, double now)
-{
-    if (!awaits_answer_again(link)) {
-        note_loss(link, now, FOR_EVER);
-        return;
-    }
-    /* Perhaps the repetition of one of which the answer was lost. Of another, `n` will tell, or silence. */
-    note_damaged_answer(link, now);
-    note_early_sign(link, now, link->round_trip);
+    if (link->questions == 0) return;
+    uint32_t sending = link->question[0];
+    drop_questions(link, 1);
+    if (link->next != link->oldest) find_lost(link, sending, now);
 }
 
 /* The oldest request cannot be had. An `h` takes its place, for those behind it build on its ID; what it was is put
- * where its end can be told. Whether the gateway is gone: where not even the `h` can be had. */
-static bool give_up(ul_link *link, ul_request *given_up)
+ * where its end can be told. */
+static void give_up(ul_link *link, ul_request *given_up)
 {
     ul_request *place = slot_of(link, link->oldest);
     *given_up = *place;
@@ -580,24 +524,17 @@ static bool give_up(ul_link *link, ul_request *given_up)
     if (has_no_answer(given_up)) link->awaited++;
     place->first_sending = given_up->first_sending;
     place->last_sending = given_up->last_sending;
-    place->ambiguous_until = given_up->ambiguous_until;
     if (link->oldest == link->executed) link->bytes -= request_size(link, given_up) - request_size(link, place);
-    bool lost = link->gave_up;
     link->tries = link->refusals = link->gone_back = 0;
     link->gave_up = true;
-    return lost;
 }
 
-/* Error 02 or 03: once too often gives the request up. Whether the gateway is gone. */
-static bool note_refusal(ul_link *link, double now, ul_request *given_up)
+/* Error 02 or 03: once too often gives the request up. */
+static void note_refusal(ul_link *link, double now, ul_request *given_up)
 {
-    bool lost = false;
-    if (link->oldest != link->next && link->oldest == link->executed && !link->refused) {
-        link->refused = true;
-        if (++link->refusals == MOST_REFUSALS) lost = give_up(link, given_up);
-    }
-    note_loss(link, now, FOR_EVER);
-    return lost;
+    if (link->oldest == link->next || link->oldest != link->executed || !takes_sign(link)) return;
+    if (++link->refusals == MOST_REFUSALS) give_up(link, given_up);
+    go_back(link, now);
 }
 
 /* The first ID in flight that was first sent when the request that a gateway without a session refuses was sent last, or
@@ -617,52 +554,43 @@ static uint32_t never_executed_from(const ul_link *link, uint32_t refused)
 /* Time */
 
 /* When the time for an answer has run out; posted writes alone have none to wait for. */
-static bool has_time_out(ul_link *link, double *deadline)
+static bool has_deadline(const ul_link *link, double *deadline)
 {
     if (link->awaited == 0 && !is_repeating(link)) return false;
     /* RFC 6298 knows no messages of unlike sizes: the answer to a long one behind short ones is not late yet. */
-    double reply = (double)reply_size(link, slot_of(link, link->oldest));
+    const ul_request *next = find(link, (behind_next_with_answer(link, link->oldest) - 1) & link->ring_mask);
+    double reply = next == NULL ? 0 : (double)reply_size(link, next);
     double wire_time = link->byte_time * (double)link->bytes + link->reply_byte_time * reply;
     *deadline = link->since + link->timeout + wire_time;
     return true;
 }
 
-/* When `note_time` must be called. */
-static bool has_deadline(ul_link *link, double *deadline)
-{
-    if (!has_time_out(link, deadline)) return false;
-    if (link->has_early_sign && link->early_due < *deadline) *deadline = link->early_due;
-    return true;
-}
-
-/* Count a time out; once too often gives the request up. Whether the gateway is gone. */
+/* Count a time out; once too often gives the request up. Whether the gateway is gone: where it is silent, or not even the
+ * `h` in the place of a request can be had. */
 static bool count_try(ul_link *link, double now, ul_request *given_up)
 {
     link->tries++;
     if (link->heard) {
+        bool lost = link->gave_up;
         link->silent_tries = 0;
-        return link->tries > MOST_TRIES && give_up(link, given_up);
+        if (link->tries <= MOST_TRIES) return false;
+        give_up(link, given_up);
+        return lost;
     }
     if (link->silent_tries++ == 0) link->silent_since = link->since;
     return link->silent_tries >= FEWEST_SILENT_TRIES && now - link->silent_since >= LONGEST_SILENCE;
 }
 
-/* Go back where it is time to; once too often gives the request up. Whether the gateway is gone. */
+/* Go back where the time has run out; once too often gives the request up. Whether the gateway is gone. */
 static bool note_time(ul_link *link, double now, ul_request *given_up)
 {
     double deadline;
-    bool is_out = has_time_out(link, &deadline) && now >= deadline;
-    if (!is_out && (!link->has_early_sign || now < link->early_due)) return false;
-    link->has_early_sign = false;
-    if (!is_out && link->gone_back < MOST_SIGNS) {
-        note_loss(link, now, FOR_EVER);
-        return false;
-    }
-    bool lost = count_try(link, now, given_up);
+    if (!has_deadline(link, &deadline) || now < deadline) return false;
     /* Also where something was heard: it may be the beginning of a long answer on a slow line. */
     link->timeout = 2 * link->timeout < LONGEST_TIMEOUT ? 2 * link->timeout : LONGEST_TIMEOUT;
+    bool lost = count_try(link, now, given_up);
     link->heard = false;
-    link->waited = link->in_doubt = true;
-    go_back(link, now, FOR_EVER);
+    link->waited = true;
+    repeat_from_oldest(link, now);
     return lost;
 }
