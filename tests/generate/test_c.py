@@ -790,7 +790,7 @@ def test_what_a_line_loses_under_many_requests_is_found_by_signs_and_hardly_ever
         assert damaged > 100
         # The last line end of a batch is behind all that could be a sign that it was lost.
         assert timeouts < damaged / 50
-        assert client.now < 1
+        assert client.now < 1.1
 
 
 # What spoils a line, of a hundred bytes.
@@ -915,14 +915,13 @@ def test_what_is_answered_is_not_sent_again_and_the_answer_to_the_oldest_is_no_s
         client.words("close")
 
 
-def test_a_gateway_without_flow_control_is_sent_the_same_once_more_only_when_the_time_is_out(driver: Path) -> None:
+def test_a_gateway_without_flow_control_is_sent_the_same_once_more_for_each_damaged_answer(driver: Path) -> None:
     info = GatewayInfo(features=Feature(0x7F) & ~Feature.FLOW_CONTROL, receive_fifo_bytes=64)
     with Simulated(driver, Faulty(b"r", 3, info)) as client:
         client.words("connect test: 5")
         client.words("read 10")
-        # The first is about the answer, and the gateway has read the request.
         repetitions, timeouts = client.words("statistics")[2:4]
-        assert (repetitions, timeouts) == (3, 1)
+        assert (repetitions, timeouts) == (3, 0)
         client.words("close")
 
 

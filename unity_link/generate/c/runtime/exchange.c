@@ -338,8 +338,8 @@ static void note_error(ul_link *link, text code, uint32_t id, double now)
         link->statistics.stray++;
         return;
     }
-    /* It would be taken for what has become of a request on this side. */
-    if (number == UL_OK || number >= UL_LOST) number = UNKNOWN_ERROR;
+    /* It would be taken for what has become of a request on this side; 08 was an error of version 02. */
+    if (number == UL_OK || number == 8 || number >= UL_LOST) number = UNKNOWN_ERROR;
     if (request->posted) link->failed = (link->failed + 1) & link->ring_mask;
     settle(request, (ul_status)number);
     note_told(link, id, now);
@@ -426,7 +426,7 @@ static void take_nameless_error(ul_link *link, text code, double now)
     if (number == UL_DAMAGED || number == UL_TOO_LONG || number == UL_RECEIVE_OVERFLOW) go_back(link, now);
     if (number == UL_UNKNOWN_COMMAND || number == UL_MALFORMED) {
         ul_request given_up = {.batch = NULL};
-        note_refusal(link, now, &given_up);
+        if (note_refusal(link, now, &given_up)) lose(link, SILENT);
         settle(&given_up, (ul_status)number);
     }
 }

@@ -529,12 +529,17 @@ static void give_up(ul_link *link, ul_request *given_up)
     link->gave_up = true;
 }
 
-/* Error 02 or 03: once too often gives the request up. */
-static void note_refusal(ul_link *link, double now, ul_request *given_up)
+/* Error 02 or 03: once too often gives the request up. Whether the gateway is gone: where it refuses even the `h`. */
+static bool note_refusal(ul_link *link, double now, ul_request *given_up)
 {
-    if (link->oldest == link->next || link->oldest != link->executed || !takes_sign(link)) return;
-    if (++link->refusals == MOST_REFUSALS) give_up(link, given_up);
+    bool lost = false;
+    if (link->oldest == link->next || link->oldest != link->executed || !takes_sign(link)) return false;
+    if (++link->refusals == MOST_REFUSALS) {
+        lost = link->gave_up;
+        give_up(link, given_up);
+    }
     go_back(link, now);
+    return lost;
 }
 
 /* The first ID in flight that was first sent when the request that a gateway without a session refuses was sent last, or
