@@ -266,18 +266,18 @@ architecture rtl of unity_link is
   -- Whether the medium stops the host when this side is full.
   constant medium_waits : boolean := flow_control or physical = "ft245" or physical = "ft245_sync";
 
-  signal rx_data  : std_logic_vector(7 downto 0);
-  signal rx_lost  : std_logic;
-  signal rx_valid : std_logic;
-  signal rx_ready : std_logic;
-  signal tx_data  : std_logic_vector(7 downto 0);
-  signal tx_valid : std_logic;
-  signal tx_ready : std_logic;
-  signal flush    : std_logic;
-  signal active   : std_logic;
-  signal now      : std_logic_vector(63 downto 0);
+  signal rx_data    : std_logic_vector(7 downto 0);
+  signal rx_lost    : std_logic;
+  signal rx_valid   : std_logic;
+  signal rx_ready   : std_logic;
+  signal tx_data    : std_logic_vector(7 downto 0);
+  signal tx_valid   : std_logic;
+  signal tx_ready   : std_logic;
+  signal flush      : std_logic;
+  signal active     : std_logic;
+  signal now        : std_logic_vector(63 downto 0);
   signal no_session : std_logic;
-  signal ticks    : std_logic_vector(31 downto 0);
+  signal ticks      : std_logic_vector(31 downto 0);
 
   signal bus_request    : std_logic;
   signal bus_write      : std_logic;

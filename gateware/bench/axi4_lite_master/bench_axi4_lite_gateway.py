@@ -10,7 +10,7 @@ from cocotb.utils import get_sim_time
 
 from gateware.bench.axi4_lite_master.bench_axi4_lite_master import FROM_SLAVE, Slave
 from gateware.bench.streams import Sink, Source, start
-from gateware.bench.unity_link.gateway import checked, with_id
+from gateware.bench.unity_link.gateway import SESSION, checked, opening, with_id
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
@@ -27,12 +27,22 @@ class _Gateway:
         self.slave = Slave(dut, pause, "axi_")
         self._source = Source(dut.clk, dut.in_data, dut.in_valid, dut.in_ready)
         self._sink = Sink(dut.clk, dut.out_data, dut.out_valid, dut.out_ready)
+        self._session = 0
 
     async def ask(self, body: bytes, expected: bytes) -> None:
         """Send a checked request, whose answer must be the checked frame of `expected`."""
         self._sink.received.clear()
-        await self._source.send(checked(body))
-        assert bytes(await self._sink.wait_for(len(checked(expected)))) == checked(expected), body
+        await self._source.send(checked(body, self._session))
+        answer = checked(expected, self._session, answers=True)
+        assert bytes(await self._sink.wait_for(len(answer))) == answer, body
+
+    async def open(self) -> None:
+        """Begin a session by a plain frame."""
+        self._sink.received.clear()
+        await self._source.send(opening() + b"\r")
+        answer = opening() + b"0000\r\n"
+        assert bytes(await self._sink.wait_for(len(answer))) == answer
+        self._session = SESSION
 
 
 async def _begin(dut: SimHandleBase, pause: float) -> _Gateway:
@@ -53,7 +63,7 @@ async def requests_read_and_write_the_bus(dut: SimHandleBase) -> None:
         await gateway.ask(b"WM20" + block, b"WM2014")
         await gateway.ask(b"RM2014", b"RM2014" + block)
         await gateway.ask(b"WK0A0000000F00000005", b"WK0A0000002A")
-        await gateway.ask(with_id(b"K", 0), with_id(b"K", 0))
+        await gateway.open()
         await gateway.ask(with_id(b"r", 0, b"0A"), with_id(b"r", 0, b"00000025"))
         await gateway.ask(b"GS000000010220210A", b"X03")
         await gateway.ask(b"GS00000001022021", b"GS00")
@@ -76,7 +86,7 @@ async def errors_of_the_bus_are_answered_and_the_next_request_works(dut: SimHand
 @cocotb.test
 async def a_slave_that_never_answers_costs_each_access_an_error_and_no_request_its_answer(dut: SimHandleBase) -> None:
     gateway = await _begin(dut, 0.0)
-    await gateway.ask(with_id(b"K", 0), with_id(b"K", 0))
+    await gateway.open()
     await gateway.ask(b"GS00000001022021", b"GS00")
     gateway.slave.silent = True
     # The first access stands at the slave for ever, a read or a write; none behind it gets there.

@@ -51,9 +51,9 @@ entity ul_request_decoder is
     in_session  : in    std_logic;
     for_program : in    std_logic;
     -- A request, valid until accepted for one cycle; then its fields stand still while `hold`.
-    request_valid        : out   std_logic;
-    request_accept       : in    std_logic;
-    hold                 : in    std_logic;
+    request_valid  : out   std_logic;
+    request_accept : in    std_logic;
+    hold           : in    std_logic;
     -- With hold: nothing of the next frame is taken, not a letter either.
     hold_letters         : in    std_logic;
     request_command      : out   command_t;
@@ -65,9 +65,9 @@ entity ul_request_decoder is
     request_id           : out   std_logic_vector(4 * id_digits - 1 downto 0);
     request_address      : out   std_logic_vector(4 * digits_of(address_bits) - 1 downto 0);
     -- Words to read or write, addresses of GS, group of GN GX GP, mode of I.
-    request_count   : out   std_logic_vector(7 downto 0);
-    request_group   : out   std_logic_vector(7 downto 0);
-    request_flags   : out   std_logic_vector(5 downto 0);
+    request_count : out   std_logic_vector(7 downto 0);
+    request_group : out   std_logic_vector(7 downto 0);
+    request_flags : out   std_logic_vector(5 downto 0);
     -- K has no fields.
     request_asks : out   std_logic;
     -- The divisor of GS, the session of K, or of a request with an ID that comes without a session what its check left.
@@ -392,7 +392,7 @@ architecture rtl of ul_request_decoder is
     number       : std_logic_vector(number_bits - 1 downto 0);
     -- A digit of a divisor or session is not 0.
     some_number : std_logic;
-    word         : std_logic_vector(4 * word_digits - 1 downto 0);
+    word        : std_logic_vector(4 * word_digits - 1 downto 0);
     -- Whole words; 256 stands for more than a count can say.
     words         : unsigned(8 downto 0);
     partial       : std_logic;
@@ -465,13 +465,13 @@ begin
     procedure begin_frame is
     begin
 
-      v.node       := node_start;
-      v.has_id     := '0';
-      v.lower_seen := '0';
-      v.upper_seen := '0';
-      v.field      := field_command;
-      v.bad        := '0';
-      v.flushed    := '0';
+      v.node        := node_start;
+      v.has_id      := '0';
+      v.lower_seen  := '0';
+      v.upper_seen  := '0';
+      v.field       := field_command;
+      v.bad         := '0';
+      v.flushed     := '0';
       v.some_number := '0';
 
     end procedure begin_frame;

@@ -87,10 +87,10 @@ entity ul_request_executor is
     access_address   : out   std_logic_vector(address_bits - 1 downto 0);
     access_data      : out   std_logic_vector(data_bits - 1 downto 0);
     -- No access to the bus: kept_word is what is read.
-    access_kept      : out   std_logic;
-    kept_word        : out   std_logic_vector(data_bits - 1 downto 0);
-    access_granted   : in    std_logic;
-    access_done      : in    std_logic;
+    access_kept    : out   std_logic;
+    kept_word      : out   std_logic_vector(data_bits - 1 downto 0);
+    access_granted : in    std_logic;
+    access_done    : in    std_logic;
     -- With done: no other access of the transaction is under way.
     access_last      : in    std_logic;
     access_failure   : in    error_t;
@@ -143,7 +143,8 @@ architecture rtl of ul_request_executor is
   subtype fate_t is std_logic_vector(1 downto 0);
 
   type state_t is (
-    state_idle, state_room, state_load, state_access, state_stop, state_copy, state_group, state_answer, state_tail
+    state_idle, state_room, state_load, state_access, state_stop, state_copy, state_group, state_answer, state_tail,
+    state_look
   );
 
   constant mode_off      : std_logic_vector(1 downto 0) := "00";
@@ -174,6 +175,8 @@ architecture rtl of ul_request_executor is
     asks    : std_logic;
     -- It has its turn in the order.
     counted : std_logic;
+    -- A repetition: how the request ended.
+    fate : fate_t;
     -- Its words were kept.
     replays : std_logic;
     -- Its execution.
@@ -203,6 +206,7 @@ architecture rtl of ul_request_executor is
     is_same        => '0',
     asks           => '0',
     counted        => '0',
+    fate           => "00",
     replays        => '0',
     expected       => (others => '0'),
     gap_told       => '0',
@@ -396,16 +400,15 @@ begin
   in_order   <= request_has_id and r.in_session and not no_session and to_std_logic(request_error = error_none) and
                 not (r.for_program and request_plain);
   repeats    <= in_order and not r.is_expected and not r.is_ahead;
-  runs       <= not request_has_id or r.is_expected or (repeats and to_std_logic(request_command(3 downto 2) = "00"));
+  runs       <= not request_has_id or r.is_expected;
   refusal    <= request_error when request_error /= error_none else
                 error_under_way when shut_out = '1' else
                 error_session when ((request_has_id and not r.in_session) or
-                                    (no_session and (request_has_id or begins))) = '1' else
-                error_of(fate) when repeats = '1' and fate /= "00" else
+                                     (no_session and (request_has_id or begins))) = '1' else
                 error_range when (runs and (request_out_of_range or group_is_missing)) = '1' else
                 error_none;
 
-  group_is_missing <= to_std_logic(groups > 0 and request_command(3 downto 2) = "10" and request_command /= command_gs) and
+  group_is_missing <= to_std_logic(groups > 0 and ends_samples(request_command) and request_command /= command_gs) and
                       not group_is_set;
 
   -- Memories.
@@ -467,7 +470,7 @@ begin
   has_tail    <= (to_std_logic(r.error = error_session) and r.has_id) or
                  (to_std_logic(r.error = error_none) and
                   (to_std_logic(r.command = command_k) or
-                   (to_std_logic(r.command = command_h) and r.has_id and not r.out_of_order)));
+                    (to_std_logic(r.command = command_h) and r.has_id and not r.out_of_order)));
   from_number <= to_std_logic(r.error = error_session) or (is_opening and to_std_logic(tail_left >= session_digits));
   number_top  <= request_number(crc_bits - 1 downto crc_bits - 4) when r.error = error_session else
                  request_number(4 * session_digits - 1 downto 4 * session_digits - 4);
@@ -660,9 +663,7 @@ begin
       elsif runs = '1' then
         execute;
       elsif repeats = '1' then
-        if request_command /= command_ws then
-          v.state := state_answer;
-        end if;
+        v.state := state_look;
       elsif r.gap_told = '0' then
         v.gap_told     := '1';
         v.out_of_order := '1';
@@ -671,6 +672,28 @@ begin
       end if;
 
     end procedure accept_request;
+
+    -- A repetition is executed again if it reads, and that of what was kept reads as well.
+
+    procedure answer_again is
+    begin
+
+      if r.fate /= "00" then
+        refuse(error_of(r.fate));
+      elsif r.command(3 downto 2) = "00" then
+        if request_out_of_range = '1' then
+          refuse(error_range);
+        else
+          execute;
+        end if;
+      else
+        v.state := state_answer;
+        if r.command = command_ws then
+          v.state := state_idle;
+        end if;
+      end if;
+
+    end procedure answer_again;
 
     procedure finish_access is
     begin
@@ -717,6 +740,7 @@ begin
       v.is_ahead    := not half_ring(distance);
       v.enough_room := to_std_logic(ring_room >= unsigned(request_count));
       v.is_same     := to_std_logic(request_number(session_t'range) = r.session);
+      v.fate        := fate;
       v.list_write  := '0';
 
       case r.state is
@@ -792,10 +816,13 @@ begin
             end if;
           end if;
 
+        when state_look =>
+          answer_again;
+
       end case;
 
       if moves = '1' then
-        v.session             := r.session(r.session'high - 4 downto 0) & session_top;
+        v.session := r.session(r.session'high - 4 downto 0) & session_top;
         if r.asks = '0' then
           v.session(3 downto 0) := number_top;
         end if;

@@ -64,6 +64,10 @@ architecture rtl of ul_fifo_sync is
   signal bypass     : std_logic_vector(width - 1 downto 0);
   signal use_bypass : std_logic;
 
+  -- Tells Yosys that nobody asks for a word in the cycle in which it is written: without, it adds logic for that.
+  attribute no_rw_check : boolean;
+  attribute no_rw_check of memory : signal is true;
+
 begin
 
   assert is_power_of_two(depth) and depth >= 2

@@ -2,7 +2,8 @@
 --
 -- A memory with one write port and one registered read port, as every vendor's block RAM is.
 --
--- A word that was never written is 0; a reset changes none. Whether a word that is read in the cycle in which it is written is the old or the new one is left open: nobody asks.
+-- A word that was never written is 0; a reset changes none. Whether a word that is read in the cycle in which it is
+-- written is the old or the new one is left open: nobody asks.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -35,6 +36,10 @@ architecture rtl of ul_word_memory is
   -- vsg_off signal_007
   signal memory : memory_t := (others => (others => '0'));
   -- vsg_on signal_007
+
+  -- Tells Yosys that nobody asks for a word in the cycle in which it is written: without, it adds logic for that.
+  attribute no_rw_check : boolean;
+  attribute no_rw_check of memory : signal is true;
 
 begin
 

@@ -49,6 +49,10 @@ architecture rtl of ul_word_ring is
   signal committed : pointer_t;
   signal read_at   : pointer_t;
 
+  -- Tells Yosys that nobody asks for a word in the cycle in which it is written: without, it adds logic for that.
+  attribute no_rw_check : boolean;
+  attribute no_rw_check of memory : signal is true;
+
   function index_of (pointer : pointer_t) return natural is
   begin
 

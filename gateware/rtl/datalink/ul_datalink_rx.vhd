@@ -153,7 +153,7 @@ architecture rtl of ul_datalink_rx is
   function is_small (code : std_logic_vector(7 downto 0)) return std_logic is
   begin
 
-    return to_std_logic(code(7 downto 5) = "011" and unsigned(code(4 downto 0)) >= 1 and unsigned(code(4 downto 0)) <= 26);
+    return to_std_logic(unsigned(code) >= x"61" and unsigned(code) <= x"7A");
 
   end function is_small;
 
@@ -189,13 +189,13 @@ begin
   out_plain  <= r.out_plain;
   out_silent <= r.out_silent;
   -- The errors that go before this one have its bit.
-  out_error  <= r.out_error(3 downto 1) & (r.out_error(0) or damaged);
+  out_error <= r.out_error(3 downto 1) & (r.out_error(0) or damaged);
 
   residue     <= number_in(r.delayed) xor r.crc;
   damaged     <= not r.out_plain and (not all_hex(r.delayed) or
                                       (to_std_logic(unsigned(residue) /= 0) and (in_session or not r.small)));
   out_residue <= residue;
-  busy       <= r.begun or r.out_valid;
+  busy        <= r.begun or r.out_valid;
 
   assert crc_bits = 8 or crc_bits = 16 or crc_bits = 32
     report "ul_datalink_rx: crc_bits is " & integer'image(crc_bits) & ", expected 8, 16 or 32"

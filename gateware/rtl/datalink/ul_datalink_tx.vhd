@@ -27,21 +27,21 @@ entity ul_datalink_tx is
     clk : in    std_logic;
     rst : in    std_logic;
     -- Bodies; in_plain and in_mark count with in_last.
-    in_data   : in    std_logic_vector(7 downto 0);
-    in_valid  : in    std_logic;
-    in_ready  : out   std_logic;
-    in_last   : in    std_logic;
-    in_plain  : in    std_logic;
-    in_mark   : in    flush_mark_t;
+    in_data  : in    std_logic_vector(7 downto 0);
+    in_valid : in    std_logic;
+    in_ready : out   std_logic;
+    in_last  : in    std_logic;
+    in_plain : in    std_logic;
+    in_mark  : in    flush_mark_t;
     -- The session under way, 0 for none; counts when the first letter of a body is taken.
     session    : in    std_logic_vector(4 * session_digits_of(crc_bits) - 1 downto 0);
     in_session : in    std_logic;
     -- What is answered is outside of it: samples alone have it in their checks.
     no_session : in    std_logic := '0';
-    out_data  : out   std_logic_vector(7 downto 0);
-    out_mark  : out   flush_mark_t;
-    out_valid : out   std_logic;
-    out_ready : in    std_logic;
+    out_data   : out   std_logic_vector(7 downto 0);
+    out_mark   : out   flush_mark_t;
+    out_valid  : out   std_logic;
+    out_ready  : in    std_logic;
     -- Something was taken that has not gone out yet.
     busy : out   std_logic
   );
@@ -65,27 +65,27 @@ architecture rtl of ul_datalink_tx is
   end function first_state;
 
   type registers_t is record
-    state     : state_t;
-    left      : unsigned(log2_ceil(crc_digits + 1) - 1 downto 0);
-    crc       : std_logic_vector(crc_bits - 1 downto 0);
+    state : state_t;
+    left  : unsigned(log2_ceil(crc_digits + 1) - 1 downto 0);
+    crc   : std_logic_vector(crc_bits - 1 downto 0);
     -- A character behind the prefix was taken.
     text_begun : std_logic;
-    mark      : flush_mark_t;
-    out_data  : std_logic_vector(7 downto 0);
-    out_mark  : flush_mark_t;
-    out_valid : std_logic;
+    mark       : flush_mark_t;
+    out_data   : std_logic_vector(7 downto 0);
+    out_mark   : flush_mark_t;
+    out_valid  : std_logic;
   end record registers_t;
 
   constant after_reset : registers_t :=
   (
-    state     => first_state,
-    left      => (others => '0'),
-    crc       => (others => '0'),
+    state      => first_state,
+    left       => (others => '0'),
+    crc        => (others => '0'),
     text_begun => '0',
-    mark      => flush_none,
-    out_data  => (others => '0'),
-    out_mark  => flush_none,
-    out_valid => '0'
+    mark       => flush_none,
+    out_data   => (others => '0'),
+    out_mark   => flush_none,
+    out_valid  => '0'
   );
 
   signal r       : registers_t;
@@ -167,7 +167,7 @@ begin
           when state_body =>
             if in_valid = '1' then
               -- Of the letters that a body begins with, P alone has four low bits of 0.
-              of_session := (in_data(5) and not no_session) or to_std_logic(unsigned(in_data(3 downto 0)) = 0);
+              of_session   := (in_data(5) and not no_session) or to_std_logic(unsigned(in_data(3 downto 0)) = 0);
               put_covered(in_data, of_session and not r.text_begun);
               v.text_begun := '1';
             end if;
@@ -200,13 +200,13 @@ begin
             v.state     := state_lf;
 
           when state_lf =>
-            v.out_data  := character_lf;
-            v.out_valid := '1';
-            v.out_mark  := r.mark;
-            v.crc       := (others => '0');
+            v.out_data   := character_lf;
+            v.out_valid  := '1';
+            v.out_mark   := r.mark;
+            v.crc        := (others => '0');
             v.text_begun := '0';
-            v.left      := (others => '0');
-            v.state     := first_state;
+            v.left       := (others => '0');
+            v.state      := first_state;
 
         end case;
 

@@ -70,7 +70,7 @@ architecture rtl of ul_answer_ring is
 
 begin
 
-  is_lf <= to_std_logic(in_data = character_lf);
+  is_lf      <= to_std_logic(in_data = character_lf);
   for_asking <= asking and not (has_session and to_std_logic(in_data = x"50"));
   for_nobody <= not for_asking and not has_session;
   waits      <= full or (is_lf and too_many)
