@@ -50,7 +50,7 @@ class Repetition(Generic[R]):
 
     def awaits(self) -> bool:
         """Return whether something in flight was sent again, or a `K` is not answered."""
-        return bool(self._again or self._questions)
+        return bool(self._again or self.questions)
 
     def begin(self, start: int, end: int) -> None:
         """Have all be sent again from `start` on and before `end`, besides what already is to be."""
