@@ -102,6 +102,8 @@ def test_an_answer_is_no_matter_of_its_own_while_others_are_to_be_sent_again() -
     window.answered(0, 1, 1.0)
     assert not window.is_quiet()
     assert repeated(window) == "K b@1 c@2"
+    window.asked(2.0)
+    assert not window.is_quiet()
     window.answered(1, 2, 2.0)
     assert window.is_quiet()
 
