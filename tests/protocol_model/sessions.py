@@ -68,6 +68,8 @@ class Rules(NamedTuple):
     echo: bool = False
     """The adapter gives back what is sent."""
     datagrams: bool = False
+    sendings: int = 4
+    """Most datagrams of each side in a session, where there are datagrams."""
 
 
 PROTOCOL_02 = Rules(seed=False, way=False, refuse=False, ask=False, proof=False, fate=False, counts=False, kept=False)
@@ -146,7 +148,14 @@ class _WrongError(Exception):
 def explored(rules: Rules, sought: str = "") -> Exploration:
     """Return what happens under the rules; where a fault is sought, others are passed over."""
     start = State(gateway=Gateway(kept=(None,) * rules.places))
-    return explore(start, lambda state: _moves(rules, state), lambda state: _all_told(rules, state), sought=sought)
+    # What is bounded may run out before the end is reached, so over datagrams not every state has a way to it.
+    return explore(
+        start,
+        lambda state: _moves(rules, state),
+        lambda state: _all_told(rules, state),
+        always_ends=not rules.datagrams,
+        sought=sought,
+    )
 
 
 def _all_told(rules: Rules, state: State) -> bool:
@@ -163,7 +172,7 @@ def _moves(rules: Rules, state: State) -> Iterator[tuple[str, State | Fault]]:
     for place, frame in enumerate(state.out if rules.datagrams else state.out[:1]):
         rest = state._replace(out=state.out[:place] + state.out[place + 1 :])
         yield f"lost: {frame}", rest
-        if len(state.back) < rules.line:
+        if len(state.back) < rules.line and (not rules.datagrams or state.gateway.sent < rules.sendings):
             # A datagram may come once more.
             for before in (rest, state) if rules.datagrams else (rest,):
                 yield f"the gateway takes {frame}", _tried(partial(_taken, rules, before, frame))
@@ -295,12 +304,11 @@ def _host_moves(rules: Rules, state: State, who: int) -> Iterator[tuple[str, Sta
             yield f"begins session {session}", _sent(rules, state, who, begun, Frame("K", session, ident))
     elif host.phase == "opening" or (host.phase == "open" and not rules.ask):
         yield "gives up", state._replace(hosts=_of_host(state.hosts, who, _ended(host)))
-    if host.phase != "open" or not room:
+    if host.phase != "open" or not room or (rules.datagrams and host.sent >= rules.sendings):
         return
     if rules.ask:
         yield "asks for the session", _sent(rules, state, who, host, Frame("?", host.session))
-    if not rules.datagrams or host.sent <= 1:
-        yield from _request_moves(rules, state, who, room)
+    yield from _request_moves(rules, state, who, room)
 
 
 def _numbers(rules: Rules, state: State, who: int) -> Iterable[int]:

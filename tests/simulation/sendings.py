@@ -12,7 +12,9 @@ from unity_link.protocol.window import Window
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-_repetition = Window.repetition
+    from unity_link.protocol.ring import Part
+
+_repeat = Window.repeat
 
 
 class Sendings:
@@ -34,14 +36,14 @@ class Sendings:
         """Most sendings of a request, but for those because nothing had come in time."""
         return 1 + max(self._by_signs.values(), default=0)
 
-    def repetition(self, window: Window[Any]) -> Iterator[tuple[int, Any, int, int]]:
+    def repeat(self, window: Window[Any]) -> list[Part[Any]]:
         """Return what a window repeats, and count it."""
-        counted = self._by_time if window.timed_out else self._by_signs
-        for part in _repetition(window):
-            _, run, offset, count = part
+        counted = self._by_time if window.signs.timed_out else self._by_signs
+        parts = _repeat(window)
+        for _, run, offset, count in parts:
             self._runs[id(run)] = run
             counted.update((id(run), place) for place in range(offset, offset + count))
-            yield part
+        return parts
 
 
 @contextlib.contextmanager
@@ -49,8 +51,8 @@ def watched() -> Iterator[Sendings]:
     """Watch all windows."""
     sendings = Sendings()
 
-    def repetition(window: Window[Any]) -> Iterator[tuple[int, Any, int, int]]:
-        return sendings.repetition(window)
+    def repeat(window: Window[Any]) -> list[Part[Any]]:
+        return sendings.repeat(window)
 
-    with patch.object(Window, "repetition", repetition):
+    with patch.object(Window, "repeat", repeat):
         yield sendings
