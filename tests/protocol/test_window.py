@@ -1127,3 +1127,20 @@ class LossyLine(RuleBasedStateMachine):
 
 TestLossyLine = LossyLine.TestCase
 TestLossyLine.settings = settings(max_examples=examples(60), stateful_step_count=60)
+
+
+def test_a_gateway_that_refuses_even_the_fence_in_place_of_a_request_is_lost() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, "a")
+    given_up = []
+    for now in range(1, 7):
+        assert not window.signs.lost
+        given_up.append(window.refused(float(now)) is not None)
+        repeated(window)
+        window.asked(float(now))
+    assert given_up == [False, False, True] * 2
+    assert window.signs.lost
+    deadline = window.deadline
+    assert deadline is not None
+    window.expire(deadline)
+    assert window.signs.lost

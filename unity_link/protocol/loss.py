@@ -52,7 +52,9 @@ class LossSigns:
     def refused(self) -> bool:
         """Record that the gateway refused the oldest request; return whether it is given up."""
         self._refusals += 1
-        return self._refusals == MOST_REFUSALS
+        given_up = self._refusals == MOST_REFUSALS
+        self.lost = self.lost or (given_up and self._gave_up)
+        return given_up
 
     def time_out(self, now: float, since: float) -> bool:
         """Record that the time has run out; return whether the oldest request is given up."""
@@ -61,12 +63,13 @@ class LossSigns:
         if self.heard:
             self._silent_tries = 0
             given_up = self._tries > MOST_TRIES
-            self.lost = given_up and self._gave_up
+            self.lost = self.lost or (given_up and self._gave_up)
         else:
             if not self._silent_tries:
                 self._silent_since = since
             self._silent_tries += 1
-            self.lost = self._silent_tries >= FEWEST_SILENT_TRIES and now - self._silent_since >= LONGEST_SILENCE
+            silent = self._silent_tries >= FEWEST_SILENT_TRIES and now - self._silent_since >= LONGEST_SILENCE
+            self.lost = self.lost or silent
         self.heard = False
         self.timed_out = True
         return given_up
