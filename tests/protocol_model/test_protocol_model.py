@@ -172,8 +172,8 @@ def test_two_hosts_on_one_line_are_told_right(rules: sessions.Rules) -> None:
         pytest.param(WITHOUT["kept"]._replace(requests=("qq", "")), "a word is lost", id="kept"),
         pytest.param(WITHOUT["spaced"]._replace(requests=("qq", ""), places=1), "a word is lost", id="spaced"),
         pytest.param(
-            WITHOUT["newer"]._replace(requests=("www", ""), datagrams=True, resets=0),
-            "told as done, and not executed",
+            WITHOUT["newer"]._replace(requests=("wwww", ""), datagrams=True, resets=0, ask=False, sendings=6),
+            "executed twice",
             marks=campaign,
             id="newer",
         ),
