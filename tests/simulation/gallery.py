@@ -15,7 +15,17 @@ from unity_link.bridges.serve import groups as served_groups
 from unity_link.bridges.serve import requests as served_requests
 from unity_link.errors import Outcome
 from unity_link.link import connection, flow, link, subscription
-from unity_link.protocol import arrays, datagrams, exchange, group_table, reception, requests, session, window
+from unity_link.protocol import (
+    arrays,
+    datagrams,
+    exchange,
+    group_table,
+    reception,
+    repetition,
+    requests,
+    session,
+    window,
+)
 from unity_link.protocol.frames import FrameError
 from unity_link.protocol.messages import COMMANDS, Repetition
 from unity_link.protocol.reception import SequencePlace
@@ -187,7 +197,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("a request that was sent again before a reset is said not to be executed")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(window.Window, "_never_executed_from", lambda self, refused: refused)
+    monkeypatch.setattr(repetition.Repetition, "never_arrived_from", lambda self, refused: refused)
 
 
 @bug("a reset is told as an error of one request")
@@ -250,21 +260,20 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("the window runs over the whole ring")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    made = window.Window.__init__
+    def room(self: Any, size: int, *, posted: bool = False) -> int:
+        return (
+            0 if self.repetition.is_due() else max(0, self.mask - self.in_flight - (posted or self.posts.unfenced > 0))
+        )
 
-    def make(self: Any, ring: int, *args: Any, **kwargs: Any) -> None:
-        made(self, ring, *args, **kwargs)
-        self._half = self._allowed = ring - 1
-
-    monkeypatch.setattr(window.Window, "__init__", make)
+    monkeypatch.setattr(window.Window, "room", room)
 
 
 @bug("a repetition leaves out what nobody waits for")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     def repeat(self: Any) -> None:
-        for _, run, offset, count in self.window.repetition():
+        for _, run, offset, count in self.window.repeat():
             if not run.unwanted():
-                self._send(run.encode(offset, count))
+                self._send(run.frames_of(offset, count))
 
     monkeypatch.setattr(exchange.Exchange, "_repeat", repeat)
 
@@ -275,7 +284,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
     def going_back(self: Any, number: int, count: int, now: float) -> None:
         answered(self, number, count, now)
-        if self.oldest != self.next and self._gone_back:
+        if self.oldest != self.next and self.signs.gone_back:
             self._repeat_from_oldest(now)
 
     monkeypatch.setattr(window.Window, "answered", going_back)
@@ -352,7 +361,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(
         window.Window,
         "out_of_sequence",
-        lambda self, expected, now: out_of_sequence(self, expected + 1 & self._mask, now),
+        lambda self, expected, now: out_of_sequence(self, expected + 1 & self.mask, now),
     )
 
 
