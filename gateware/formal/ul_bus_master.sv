@@ -4,7 +4,7 @@
 // an access stands still until it is taken or answered, at most four are under way, of one client and only reads, and
 // none for longer than the time-out after the last answer; each access that was granted is told as done once and in
 // order, to the client that it was granted to, with the word of its answer, up to the first that fails; what is under
-// way behind that one is answered before anything else is asked; the lock falls with a time-out, and for as many cycles,
+// way behind that one is answered before anything else is asked; a kept word is told without a look at the bus; the lock falls with a time-out, and for as many cycles,
 // or twice as many where several may have been under way, nothing more is asked of the bus; and no sample comes between
 // the accesses of an exclusive transaction, nor a request into a sample.
 //
@@ -20,6 +20,8 @@ module ul_bus_master_properties #(
 	input request_exclusive,
 	input [7:0] request_address,
 	input [7:0] request_data,
+	input request_kept,
+	input [7:0] kept_word,
 	input sample,
 	input sample_more,
 	input [7:0] sample_address,
@@ -53,13 +55,15 @@ module ul_bus_master_properties #(
 	// The answer in the last cycle.
 	reg answered = 0;
 	reg [7:0] word;
+	// A kept word is being looked at; it was in the last cycle.
+	reg keeping = 0, kept_before = 0;
 	// Accesses that were granted and not yet told, whose they are, and what is still to follow in their transaction.
 	reg [2:0] open = 0;
 	reg open_sample = 0;
 	reg exclusive = 0, sampling = 0, block = 0;
 	// What is under way is of a block or of a sample of several words; one of them has failed.
 	reg ahead = 0, failed = 0;
-	reg request_kept = 0, sample_kept = 0;
+	reg request_waits = 0, sample_waits = 0;
 	reg [4:0] done = 0;
 	// Cycles for which nothing more may be asked after a time-out.
 	reg [3:0] rest = 0;
@@ -73,12 +77,12 @@ module ul_bus_master_properties #(
 
 	(* hierconn *) wire [2:0] \dut.state , \dut.time_left , \dut.under_way ;
 	(* hierconn *) wire \dut.exclusive , \dut.sample_lock , \dut.for_sample , \dut.request_lock , \dut.timed_out ;
-	(* hierconn *) wire \dut.told_ahead , \dut.ahead ;
+	(* hierconn *) wire \dut.told_ahead , \dut.ahead , \dut.kept ;
 
 	always @(posedge clk) begin
 		rst <= 0;
 		if (rst)
-			assert (!asked && open == 0 && taken == 0 && !exclusive && !sampling && !block && lasts == 0);
+			assert (!asked && open == 0 && taken == 0 && !exclusive && !sampling && !block && lasts == 0 && !keeping && !kept_before);
 	end
 
 	always @(posedge clk) if (!rst) begin
@@ -86,13 +90,14 @@ module ul_bus_master_properties #(
 		assume (!bus_next || (bus_request && bus_ahead));
 		// The rules for clients: a request stands until it is granted, and its transaction is of one kind; behind its
 		// last access none is asked for before that is told.
-		request_kept <= request && !request_granted && !(request_done && failure != 0);
-		sample_kept <= sample && !sample_granted && !(sample_done && failure != 0);
-		assume (!request_kept || request);
-		assume (!sample_kept || sample);
+		request_waits <= request && !request_granted && !(request_done && failure != 0);
+		sample_waits <= sample && !sample_granted && !(sample_done && failure != 0);
+		assume (!request_waits || request);
+		assume (!sample_waits || sample);
 		assume (!exclusive || request_exclusive);
 		assume (!block || !(request_exclusive || request_write));
 		assume (!(request && request_write && request_more) || request_exclusive);
+		assume (!(request && request_kept) || !(request_write || request_more || request_exclusive || block));
 		assume (!(ahead && open != 0 && !open_sample && !block) || !request);
 		assume (!(ahead && open != 0 && open_sample && !sampling) || !sample);
 
@@ -100,8 +105,10 @@ module ul_bus_master_properties #(
 		access <= {bus_write, bus_address, bus_write_data};
 		taken <= gives_up ? 0 : taken + bus_next - (bus_done && (taken != 0 || bus_next));
 		lasts <= under_way && !bus_done && !gives_up ? lasts + 1 : 0;
-		answered <= bus_done && under_way;
-		word <= bus_read_data;
+		keeping <= request_granted && request_kept;
+		kept_before <= keeping;
+		answered <= (bus_done && under_way) || keeping;
+		word <= keeping ? kept_word : bus_read_data;
 		if (gives_up)
 			rest <= (ahead ? 2 * TIMEOUT : TIMEOUT) + !failed;
 		else if (rest != 0)
@@ -142,6 +149,10 @@ module ul_bus_master_properties #(
 		assert (!(request_done && sample_done));
 		if (request_granted || sample_granted)
 			assert (!under_way || (ahead && !failed && open_sample == sample_granted && (leaves || !bus_request)));
+		if (keeping)
+			assert (!bus_request && taken == 0 && !bus_lock && !request_granted && !sample_granted);
+		if (kept_before)
+			assert (request_done && request_last && failure == 0);
 		assert (taken + bus_request <= 4);
 		if (taken != 0)
 			assert (ahead && bus_lock);
@@ -181,7 +192,8 @@ module ul_bus_master_properties #(
 
 		// What makes the proof hold without a bound.
 		assert (\dut.state <= REST);
-		assert (under_way == (\dut.state == ACTIVE || \dut.state == DRAIN));
+		assert ((under_way || keeping) == (\dut.state == ACTIVE || \dut.state == DRAIN));
+		assert (!(under_way && keeping) && keeping == (\dut.state == ACTIVE && \dut.kept ));
 		assert (taken == \dut.under_way );
 		if (under_way) begin
 			assert (failed == (\dut.state == DRAIN) && ahead == \dut.ahead );
@@ -189,7 +201,7 @@ module ul_bus_master_properties #(
 		end else
 			assert (lasts == 0 && !asked);
 		if (\dut.state == ACTIVE)
-			assert (open == taken + bus_request + \dut.told_ahead );
+			assert (open == taken + bus_request + keeping + \dut.told_ahead );
 		if (\dut.state == DRAIN)
 			assert (\dut.told_ahead ? open == taken + bus_request + 1 && failure == 4 : open == 0);
 		if (\dut.state == TOLD)
@@ -222,6 +234,7 @@ module ul_bus_master_properties #(
 			assert (\dut.timed_out );
 
 		cover (done == 3 && request_granted && sample);
+		cover (done == 3 && request_done && kept_before && sample);
 		cover (done == 3 && sample_done && failure == 5);
 		cover (done == 3 && request_granted && $past(rest) == 1);
 		cover (done == 2 && request_done && failure == 4 && exclusive);

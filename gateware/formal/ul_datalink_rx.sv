@@ -2,20 +2,25 @@
 //
 // What the datalink layer promises inwards, for every byte that may come and every readiness: what is offered stands
 // until it is taken; no more characters and ends go on than came; an end tells of an error of the datalink layer or of
-// none, and never of a wrong check where there is none; and it never stops for longer than it takes to empty its delay
+// none, and never of a wrong check where there is none; nothing is left of the check of a frame that is good, but where
+// it begins with a small letter and there is no session; and it never stops for longer than it takes to empty its delay
 // line. (What is found wrong with which frame, the benches say.)
+//
+// The session stands still from a frame's first letter to its end, as the decoder and the executor see to.
 
 module ul_datalink_rx_properties (
 	input clk,
 	input [7:0] in_data,
 	input in_lost,
 	input in_valid,
+	input [7:0] session,
+	input in_session,
 	input out_ready
 );
 	localparam CHECK_DIGITS = 2;
 
 	wire in_ready, out_valid, out_last, out_plain, out_silent, busy;
-	wire [7:0] out_data;
+	wire [7:0] out_data, out_residue;
 	wire [3:0] out_error;
 	reg rst = 1;
 
@@ -25,23 +30,35 @@ module ul_datalink_rx_properties (
 	wire give = !rst && out_valid && out_ready;
 	wire is_end = in_data == 8'h0A || in_data == 8'h0D;
 	reg offered = 0;
-	reg [14:0] offer;
+	reg [22:0] offer;
 	reg [7:0] characters = 0;
 	reg [2:0] ends = 0;
 	reg [2:0] refused = 0;
 	reg [2:0] frames = 0;
+	// A letter was given, and its first one is small; the session in the cycle before.
+	reg text = 0, small = 0;
+	reg [8:0] session_before;
+
+	// The record of registers, its first element lowest.
+	(* hierconn *) wire [53:0] \dut.r ;
 
 	always @(posedge clk) begin
 		rst <= 0;
 		if (rst)
-			assert (!offered && characters == 0 && ends == 0 && refused == 0);
+			assert (!offered && characters == 0 && ends == 0 && refused == 0 && !text);
 	end
 
 	always @(posedge clk) if (!rst) begin
 		// Bounded, so that they can be counted: each frame anew, since an end takes all of them away.
 		assume (characters < 200);
 		offered <= out_valid && !give;
-		offer <= {out_data, out_last, out_plain, out_error, out_silent};
+		offer <= {out_data, out_last, out_plain, out_error, out_silent, out_residue};
+		session_before <= {session, in_session};
+		assume (!text || {session, in_session} == session_before);
+		if (give) begin
+			text <= !out_last;
+			small <= !out_last && (text ? small : out_data >= "a" && out_data <= "z");
+		end
 		characters <= characters + (take && !is_end) - (give && !out_last);
 		if (give && out_last)
 			characters <= take && !is_end;
@@ -53,17 +70,23 @@ module ul_datalink_rx_properties (
 			frames <= frames + 1;
 
 		if (offered)
-			assert (out_valid && {out_data, out_last, out_plain, out_error, out_silent} == offer);
+			assert (out_valid && {out_data, out_last, out_plain, out_error, out_silent, out_residue} == offer);
 		if (out_valid && out_last) begin
 			assert (out_error == 0 || out_error == 1 || out_error == 7 || out_error == 9);
 			assert (!(out_plain && out_error == 1));
 		end
+		if (out_valid && out_last && out_error == 0 && !out_plain && (in_session || !small))
+			assert (out_residue == 0);
 		assert (!out_silent);
 		assert (refused <= CHECK_DIGITS + 1);
+
+		// What makes the proof hold without a bound.
+		assert (\dut.r [26] == text && \dut.r [27] == small && (text || !small));
 
 		cover (frames == 2 && give && out_last && out_plain);
 		cover (frames == 1 && give && out_last && out_error == 0 && !out_plain);
 		cover (give && out_last && out_error == 9);
 		cover (give && out_last && out_error == 7);
+		cover (give && out_last && out_error == 0 && small && !in_session && out_residue != 0);
 	end
 endmodule

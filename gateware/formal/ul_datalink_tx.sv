@@ -11,6 +11,9 @@ module ul_datalink_tx_properties (
 	input in_last,
 	input in_plain,
 	input [1:0] in_mark,
+	input [7:0] session,
+	input in_session,
+	input no_session,
 	input out_ready
 );
 	localparam BODY = 0, CHECK_1 = 1, CHECK_2 = 2, CR = 3, LF = 4;
@@ -39,10 +42,10 @@ module ul_datalink_tx_properties (
 	wire is_digit = (out_data >= "0" && out_data <= "9") || (out_data >= "A" && out_data <= "F");
 
 	// The record of registers, its first element lowest.
-	(* hierconn *) wire [25:0] \dut.r ;
+	(* hierconn *) wire [26:0] \dut.r ;
 	wire [2:0] state = \dut.r [2:0];
 	wire [1:0] left = \dut.r [4:3];
-	wire [1:0] its_mark = \dut.r [14:13];
+	wire [1:0] its_mark = \dut.r [15:14];
 
 	always @(posedge clk) begin
 		rst <= 0;

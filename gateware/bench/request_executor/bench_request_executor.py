@@ -322,8 +322,15 @@ async def groups_are_set_with_their_addresses_and_asked_for_by_number(dut: SimHa
 
 @cocotb.test
 async def a_read_waits_for_room_in_the_ring_before_it_begins(dut: SimHandleBase) -> None:
-    around = await _begin(dut)
-    for request, needed in ((Request("R", address=1), 1), (Request("RM", address=1, count=9), 9)):
+    around = await _in_session(dut)
+    requests = [
+        (Request("R", address=1), 1),
+        (Request("RM", address=1, count=9), 9),
+        (Request("R", 0, address=1), 1),
+        (Request("RM", 1, address=1, count=9), 9),
+    ]
+    # Those with an ID a second time: as repetitions.
+    for request, needed in requests + requests[2:]:
         around.room = needed - 1
         task = cocotb.start_soon(around.execute(request))
         await ClockCycles(dut.clk, 40)

@@ -681,10 +681,9 @@ begin
       if r.fate /= "00" then
         refuse(error_of(r.fate));
       elsif r.command(3 downto 2) = "00" then
+        v.state := state_room;
         if request_out_of_range = '1' then
           refuse(error_range);
-        else
-          execute;
         end if;
       else
         v.state := state_answer;
