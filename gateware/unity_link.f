@@ -20,7 +20,6 @@ rtl/application/ul_base_tick.vhd
 rtl/application/ul_frame_writer.vhd
 rtl/application/ul_group_timer.vhd
 rtl/application/ul_request_decoder.vhd
-rtl/application/ul_request_executor.vhd
 rtl/application/ul_send_immediate.vhd
 rtl/base/ul_fifo_async.vhd
 rtl/base/ul_fifo_sync.vhd
@@ -45,6 +44,7 @@ cores/encoder/ul_encoder_velocity.vhd
 cores/schedule/ul_schedule.vhd
 cores/stepgen/ul_stepgen.vhd
 rtl/application/ul_gateway_clock.vhd
+rtl/application/ul_request_executor.vhd
 rtl/physical/ul_ft245_async.vhd
 rtl/physical/ul_ft245_sync.vhd
 rtl/physical/ul_mac.vhd

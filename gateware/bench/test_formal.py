@@ -114,12 +114,13 @@ FAULTS = {
         r"n\d+_o(?= = plan_commit \? 1'b0 : speed_pending;)",
         "speed_pending",
     ),
-    "no session is needed": ("ul_request_executor", r"(?P<bit>\w+)(?= = r\[3\];.*\n.* = ~(?P=bit);)", "1'b1"),
-    "every numbered request is executed": ("at_most_once", r"\w+(?= = r\[15\];)", "1'b1"),
-    "a gap is told again and again": ("at_most_once", r"(?P<told>\w+)(?= = r\[12\];.*\n.* = ~(?P=told);)", "1'b0"),
+    "no session is needed": ("ul_request_executor", r"(?P<bit>\w+)(?= = r\[4\];.*\n.* = ~(?P=bit);)", "1'b1"),
+    "every numbered request is executed": ("at_most_once", r"(?P<due>\w+)(?= = r\[34\];.*\n.* \| (?P=due);)", "1'b1"),
+    "a gap is told again and again": ("at_most_once", r"(?P<told>\w+)(?= = r\[22\];.*\n.* = ~(?P=told);)", "1'b0"),
     "a damaged frame is executed": ("at_most_once", r"\w+(?= = in_error != 4'b0000;)", "1'b0"),
     "the next frame comes into a request": ("at_most_once", "touches_held", "1'b0"),
-    "an access is made again": ("at_most_once", "access_request", "r[57]"),
+    "an access is made again": ("at_most_once", "access_request", "r[77]"),
+    "a repetition takes from a queue again": ("at_most_once", "access_kept", "1'b0"),
 }
 """The proof, a signal of it (a regular expression), and what drives it in place of what should."""
 FAULTS |= {f"{proof.name}: {name}": (proof.name, *fault) for proof in PROOFS for name, fault in proof.faults.items()}

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What the executor promises about sessions, whatever the decoder, the bus and the groups do, resets included: between a
-// reset and the next K no request with an ID begins an access, changes a group or writes its list of addresses; and each
-// is answered by error 0A under its ID, unless it was sent to all nodes.
+// reset and the end of the answer to the next K that begins a session, and for what comes from outside of every session,
+// no request with an ID begins an access, changes a group or writes its list of addresses; and each is answered by error
+// 0A under its ID, with what its check left behind, unless it was sent to all nodes: then nothing becomes of it.
 
 module ul_request_executor_properties (
 	input clk,
@@ -19,6 +20,9 @@ module ul_request_executor_properties (
 	input [7:0] request_count,
 	input [7:0] request_group,
 	input [7:0] request_word,
+	input request_asks,
+	input [15:0] request_number,
+	input no_session,
 	input [7:0] memory_word,
 	input [2:0] ring_room,
 	input access_granted,
@@ -28,13 +32,19 @@ module ul_request_executor_properties (
 	input [7:0] access_read_data,
 	input group_is_set,
 	input group_done,
-	input answer_taken
+	input answer_taken,
+	input [2:0] tail_left,
+	input tail_taken
 );
 	localparam WS = 7, GS = 8, K = 15;
 	localparam NOTHING = 5, MESSAGE_ERROR = 16, NO_SESSION = 10;
-	localparam ACCESS = 3, COPY = 5, GROUP = 6, ANSWER = 7;
+	localparam ACCESS = 3, COPY = 5, GROUP = 6, ANSWER = 7, TAIL = 8, LOOK = 9;
+	localparam STOP_ALL = 4, CHECK_DIGITS = 2;
 
-	wire request_accept, hold;
+	wire request_accept, hold, hold_letters, number_shift, in_session, for_program, access_kept, drop_samples, tail;
+	wire [7:0] session, kept_word;
+	wire [2:0] tail_more;
+	wire [3:0] tail_digit;
 	wire [7:0] memory_index;
 	wire ring_write, ring_commit, ring_rollback;
 	wire access_request, access_write, access_more, access_exclusive;
@@ -52,19 +62,27 @@ module ul_request_executor_properties (
 	ul_request_executor dut (.*);
 
 	reg begun = 0;
-	reg in_session;
+	// A session is under way; the number of the request in the cycle before is its own; a K is being answered.
+	reg under_way, same, opening;
 	// A request that must be refused has been accepted, and was not done with yet; what it was.
-	reg refused, answered, silent, plain;
+	reg refused, answered, plain;
+	// What was sent to all nodes with an ID was accepted in the cycle before.
+	reg ignored;
 	reg [3:0] command;
 	reg [7:0] id;
 	reg executed;
 
 	// A record is laid out from its first field on, the lowest bit first.
-	(* hierconn *) wire [77:0] \dut.r ;
-	wire [2:0] state = \dut.r [2:0];
+	(* hierconn *) wire [100:0] \dut.r ;
+	wire [3:0] state = \dut.r [3:0];
+	wire [3:0] its_command = \dut.r [39:36];
 
 	wire taken = request_valid && request_accept;
-	wire refuse = taken && request_has_id && request_error == 0 && !in_session;
+	wire without = taken && request_has_id && request_error == 0 && (!under_way || no_session);
+	wire refuse = without && !request_silent;
+	wire opens = taken && request_command == K && request_error == 0 && !request_asks && !request_silent && !no_session
+		&& !request_out_of_range && !(under_way && same);
+	wire ends = tail && tail_taken && tail_left == 0;
 
 	always @(posedge clk) begin
 		begun <= 1;
@@ -72,47 +90,71 @@ module ul_request_executor_properties (
 		// `k` is no command.
 		assume (request_command != K || !request_has_id || request_error != 0);
 
-		if (taken && request_command == K && request_error == 0 && !request_out_of_range)
-			in_session <= 1;
+		same <= request_number[7:0] == session;
+		if (opening && ends)
+			under_way <= 1;
+		if (taken)
+			opening <= opens;
+		else if (ends)
+			opening <= 0;
+		ignored <= without && request_silent;
 		if (taken) begin
 			refused <= refuse;
 			answered <= 0;
-			{command, silent, plain, id} <= {request_command, request_silent, request_plain, request_id};
+			{command, plain, id} <= {request_command, request_plain, request_id};
 		end
 		if (answer_valid && answer_taken)
 			answered <= 1;
-		executed <= taken && request_has_id && in_session;
+		executed <= taken && request_has_id && under_way && !no_session;
 		if (rst) begin
-			in_session <= 0;
+			under_way <= 0;
+			same <= 0;
+			opening <= 0;
 			refused <= 0;
+			ignored <= 0;
 			executed <= 0;
 		end
 
 		if (begun) begin
+			assert (in_session == under_way && (under_way || !for_program));
 			if (refused && hold) begin
-				assert (!access_request && !list_write);
+				assert (!access_request && !list_write && !drop_samples);
 				assert (!group_request || group_operation == NOTHING);
 				assert (!answer_valid || (answer_message == MESSAGE_ERROR && answer_pair == NO_SESSION && answer_has_pair));
 				assert (!answer_valid || (answer_id == id && answer_has_id && answer_lower && answer_plain == plain));
-				assert (!answer_valid || (answer_words == 0 && !answer_has_address && !silent));
+				assert (!answer_valid || (answer_words == 0 && !answer_has_address));
+				assert (!tail || (answered && tail_more == CHECK_DIGITS - 1 && tail_digit == request_number[7:4]));
 			end
 			if (refused && !hold)
-				assert (answered || silent);
+				assert (answered);
+			if (ignored)
+				assert (!hold && !access_request && !group_request && !list_write && !answer_valid);
 
 			// What makes the proof hold without a bound.
-			assert (in_session == \dut.r [3]);
-			assert (\dut.r [57] == (state == ACCESS) && (!access_request || \dut.r [57]));
+			assert (under_way == \dut.r [4] && for_program == \dut.r [5] && same == \dut.r [33]);
+			assert (\dut.r [81] == (state == ACCESS) && (!access_request || \dut.r [81]));
 			assert (!list_write || state == COPY);
-			assert (hold == (state != 0) && request_accept == !hold);
+			assert (state <= LOOK && hold == (state != 0) && request_accept == !hold && tail == (state == TAIL));
 			if (refused && hold) begin
-				assert (state == ANSWER || (state == GROUP && group_operation == NOTHING));
-				assert (\dut.r [76:72] == NO_SESSION && \dut.r [31:21] == {id, silent, plain, 1'b1});
-				assert (!answered);
+				assert (state == ANSWER || state == TAIL || (state == GROUP && group_operation == NOTHING));
+				assert (\dut.r [99:96] == NO_SESSION && \dut.r [50:40] == {id, 1'b0, plain, 1'b1} && !\dut.r [100]);
+				assert (answered == (state == TAIL) && !opening);
 			end
+			// A K that is being answered.
+			assert (!opening || hold);
+			if (hold && its_command == K) begin
+				assert (state == ANSWER || state == TAIL || state == GROUP);
+				assert (!\dut.r [40] && !\dut.r [42]);
+				assert (opening == (!\dut.r [51] && \dut.r [99:96] == 0) && !\dut.r [100] && (state != TAIL || \dut.r [99:96] == 0));
+				if (state == GROUP)
+					assert (opening && group_operation == STOP_ALL);
+			end else
+				assert (!opening);
 
 			cover (refused && answer_valid && command == WS);
 			cover (refused && answer_valid && command == GS && epoch);
-			cover (refused && silent && hold);
+			cover (ignored && under_way);
+			cover (refused && under_way && tail);
 			cover (executed && access_request);
 		end
 	end
