@@ -319,6 +319,7 @@ module at_most_once_properties (
 		if (begun) begin
 			assume (!access_granted || (access_request && grants - dones <= (c_kind == RM ? 3 : 0)));
 			assume (!access_done || (outstanding && access_last == (grants - dones == 1)));
+			assume (access_failure == 0 || access_failure == BUS || access_failure == BUS + 1);
 		end
 
 		if (in_valid && in_ready && !in_last) begin
@@ -563,6 +564,9 @@ module at_most_once_properties (
 			if (ended && named && !has_residue)
 				assert (takes_ids);
 			assert (ended || !has_residue);
+			assert (!ended || !hold);
+			if (hold && known && fields && !wrong && !d_bad)
+				assert (numbered && digits <= 2);
 
 			// the frame,
 			assert (d_node == (known ? {1'b0, kind} : letters == 0 ? 5'd16 : letters == 1 && first == 7 ? 5'd17 : 5'd31));
@@ -726,7 +730,7 @@ module at_most_once_properties (
 				assert (c_owed != GAP || c_named);
 				assert (c_owed != SILENCE || e_state == LOOK || (c_runs && c_kind == WS && e_state == ACCESS));
 				if (e_state == LOOK)
-					assert (c_again && !c_runs && !c_damaged && c_owed == SILENCE && own == 0 && in_range == !request_out_of_range
+					assert (c_again && !c_runs && !c_damaged && c_owed == SILENCE && own == 0 && e_index == 0 && in_range == !request_out_of_range
 						&& e_left == c_count && e_address == c_address && !e_modifying);
 				assert (c_kind != K || !c_named);
 				if (c_runs)
