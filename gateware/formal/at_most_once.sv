@@ -727,6 +727,7 @@ module at_most_once_properties (
 				assert (!c_runs || !c_named || c_fresh || (c_again && c_kind[3:2] == 0));
 				assert (!c_runs || failed == (c_owed == ERROR));
 				assert (c_runs || !failed);
+				assert (!failed || c_error == BUS || c_error == BUS + 1);
 				assert (c_owed != GAP || c_named);
 				assert (c_owed != SILENCE || e_state == LOOK || (c_runs && c_kind == WS && e_state == ACCESS));
 				if (e_state == LOOK)
