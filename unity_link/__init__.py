@@ -25,7 +25,6 @@ if sys.argv[0].endswith("unity-link") and signal.getsignal(signal.SIGINT) is sig
     signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 from unity_link.errors import (
-    AnswerLostError,
     ArgumentError,
     BusError,
     BusTimeoutError,
@@ -69,7 +68,6 @@ register("rtl", "unity_link.virtual.schemes")
 register_stand_in("virtual", "unity_link.virtual.ft232h.stand_in")
 
 __all__ = [
-    "AnswerLostError",
     "ArgumentError",
     "BusError",
     "BusTimeoutError",

@@ -185,12 +185,6 @@ class OutOfRangeError(GatewayError):
     code = 6
 
 
-class AnswerLostError(GatewayError):
-    """The request was executed once, and its answer was lost for good (error 08): a queue read or masked write."""
-
-    code = 8
-
-
 @contextlib.contextmanager
 def first_error() -> Iterator[None]:
     """Raise what failed first in a group of tasks as itself: a caller knows nothing of the tasks."""

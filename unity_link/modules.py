@@ -207,7 +207,6 @@ class Fifo(Module):
         """Take `count` words; shape (count,).
 
         Raises:
-            AnswerLostError: where words were taken from the queue, but lost on the way.
             BusError: where the queue had fewer, if the gateware says so; those that it had are gone.
         """
         return await self.bus.read_queue(self.address(0), count)

@@ -19,7 +19,6 @@ from support.sharing import PipedLink, call, clients_of, open_directly, settle, 
 from support.simulated_time import on_simulated_time, run_simulated
 from support.valve import Valve, cut
 from unity_link import (
-    AnswerLostError,
     BusError,
     BusTimeoutError,
     GatewayResetError,
@@ -83,8 +82,7 @@ class Program:
         elif kind == 2:
             await link.write_block(address, [self._unique(address + index) for index in range(5)])
         elif kind == 3:
-            with contextlib.suppress(AnswerLostError):
-                await link.write_masked(address, self._unique(address), 0xFFFFFFFF)
+            await link.write_masked(address, self._unique(address), 0xFFFFFFFF)
         elif kind == 4:
             await link.read_block(address, 5)
         else:

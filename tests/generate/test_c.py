@@ -1450,7 +1450,9 @@ def test_a_write_that_failed_and_of_which_the_error_was_lost_is_an_error(driver:
         client.words("close")
 
 
-@pytest.mark.parametrize(("flip", "counts"), [(0.004, (1, 3, 7, 40)), (0.0004, (255, 1, 100, 254))], ids=["few", "many"])
+@pytest.mark.parametrize(
+    ("flip", "counts"), [(0.004, (1, 3, 7, 40)), (0.0004, (255, 1, 100, 254))], ids=["few", "many"]
+)
 def test_no_event_of_a_queue_is_lost_or_given_twice_whatever_the_line_loses(
     driver: Path, flip: float, counts: tuple[int, ...]
 ) -> None:

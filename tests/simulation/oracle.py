@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from simulation.plan import ADDRESS_SHIFT, BURST, BURSTS, FAILING, LIVE, QUEUE_OUT
 from unity_link import BusError, BusTimeoutError
-from unity_link.errors import AnswerLostError, Outcome, UnansweredError
+from unity_link.errors import Outcome, UnansweredError
 from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual.bus import AccessError
 from unity_link.virtual.gateway import Gateway
@@ -394,8 +394,6 @@ class Oracle:
     def _expected(ask: Ask, error: BaseException) -> bool:
         if isinstance(error, UnansweredError):
             return True
-        if isinstance(error, AnswerLostError):
-            return ask.kind in ("read_queue", "write_masked")
         if isinstance(error, BusError):
             return any(address in FAILING for address, _ in ask.words) or ask.kind in ("fence", "exit")
         return isinstance(error, BusTimeoutError) and ask.link.shared
@@ -676,8 +674,8 @@ def _known(ask: Ask, error: BaseException | None) -> tuple[bool, bool]:
     """Return whether a call is said to be executed, whole, and whether it is said not to be."""
     if ask.told is None:
         return False, False
-    if error is None or isinstance(error, AnswerLostError):
-        return error is None or len(ask.words) <= ask.link.block_words, False
+    if error is None:
+        return True, False
     if isinstance(error, UnansweredError):
         return error.outcome is Outcome.EXECUTED and not ask.link.shared, error.outcome is Outcome.NOT_EXECUTED
     if isinstance(error, BusError):

@@ -24,7 +24,6 @@ class ReadPort(SampledSignal[T]):
         """Take `count` values; shape (count,), those of an enumeration as numbers.
 
         Raises:
-            AnswerLostError: where values were taken from the queue, but lost on the way.
             BusError: where the queue had fewer, if the gateware says so; those that it had are gone.
         """
         signal = self.signal

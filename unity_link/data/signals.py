@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import contextlib
 from typing import TYPE_CHECKING, Generic, Protocol, cast, overload
 
 from unity_link.data.proxies import BUFFER, Owner, Proxy, S, T, nothing_publishes, refusal
-from unity_link.errors import AnswerLostError, BusError, refusing
+from unity_link.errors import BusError, refusing
 from unity_link.link.subscription import check_buffer
 
 if TYPE_CHECKING:
@@ -137,9 +136,7 @@ class Writable(Proxy[T], Generic[T, S]):
         if signal.is_field:
             for index, word in enumerate(words):
                 mask = signal.mask >> (index * signal.word_bits) & ((1 << signal.word_bits) - 1)
-                # It was executed then; only the old word was lost, which is not needed.
-                with contextlib.suppress(AnswerLostError):
-                    await self.bus.write_masked(signal.address + index, word, mask)
+                await self.bus.write_masked(signal.address + index, word, mask)
         elif len(words) == 1:
             await self.bus.write(signal.address, words[0])
         else:

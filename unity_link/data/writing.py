@@ -6,11 +6,10 @@ value of several words a bus transaction of its own. All are under way at the sa
 
 from __future__ import annotations
 
-import contextlib
 from typing import TYPE_CHECKING, Any
 
 from unity_link.data.proxies import refusal
-from unity_link.errors import AnswerLostError, ArgumentError, BusError
+from unity_link.errors import ArgumentError, BusError
 from unity_link.link.synchronisation import gather
 
 if TYPE_CHECKING:
@@ -58,11 +57,11 @@ def _encode(proxy: Proxy[Any], value: Any) -> tuple[int, ...]:
 
 def _writings(
     bus: Bus, items: list[tuple[Proxy[Any], tuple[int, ...]]], *, posted: bool
-) -> list[Coroutine[Any, Any, None]]:
+) -> list[Coroutine[Any, Any, object]]:
     """Return what is to be done on one bus, as coroutines that have not begun."""
     whole: dict[int, int] = {}
     fields: dict[int, tuple[int, int, int]] = {}
-    blocks: list[Coroutine[Any, Any, None]] = []
+    blocks: list[Coroutine[Any, Any, object]] = []
     for proxy, words in items:
         signal = proxy.signal
         if signal.is_field:
@@ -82,13 +81,7 @@ def _writings(
         if mask == written:
             whole[address] = word
         else:
-            masked.append(_write_masked(bus, address, word, mask))
+            masked.append(bus.write_masked(address, word, mask))
     send = bus.post_many if posted else bus.write_many
     many = [send(list(whole), list(whole.values()))] if whole else []
     return [*many, *masked, *blocks]
-
-
-async def _write_masked(bus: Bus, address: int, word: int, mask: int) -> None:
-    # It was executed then; only the old word was lost, which is not needed.
-    with contextlib.suppress(AnswerLostError):
-        await bus.write_masked(address, word, mask)

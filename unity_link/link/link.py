@@ -265,7 +265,6 @@ class Link(OfLink, Connection):
 
         Raises:
             UnsupportedError: where the gateway was built without masked writes.
-            AnswerLostError: where it was executed, but the old word was lost on the way.
         """
         self._require(Feature.MASKED_WRITE, "masked writes")
         where, what, bits = self._whole_address(address), self._whole_word(value), self._whole_word(mask)
@@ -399,11 +398,7 @@ class Link(OfLink, Connection):
         return await self._read_words("RM", where, size, step=1)
 
     async def read_queue(self, address: int, count: int) -> Words:
-        """Read the same address `count` times: a FIFO port. Like `read_block` otherwise.
-
-        Raises:
-            AnswerLostError: where words were taken from the queue, but lost on the way.
-        """
+        """Read the same address `count` times: a FIFO port. Like `read_block` otherwise."""
         self._require(Feature.QUEUE_COMMANDS, "queue reads")
         where, size = self._whole_address(address), self._whole_count(count)
         return await self._read_words("RQ", where, size, step=0)

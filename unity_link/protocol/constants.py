@@ -10,12 +10,8 @@ KEEP_ALIVE = 1.0
 """Without a request, while groups are set up; then an ``h`` asks whether the gateway still hears, and was not reset."""
 FEWEST_SILENT_TRIES = 3
 """Time outs in silence before the link is lost, however long one takes."""
-MOST_QUICK_SIGNS = 6
-"""Number of signs of loss that are followed at the pace of a round trip that is next to nothing."""
 MOST_SIGNS = 12
 """Number of times the window goes back for signs of loss of the same request; further ones count as time outs."""
-SLOWER_SIGNS = 0.001
-"""Least round trip, in seconds, that is assumed after so many signs."""
 MOST_TRIES = 32
 """Time outs of one request while something was heard; one more, and the request is given up."""
 MOST_REFUSALS = 3
@@ -53,8 +49,6 @@ DAMAGE_COST = 1 / 16
 """Part of a try that a question counts that was answered by something else."""
 SURE = 3
 """Number of times an impossible answer is heard before it is believed: a datagram that was damaged can come twice."""
-ECHOES = 2
-"""Times that a question must have come back beside answers until an echo is believed."""
 ECHO_PATIENCE = 0.5
 """Seconds for which nothing but an echo is heard before it is believed: on a pair of wires an answer may follow."""
 FLOOD_PATIENCE = 1.0
