@@ -84,8 +84,10 @@ def test_input_that_is_no_request_is_sent_all_the_same_and_explained(terminal: W
     terminal.enter("!R0A00")
     terminal.wait_for("^X01 +error 01: the CRC was wrong$", PROMPT)
     # The gateway says once what it expects, and then waits for that.
-    terminal.enter("K000")
-    terminal.wait_for("^K000 +session started, the next ID expected is 000$", PROMPT)
+    terminal.enter("K0000001")
+    terminal.wait_for(
+        "^K0000001[0-9A-F]{4} +session 0001 has begun, the next ID expected is 000; session [0-9A-F]{4} ended$", PROMPT
+    )
     terminal.enter("r0010A")
     terminal.wait_for("^n000 +out of sequence: the next ID expected is 000$", PROMPT)
     terminal.enter("r0020A")
@@ -104,11 +106,24 @@ def test_who_types_an_id_to_a_gateway_that_was_reset_is_told_to_begin_a_session(
         terminal.wait_for(PROMPT)
         portal.call(gateway.reset)
         terminal.enter("r0000A")
-        terminal.wait_for(r"^x0000A +error 0A: no session has begun .*: begin with K000 \(ID 000\)$", PROMPT)
-        terminal.enter("K000")
-        terminal.wait_for("^K000 +session started", PROMPT)
+        terminal.wait_for(
+            r"^x0000A[0-9A-F]{4} +error 0A: no session has begun .*: begin with K0000001 \(ID 000\)$", PROMPT
+        )
+        terminal.enter("K0000001")
+        terminal.wait_for("^K00000010000 +session 0001 has begun", PROMPT)
         terminal.enter("r0000A")
         terminal.wait_for("^r00000000000 +read of 0x0A", PROMPT)
+
+
+def test_a_session_of_the_terminal_takes_requests_with_and_without_ids(terminal: Window) -> None:
+    terminal.enter("unity-link terminal sim:; echo code $?")
+    terminal.wait_for(PROMPT)
+    terminal.enter("w0000A0000002A")
+    terminal.wait_for(r"^w000 +write to 0x0A done \(ID 000\)$", PROMPT)
+    terminal.enter("W0B11")
+    terminal.wait_for("^W0B +write to 0x0B done$", PROMPT)
+    terminal.enter("r0010A")
+    terminal.wait_for("^r0010000002A +read of 0x0A", PROMPT)
 
 
 def test_a_window_of_any_size_takes_what_is_typed(terminal: Window) -> None:

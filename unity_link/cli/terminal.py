@@ -9,6 +9,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import os
+import secrets
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -19,12 +20,13 @@ from unity_link.cli.arguments import DEFAULT_TIMEOUT, Url
 from unity_link.cli.output import out, print_note
 from unity_link.cli.running import INTERRUPTED, run
 from unity_link.errors import ConnectError, UnsupportedError
+from unity_link.protocol.crc import NO_SESSION, seed_of
 from unity_link.protocol.frames import LONGEST_FRAME
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable, Coroutine
 
-    from unity_link.protocol.messages import Codec
+    from unity_link.protocol.host_codec import HostCodec
     from unity_link.transport import DriverUrl
     from unity_link.transport.stream import Stream
 
@@ -37,7 +39,7 @@ NEAR = 0.05
 _READ_SIZE = 65_536
 _HELP = """\
 Type a request; the CRC is added.
-With ID: lower case, and the ID behind the command; K000 begins a session, and 000 comes first.
+With ID: lower case, and the ID behind the command; K0001234 begins session 1234, in which 000 comes first.
   R0A                   read the word at 0A
   RM0A04                read 4 words from 0A
   W0A2A                 write 2A to it; leading zeros are added
@@ -46,7 +48,8 @@ With ID: lower case, and the ID behind the command; K000 begins a session, and 0
   GSgg01vvvvnnaa...     group gg: every vvvv ticks, nn addresses
   GNgg, GXgg, GPgg      start group gg, stop it, ask it once
   Q                     what are you?
-  H, Kiii, Imm          nothing; session from ID iii on; send-immediate mode
+  H, Kiiissss, Imm      nothing; session ssss from ID iii on; send-immediate mode
+  K                     which session is under way?
 !R0A00 sends as it stands, without adding a CRC.
 Ctrl-D or quit ends."""
 
@@ -92,9 +95,9 @@ async def _terminal(url: str, *, plain: bool, timeout: float) -> None:  # noqa: 
         await stream.close()
 
 
-async def _connect(target: DriverUrl, stream: Stream) -> Codec:
+async def _connect(target: DriverUrl, stream: Stream) -> HostCodec:
     from unity_link.protocol.configuration import GatewayInfo
-    from unity_link.protocol.messages import Codec
+    from unity_link.protocol.host_codec import HostCodec
     from unity_link.transport import open_medium
 
     try:
@@ -111,7 +114,7 @@ async def _connect(target: DriverUrl, stream: Stream) -> Codec:
         if stream.closed:
             raise ConnectError(f"{target.text}: the connection ended at once") from error
         print_note("The gateway does not say what it is; 32-bit words, 8-bit addresses and CRC-16 are assumed.")
-        return Codec(GatewayInfo(), target.node)
+        return HostCodec(GatewayInfo(), target.node)
     return codec
 
 
@@ -134,25 +137,27 @@ class _Receiver:
 
 
 class _Greeting(_Receiver):
-    """Asks what the gateway is, and has it begin a session with ID 0."""
+    """Asks what the gateway is, and has it begin a person's session with ID 0."""
 
     def __init__(self, stream: Stream, node: int | None) -> None:
-        from unity_link.protocol.handshake import Handshake
+        from unity_link.protocol.handshake import Handshake, SessionNumbers
 
         super().__init__()
         self._stream = stream
         self._loop = asyncio.get_running_loop()
-        self._handshake = Handshake(node, 0, self._loop.time(), again=False)
+        numbers = SessionNumbers(lambda: secrets.randbits(32))
+        self._handshake = Handshake(node, numbers, self._loop.time(), person=True)
         self._over: asyncio.Future[None] = self._loop.create_future()
         stream.receiver = self
 
-    async def run(self) -> Codec:
-        """Return the messages of the gateway; the caller's time out ends it."""
+    async def run(self) -> HostCodec:
+        """Return the messages of the gateway, and the session in them; the caller's time out ends it."""
         while not self._over.done():
             self._send()
             await asyncio.wait((self._over,), timeout=self._handshake.deadline - self._loop.time())
             self._handshake.expire(self._loop.time())
         self._over.result()
+        self._handshake.codec.begin(self._handshake.session)
         return self._handshake.codec
 
     def _send(self) -> None:
@@ -187,7 +192,7 @@ class _Greeting(_Receiver):
 class _Session(_Receiver):
     """Sends what is typed and shows what comes."""
 
-    def __init__(self, stream: Stream, codec: Codec, *, plain: bool) -> None:
+    def __init__(self, stream: Stream, codec: HostCodec, *, plain: bool) -> None:
         from unity_link.protocol.interpreter import Interpreter
 
         super().__init__()
@@ -198,6 +203,7 @@ class _Session(_Receiver):
         self._stream = stream
         self._plain = plain
         self._interpreter = Interpreter(codec)
+        self._interpreter.session.number = codec.session
         self._error: Exception | None = None
         self._patience: asyncio.TimerHandle | None = None
         stream.receiver = self
@@ -216,7 +222,14 @@ class _Session(_Receiver):
         if request is not None and request.id is None and request.command in ("W", "WS"):
             # Only plain frames may leave zeros out; who types thinks of neither.
             body = request.command.encode() + self.codec.fields(request.command, *request.values)
-        self._stream.send(framing.plain_request(body) if self._plain else framing.checked(body))
+        # A checked one would begin a program's session, which shuts out most of what is typed.
+        begins = request is not None and request.command == "K" and bool(request.values)
+        session = NO_SESSION if request is None or request.id is None else self._interpreter.session.number
+        self._stream.send(
+            framing.plain_request(body)
+            if self._plain or begins
+            else framing.checked(body, seed_of(session, from_gateway=False))
+        )
         return None if request is None else request.command
 
     async def answer(self, seconds: float) -> bool:

@@ -107,6 +107,7 @@ class Handshake:
         wire_time: where nodes share the medium, seconds that question and answer are on the wire, at most, 0 where that
             is not known; None where there is no other node.
         longest_try: seconds after which a question is asked again, at most, where the medium needs less than others.
+        person: True for a session of somebody who types: it shuts nothing out, and its first ID is 0.
     """
 
     def __init__(
@@ -118,6 +119,7 @@ class Handshake:
         before: int = NO_SESSION,
         wire_time: float | None = None,
         longest_try: float = math.inf,
+        person: bool = False,
     ) -> None:
         self._takes_turns = wire_time is not None
         self._wire_time = wire_time or 0.0
@@ -127,7 +129,8 @@ class Handshake:
         """Questions that came back."""
         self._node = node
         self._numbers = numbers
-        self._first = numbers.choose()
+        self._person = person
+        self._first = 0 if person else numbers.choose()
         self._before = before
         self.session = NO_SESSION
         """Number of the session that was asked for last."""
@@ -255,10 +258,13 @@ class Handshake:
         self._ask_session(now)
 
     def _ask_session(self, now: float) -> None:
+        self._plain = self._person
+
         def frame() -> bytes:
             self.session = self._numbers.next(self.codec.info.last_session)
             self._asked_for[self.session] = self._asked_at
-            return self._framing.checked(self.codec.opening(self.first, self.session))
+            opening = self.codec.opening(self.first, self.session)
+            return self._framing.plain_request(opening) if self._person else self._framing.checked(opening)
 
         def is_answer(body: bytes) -> bool:
             return self._is_opening(body, self.session)
