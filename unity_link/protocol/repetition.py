@@ -1,4 +1,4 @@
-"""What is sent again, and in which order all was sent.
+"""The requests that are sent again, and the order in which all were sent.
 
 Both directions keep the order. So an answer says that what was sent before the request that it answers, and is not
 answered, will not be: it or its answer was lost. Each sending has a place among all; a `K` that asks for the session
@@ -53,7 +53,7 @@ class Repetition(Generic[R]):
         return bool(self._again or self.questions)
 
     def begin(self, start: int, end: int) -> None:
-        """Have all be sent again from `start` on and before `end`, besides what already is to be."""
+        """Let all be sent again from `start` on and before `end`, besides what already is to be."""
         distance = self._ring.distance
         if self.start != self.end:
             start, end = min(self.start, start, key=distance), max(self.end, end, key=distance)

@@ -236,7 +236,7 @@ class Question(Message):
         return body.startswith(b"h") and len(body) + self.codec.framing.overhead == self.reply_size
 
     def fail_part(self, offset: int, count: int, error: UnityLinkError, events: Events) -> None:
-        """Tell that they failed."""
+        """Pass on that they failed."""
         self._asked.fail_part(self._offset + offset, count, error, events)
 
     def fields_at(self, offset: int) -> bytes:

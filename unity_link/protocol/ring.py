@@ -65,7 +65,7 @@ class Part(NamedTuple, Generic[R]):
     offset: int
     """Its place in the run."""
     length: int
-    """How many there are."""
+    """The number of them."""
 
 
 class Ring(Generic[R]):
@@ -108,7 +108,7 @@ class Ring(Generic[R]):
         return len(between) - between.count(None)
 
     def fill(self, first: int, count: int, run: R | None) -> None:
-        """Have a run wait for the answers to some IDs, or nothing."""
+        """Let a run wait for the answers to some IDs, or nothing."""
         beyond = first + count - self.mask - 1
         if beyond > 0:
             self.slots[:beyond] = [run] * beyond
