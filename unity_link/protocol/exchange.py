@@ -490,6 +490,11 @@ class Exchange:
             if body[:1] == b"X":
                 # Perhaps about a request in which damage has made a CR.
                 self._receive_error(body, now, events)
+            elif body[:1] == b"x" and body[1 + self._id_digits :] == _SHUT_OUT:
+                # As that, with its ID.
+                self.window.signs.heard = True
+                self._counters.unasked += 1
+                self.window.damaged(now)
             else:
                 self._counters.stray += 1
                 self._counters.unasked += 1
@@ -711,6 +716,7 @@ _LOWER_H, _LOWER_N, _LOWER_X = b"hnx"
 _K, _P, _X = b"KPX"
 _CR = b"\r"[0]
 _NO_SESSION = b"%02X" % ErrorCode.NO_SESSION
+_SHUT_OUT = b"%02X" % ErrorCode.SESSION_UNDER_WAY
 _DAMAGED = frozenset({ErrorCode.CRC, ErrorCode.TOO_LONG, ErrorCode.RECEIVE_OVERFLOW})
 _REFUSED = frozenset({ErrorCode.UNKNOWN_COMMAND, ErrorCode.MALFORMED})
 
