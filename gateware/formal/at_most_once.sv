@@ -728,6 +728,7 @@ module at_most_once_properties (
 				assert (!c_runs || failed == (c_owed == ERROR));
 				assert (c_runs || !failed);
 				assert (!failed || c_error == BUS || c_error == BUS + 1);
+				assert (!c_fresh || c_owed != ERROR || failed || c_error == RANGE);
 				assert (c_owed != GAP || c_named);
 				assert (c_owed != SILENCE || e_state == LOOK || (c_runs && c_kind == WS && e_state == ACCESS));
 				if (e_state == LOOK)
@@ -747,6 +748,8 @@ module at_most_once_properties (
 					if (c_kind == W || c_kind == WS)
 						assert (request_word == c_word);
 				end
+				if (e_state == LOOK && c_kind[3:2] == 0)
+					assert (c_kind == R || c_kind == WK ? c_count == 1 : !in_range || (c_count > 0 && c_count <= 2));
 				if (c_runs && (!c_kind[3] || c_kind == GS))
 					assert (c_count > 0 && c_count <= 2);
 				if (c_kind == R || c_kind == WK || c_kind == W || c_kind == WS)
