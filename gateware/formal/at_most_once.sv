@@ -596,9 +596,9 @@ module at_most_once_properties (
 							if (place == 0)
 								assert (!d_some_number);
 							if (place == 1)
-								assert (d_number[3:0] == label[3:0] && d_some_number == (label[3:0] != 0));
+								assert ((has_residue || d_number[3:0] == label[3:0]) && d_some_number == (label[3:0] != 0));
 							if (place == 2)
-								assert (d_number[7:0] == label && d_some_number == (label != 0));
+								assert ((has_residue || d_number[7:0] == label) && d_some_number == (label != 0));
 						end else if (!kind[3]) begin
 							assert (d_field == (place == 0 ? IN_ADDRESS : is_write ? IN_WORDS : is_count && place < 3 ? IN_COUNT : IN_NONE));
 							if (place == 0)
@@ -680,7 +680,7 @@ module at_most_once_properties (
 				if (error == 0) begin
 					assert (known && request_command == kind && request_has_id == named && !(named && (kind == Q || kind == K)));
 					assert (request_out_of_range == !in_range);
-					if (numbered)
+					if (named || (kind == K && !asks))
 						assert (request_id == id);
 					if (!kind[3])
 						assert (request_address == address);
@@ -717,7 +717,7 @@ module at_most_once_properties (
 					assert (d_number[7:0] == (tail_left[0] ? c_label : {c_label[3:0], c_label[7:4]}));
 				if (c_owed == ERROR && c_error == NO_SESSION && c_named)
 					assert (d_number[7:0] == (!tail || tail_left == 1 ? c_residue : {c_residue[3:0], c_residue[7:4]}));
-				if (c_named || (c_kind == K && !c_damaged))
+				if (c_named || (c_opens && !c_damaged))
 					assert (e_id == c_id);
 				assert (e_error == (c_owed == ERROR ? c_error : 0) && e_out_of_order == (c_owed == GAP));
 				assert (c_open == (c_owed != SILENCE && !c_silent && e_state != TAIL));
@@ -733,7 +733,7 @@ module at_most_once_properties (
 				assert (c_owed != SILENCE || e_state == LOOK || (c_runs && c_kind == WS && e_state == ACCESS));
 				if (e_state == LOOK)
 					assert (c_again && !c_runs && !c_damaged && c_owed == SILENCE && own == 0 && e_index == 0 && in_range == !request_out_of_range
-						&& e_left == c_count && e_address == c_address && !e_modifying);
+						&& (c_kind[3] || (e_left == c_count && e_address == c_address)) && !e_modifying);
 				assert (c_kind != K || !c_named);
 				if (c_runs)
 					assert (c_owed == ERROR || c_owed == (c_kind == WS ? SILENCE : NORMAL));

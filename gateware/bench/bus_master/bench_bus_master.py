@@ -57,7 +57,17 @@ class _Slave:
 async def _begin(dut: SimHandleBase, waits: int = 0) -> _Slave:
     for name in ("request", "request_write", "request_more", "request_exclusive", "request_address", "request_data"):
         getattr(dut, name).value = 0
-    for name in ("request_kept", "kept_word", "sample", "sample_more", "sample_address", "bus_next", "bus_done", "bus_error", "bus_read_data"):
+    for name in (
+        "request_kept",
+        "kept_word",
+        "sample",
+        "sample_more",
+        "sample_address",
+        "bus_next",
+        "bus_done",
+        "bus_error",
+        "bus_read_data",
+    ):
         getattr(dut, name).value = 0
     await start(dut.clk, dut.rst)
     return _Slave(dut, waits)

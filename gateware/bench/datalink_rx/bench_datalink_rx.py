@@ -126,8 +126,8 @@ async def without_a_session_a_small_letter_is_never_damaged_but_its_check_must_b
     bench = await _bench(dut)
     for session in (0, 0x5A):
         assert await bench.frames(bench.checked(b"h012", session)) == [(b"h012", 0, 0, 0)]
-    for body, error in ((b"h012", 0), (b"H012", CRC)):
-        assert await bench.frames(bench.prefix + body + b"1" * bench.digits + b"\n") == [(body, 0, error, 0)]
+    for body, told in ((b"h012", 0), (b"H012", CRC)):
+        assert await bench.frames(bench.prefix + body + b"1" * bench.digits + b"\n") == [(body, 0, told, 0)]
         ((_, _, error, _),) = await bench.frames(bench.prefix + body + b"1" * (bench.digits - 1) + b"g\n")
         assert error == CRC
     ((_, _, error, _),) = await bench.frames(bench.prefix + b"h" + b"1" * (bench.digits - 2) + b"\n")

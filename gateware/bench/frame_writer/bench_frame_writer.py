@@ -191,7 +191,17 @@ class Writer:
 async def _begin(dut: SimHandleBase) -> Writer:
     for name in ("message", "lower", "plain", "mark", "has_id", "has_address", "has_pair", "id", "address", "pair"):
         getattr(dut, f"answer_{name}").value = 0
-    for name in ("tail", "tail_more", "tail_digit", "answer_words", "answer_valid", "response_word", "sample_available", "sample_word", "out_ready"):
+    for name in (
+        "tail",
+        "tail_more",
+        "tail_digit",
+        "answer_words",
+        "answer_valid",
+        "response_word",
+        "sample_available",
+        "sample_word",
+        "out_ready",
+    ):
         getattr(dut, name).value = 0
     dut.epoch.value = 0
     await start(dut.clk, dut.rst)
