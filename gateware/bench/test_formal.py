@@ -52,7 +52,7 @@ FAULTS = {
     "a fifth access is under way": ("ul_bus_master", r"n\d+_o(?= = \$unsigned\(under_way\) < )", "1'b1"),
     "more is asked for behind a word that failed": (
         "ul_bus_master",
-        r"n\d+_o(?= = bus_error \? 3'b010 : state;)",
+        r"n\d+_o(?= = n\d+_o \? 3'b010 : state;)",
         "state",
     ),
     "an answer overtakes one that was sent away": (
