@@ -136,7 +136,7 @@ package body unity_link_pkg is
   function number_bits_of (crc_bits : positive; groups : natural) return positive is
   begin
 
-    if crc_bits = 8 and groups > 0 then
+    if crc_bits < 16 and groups > 0 then
       return 16;
     end if;
     return crc_bits;
