@@ -121,6 +121,8 @@ FAULTS = {
     "the next frame comes into a request": ("at_most_once", "touches_held", "1'b0"),
     "an access is made again": ("at_most_once", "access_request", "r[77]"),
     "a repetition takes from a queue again": ("at_most_once", "access_kept", "1'b0"),
+    "a program's session shuts nothing out": ("at_most_once", "shut_out", "1'b0"),
+    "how a request ended is not written": ("at_most_once", "fate_write", "1'b0"),
 }
 """The proof, a signal of it (a regular expression), and what drives it in place of what should."""
 FAULTS |= {f"{proof.name}: {name}": (proof.name, *fault) for proof in PROOFS for name, fault in proof.faults.items()}
