@@ -383,6 +383,15 @@ def test_a_host_opens_the_session_that_it_was_offered_last() -> None:
     assert opening.startswith(b"U0000000200000001")
 
 
+@pytest.mark.parametrize("question", [CHECKED(b"K"), b"K\r", b"\n" + CHECKED(b"K")])
+def test_a_host_asks_whose_the_gateway_is_without_opening_a_session(question: bytes) -> None:
+    host = HostDatagrams()
+    host.take(b"U4F1C0A3200000000\r\n" + ANSWER)
+    assert host.put(question) == [question]
+    assert host.take(b"U4F1C0A32000000009409\n" + CHECKED(b"K1234")) == CHECKED(b"K1234")
+    assert host.put(CHECKED(b"K5A00001")) == [b"U4F1C0A32000000018428\nK5A00001E9A0\n"]
+
+
 def test_a_host_takes_the_crc_of_headers_from_the_configuration() -> None:
     codec = Codec(GatewayInfo(crc_bits=32, crc_polynomial=0x04C11DB7))
     host = HostDatagrams()

@@ -137,9 +137,9 @@ class HostDatagrams:
         self._framing = Framing(Crc(), node)
 
     def put(self, frames: bytes) -> list[bytes]:
-        """Return the datagrams in which frames go to the gateway; the first ``K`` opens the session."""
+        """Return the datagrams in which frames go to the gateway; the first ``K i s`` opens the session."""
         if self.session == NO_SESSION:
-            if not frames.lstrip(b"\r\n").startswith(self._framing.prefix + b"K"):
+            if not self._begins_session(frames):
                 return datagrams(frames)
             self.session = self.offer
             if self.session == NO_SESSION:
@@ -149,6 +149,11 @@ class HostDatagrams:
             _with_header(self._framing, self.session, self.counts.next(), packed)
             for packed in _pack(self._framing, frames)
         ]
+
+    def _begins_session(self, frames: bytes) -> bool:
+        # A `K` without fields only looks: with a header it would open a session all the same, and end another's.
+        text, letter = frames.lstrip(b"\r\n"), self._framing.prefix + b"K"
+        return text.startswith(letter) and not text.startswith((letter + b"\r", self._framing.checked(b"K")))
 
     def take(self, datagram: bytes) -> bytes:
         """Return the frames of a datagram that are the host's, none of one that is late or damaged.
