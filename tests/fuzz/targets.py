@@ -32,7 +32,7 @@ from unity_link.virtual import VirtualGateway
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.protocol.messages import Codec
+    from unity_link.protocol.host_codec import HostCodec
 
 LONGEST_ANSWER = 1 << 20
 """Bytes that a gateway may answer to an input; blocks and samples are what they are asked for."""
@@ -146,7 +146,7 @@ def session(data: bytes) -> None:
     assert not any(request.answer is not None and request.error is not None for request in line.asked)
 
 
-def _request(codec: Codec, choices: Choices) -> Request:
+def _request(codec: HostCodec, choices: Choices) -> Request:
     address = choices.number()
     command, fields, reply = (
         ("R", codec.fields("R", address), codec.data_digits),

@@ -150,9 +150,9 @@ show('{name}: many', all(double(link.read_many(101:150)) == 1:50));
     assert shown["wide"] == words(2**64 - 2)
 
 
-def of_another_session(answer_to_k: bytes) -> bytes:
+def of_another_session(answer_to_k: bytes, _: int) -> bytes:
     """Return the answer to the `K` of another session than the one that this is of."""
-    return Framing(Crc()).checked(b"K%03X" % (int(answer_to_k[1:4], 16) ^ 1))
+    return Framing(Crc()).checked(b"K%03X%b" % (int(answer_to_k[1:4], 16) ^ 1, answer_to_k[4:-5]))
 
 
 def test_a_damaged_beginning_is_begun_again(octave: Octave) -> None:
@@ -592,7 +592,7 @@ def test_what_was_sent_again_to_a_gateway_that_was_reset_meanwhile_is_perhaps_ex
     octave.generate(compile_text(FIGURE_1))
     gateway = ObservedGateway()
 
-    def lose_and_reset(_: bytes) -> bytes:
+    def lose_and_reset(_: bytes, __: int) -> bytes:
         gateway.reset()
         return b""
 
