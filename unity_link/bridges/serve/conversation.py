@@ -171,6 +171,7 @@ class Conversation:
         if command != request.command:
             relayed.stateless = True
             relayed.characters += 1
+        relayed.repeated = request.repeated
         relayed.after = after
         relayed.stored = stored
         self._client.hand_on(relayed, self._session.state)

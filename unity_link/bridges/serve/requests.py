@@ -85,6 +85,7 @@ class Relayed(Request):
         "order",
         "places",
         "plain",
+        "repeated",
         "reply",
         "room",
         "silent",
@@ -125,6 +126,8 @@ class Relayed(Request):
         """Session of the client in which it was asked for; None once it is refused as that is over."""
         self.stateless = command == "WS"
         """True of a posted write, also where the gateway is to answer it."""
+        self.repeated = False
+        """True of a read that is repeated: how it ends now changes nothing of how it ended first."""
         self.characters = len(command) + codec.info.id_digits + len(fields)
         """Characters of the client's request before its check."""
         self.executed = False
@@ -170,12 +173,13 @@ class Relayed(Request):
     def _told(self) -> bytes:
         """Return what the client's answer has behind its ID or echo, and keep it if it cannot be read again."""
         answer: bytes = self.answer
+        if self.command == "H":
+            # What the gateway counts are posted writes of all clients. Behind any other answer an `h` only makes sure.
+            counts = self.number is not None and self.head == b"h" + self.codec.id_text[self.number]
+            return self.codec.id_text[self.state.failed] if counts and self.state is not None else b""
         if self.number is None or self.state is None:
             return answer
-        if self.command == "H":
-            is_fence = self.head == b"h" + self.codec.id_text[self.number]
-            answer = self.codec.id_text[self.state.failed] if is_fence else b""
-        elif COMMANDS[self.command].repetition is Repetition.KEPT:
+        if COMMANDS[self.command].repetition is Repetition.KEPT:
             self.state.keep(self.number, parse_numbers(answer, self.codec.info.data_digits))
         return answer
 
@@ -186,7 +190,7 @@ class Relayed(Request):
         if code is ErrorCode.NO_SESSION:
             state, self.state = self.state, None
             return no_session(self.codec, state, self.number, 0 if self.plain else self.characters)
-        if code in FATES:
+        if code in FATES and not self.repeated:
             self.state.fail(self.number, code, posted=self.stateless)
         return self.codec.error(code, self.number)
 
