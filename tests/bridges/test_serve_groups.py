@@ -151,7 +151,7 @@ def test_what_a_client_does_while_groups_are_restored_disturbs_no_other(what: st
                 if what == "leaves":
                     busy.transport.abort()
                 elif what == "begins a session":
-                    busy.transport.write(b"K000\r")
+                    busy.transport.write(b"K0000001\r")
                 else:
                     busy.transport.write(b"GX00\rGX05\rGS0601000A0121\rGN06\r")
                 for _ in range(40):
@@ -211,10 +211,10 @@ async def test_no_sample_comes_behind_the_answer_to_the_start_of_a_session() -> 
         client, other = call(shared), call(shared)
         client.transport.write(b"GS0000000A0110\rGP00\r")
         await settle(shared)
-        client.transport.write(b"K000\r")
+        client.transport.write(b"K0000001\r")
         other.transport.write(b"GS0000000A0111\rGP00\r")
         await settle(shared)
-        assert client.take().endswith(b"K000\r\n")
+        assert client.take().endswith(b"K00000010000\r\n")
 
 
 @on_simulated_time

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from support.recorded_bus import RecordedBus
-from support.sharing import PipedLink, Terminal, call, settle, sharing, tell_of_reset, until
+from support.sharing import SEED, SEED_BACK, PipedLink, Terminal, call, settle, sharing, tell_of_reset, until
 from support.simulated_time import on_simulated_time
 from support.valve import Valve, cut
 from unity_link import Reconnect
@@ -35,6 +35,18 @@ def lose(shared: SharedLink) -> None:
     cut(shared)
 
 
+def opened(codec: Codec, frame: bytes) -> bytes:
+    """Return the body of an answer to a client in session 1, or of error 0A, which has no session any more."""
+    return codec.framing.open(frame, 0 if len(frame) > 10 else SEED_BACK)
+
+
+def refusal(request: bytes) -> bytes:
+    """Return the frame of error 0A about a checked request of `w` or `ws`, without line ends."""
+    text, check = request[:-4], request[-4:]
+    number = int(text.lstrip(b"ws")[:3], 16)
+    return CODEC.framing.checked(CODEC.no_session(number, CODEC.framing.crc.of(text) ^ int(check, 16)))[:-1]
+
+
 async def say(client: Terminal, shared: SharedLink, text: bytes) -> list[bytes]:
     """Return the answers to what a client says; samples are none."""
     client.transport.write(text)
@@ -48,7 +60,7 @@ async def test_what_was_sent_is_unknown_what_was_not_is_refused_and_what_needs_n
     valve = Valve(gateway)
     async with sharing(valve) as shared:
         client = call(shared)
-        await say(client, shared, b"K000\rGS00010001010A\rGN00\rGX00\r")
+        await say(client, shared, b"K0000001\rGS00010001010A\rGN00\rGX00\r")
         valve.answers_pass = False
         client.transport.write(b"w0000A00000001\rws0010A00000002\rr0020A\r")
         await asyncio.sleep(0.001)
@@ -59,7 +71,7 @@ async def test_what_was_sent_is_unknown_what_was_not_is_refused_and_what_needs_n
         shared._gateway_was_reset(Interrupted(GatewayResetError("the gateway was reset")))
         valve.answers_pass = True
         await until(lambda: client.heard.count(b"\n") == 7)
-        answers = b"x00005 x00105 x00205 x0030A x0040A R0A00000002 X05"
+        answers = b"x00005 x00105 x00205 x0030A0000 x0040A0000 R0A00000002 X05"
         assert client.take().split() == answers.split()
         assert valve.memory[0x0B] == 0
 
@@ -69,22 +81,24 @@ async def test_nothing_with_an_id_is_executed_until_the_client_begins_a_session(
     gateway = VirtualGateway()
     async with sharing(gateway) as shared:
         client, other = call(shared), call(shared)
-        await say(client, shared, b"K005\rw0050A00000001\r")
+        await say(client, shared, b"K0050001\rw0050A00000001\r")
         await tell_of_reset(shared, gateway, client)
-        writes = request_rows(CODEC, "W", 6, hex_rows(np.arange(0x0B00000007, 0x0B00000017), 10))
-        refused = [CODEC.framing.checked(b"x%03X0A" % number) for number in range(6, 22)]
+        writes = request_rows(CODEC, "W", 6, hex_rows(np.arange(0x0B00000007, 0x0B00000017), 10), SEED)
+        refused = [refusal(write) for write in writes.splitlines()]
         client.transport.write(writes)
         await settle(shared)
-        assert client.take().splitlines(keepends=True) == refused
-        answers = await say(client, shared, CODEC.request("WS", 22, b"0B00000007") + b"h017\rr3000A\rQ\rW0C00000005\r")
-        assert answers[:3] == [CODEC.framing.checked(b"x0160A")[:-1], b"x0170A", b"x3000A"]
-        assert answers[3].startswith(b"Q02")
+        assert client.take().splitlines() == refused
+        post = CODEC.request("WS", 22, b"0B00000007", SEED)
+        answers = await say(client, shared, post + b"h017\rr3000A\rQ\rW0C00000005\r")
+        assert answers[:3] == [refusal(post.strip()), b"x0170A0000", b"x3000A0000"]
+        assert answers[3].startswith(b"Q03")
         assert answers[4] == b"W0C"
         assert (gateway.memory[0x0B], gateway.memory[0x0C]) == (0, 5)
-        assert await say(client, shared, b"K800\rw8000B00000009\rh7FF\rh900\r") == [b"K800", b"w800", b"h7FF", b"n801"]
+        answers = await say(client, shared, b"K8000002\rw8000B00000009\rh7FF\rh900\r")
+        assert answers == [b"K80000020000", b"w800", b"h7FF000", b"n801"]
         assert gateway.memory[0x0B] == 9
         # It is over for every client.
-        assert await say(other, shared, b"h000\rK000\rh000\r") == [b"x0000A", b"K000", b"h000"]
+        assert await say(other, shared, b"h000\rK0000001\rh000\r") == [b"x0000A0000", b"K00000010000", b"h000000"]
 
 
 @on_simulated_time
@@ -103,7 +117,7 @@ async def test_the_groups_of_a_client_are_forgotten_and_free_for_others() -> Non
         assert (other.take().count(b"P00") > 3, client.take()) == (True, b"")
 
 
-@pytest.mark.parametrize("command", [b"GS0001000A0110\r", b"GN00\r", b"GP00\r", b"K001\r"])
+@pytest.mark.parametrize("command", [b"GS0001000A0110\r", b"GN00\r", b"GP00\r", b"K0010001\r"])
 @pytest.mark.parametrize("running", [b"GN00\r", b"GP00\r"])
 @on_simulated_time
 async def test_a_group_that_a_request_names_when_the_gateway_is_reset_neither_runs_nor_is_lost(
@@ -130,14 +144,14 @@ async def test_of_a_batch_that_was_sent_in_part_each_request_is_told_once_and_no
     bus = RecordedBus(gateway)
     async with sharing(SlowLine(gateway, 100_000)) as shared:
         client = call(shared)
-        await say(client, shared, b"K000\r")
+        await say(client, shared, b"K0000001\r")
         # More than the window takes, and than the server listens to at once.
-        client.transport.write(request_rows(CODEC, "W", 0, hex_rows(np.arange(0x0A00000000, 0x0A00000000 + 3000), 10)))
+        client.transport.write(request_rows(CODEC, "W", 0, hex_rows(np.arange(0x0A00000000, 0x0A00000000 + 3000), 10), SEED))
         await asyncio.sleep(0.05)
         await tell_of_reset(shared, gateway, client)
         await settle(shared)
-        bodies = [CODEC.framing.open(frame) for frame in client.take().splitlines()]
-    kinds = {b"executed": b"", b"unknown": b"05", b"refused": b"0A"}
+        bodies = [opened(CODEC, frame) for frame in client.take().splitlines()]
+    kinds = {b"executed": b"", b"unknown": b"05", b"refused": b"0A%04X" % CODEC.framing.crc.of(bytes(14), SEED)}
     told = {kind: [int(body[1:4], 16) for body in bodies if body[4:] == end] for kind, end in kinds.items()}
     assert [int(body[1:4], 16) for body in bodies] == list(range(3000))
     assert [number for numbers in told.values() for number in numbers] == list(range(3000))
@@ -155,19 +169,19 @@ async def test_of_requests_side_by_side_those_that_had_no_room_are_known_not_to_
     valve = Valve(gateway)
     async with sharing(valve) as shared:
         client = call(shared)
-        await say(client, shared, b"K00\r")
+        await say(client, shared, b"K000001\r")
         valve.answers_pass = False
         # The window takes 128: of the writes there is room for a part.
         client.transport.write(b"H\r" * 50)
         await asyncio.sleep(0.001)
-        client.transport.write(request_rows(codec, "W", 0, hex_rows(np.arange(0x0A00000000, 0x0A00000000 + 128), 10)))
+        client.transport.write(request_rows(codec, "W", 0, hex_rows(np.arange(0x0A00000000, 0x0A00000000 + 128), 10), SEED))
         await asyncio.sleep(0.001)
         valve.answers_pass = True
         await tell_of_reset(shared, gateway, client)
         await settle(shared)
         frames = client.take().splitlines()
         assert frames[:50] == [b"X05"] * 50
-        codes = [codec.framing.open(frame)[3:] for frame in frames[50:]]
+        codes = [opened(codec, frame)[3:5] for frame in frames[50:]]
         sent = gateway.memory[0x0A] + 1
         assert codes == [b"05"] * sent + [b"0A"] * (128 - sent)
         assert 0 < sent < 128
@@ -180,7 +194,7 @@ async def test_a_client_hears_of_the_reset_also_behind_a_posted_write_and_while_
     valve = Valve(gateway)
     async with sharing(valve) as shared:
         client = call(shared)
-        await say(client, shared, b"K000\r")
+        await say(client, shared, b"K0000001\r")
         valve.requests_pass = False
         client.transport.write(b"ws0000A00000001\r")
         await asyncio.sleep(0.001)
@@ -188,7 +202,7 @@ async def test_a_client_hears_of_the_reset_also_behind_a_posted_write_and_while_
         shared._gateway_was_reset(Interrupted(GatewayResetError("the gateway was reset")))
         client.transport.write(b"r0010A\r")
         await asyncio.sleep(0.01)
-        assert client.take() == b"x00005\r\nx0010A\r\n"
+        assert client.take() == b"x00005\r\nx0010A0000\r\n"
         valve.requests_pass = True
 
 
@@ -197,17 +211,17 @@ async def test_a_gateway_that_is_reset_behind_an_open_line_ends_the_sessions_of_
     gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ))
     async with sharing(gateway) as shared:
         client, other = call(shared), call(shared)
-        await say(client, shared, b"K000\rw0000A00000001\rGS0001000A0110\rGN00\r")
-        await say(other, shared, b"K000\r")
+        await say(client, shared, b"K0000001\rw0000A00000001\rGS0001000A0110\rGN00\r")
+        await say(other, shared, b"K0000001\r")
         gateway.reset()
         client.take()
         first = await say(client, shared, b"w0010A00000002\r")
-        assert first in ([b"x00105"], [b"x0010A"])
-        assert await say(client, shared, b"w0020A00000003\rGN00\r") == [b"x0020A", b"X06"]
-        assert await say(other, shared, b"h000\r") == [b"x0000A"]
+        assert first in ([b"x00105"], [b"x0010A0000"])
+        assert await say(client, shared, b"w0020A00000003\rGN00\r") == [b"x0020A0000", b"X06"]
+        assert await say(other, shared, b"h000\r") == [b"x0000A0000"]
         assert gateway.memory[0x0A] == 1
         assert gateway.next_due is None
-        assert await say(client, shared, b"K100\rw1000A00000004\r") == [b"K100", b"w100"]
+        assert await say(client, shared, b"K1000002\rw1000A00000004\r") == [b"K10000020000", b"w100"]
         assert gateway.memory[0x0A] == 4
 
 
@@ -230,7 +244,7 @@ class ResetBefore(Valve):
         return super().receive(data, now)
 
 
-@pytest.mark.parametrize("reset_before", [b"", b"Q", b"h", b"K", b"GX", b"gs"])
+@pytest.mark.parametrize("reset_before", [b"", b"Q", b"h", b"KF9AF", b"K000", b"gs"])
 @on_simulated_time
 async def test_a_reset_while_the_gateway_is_away_or_comes_back_ends_the_sessions_of_clients_and_its_absence_does_not(
     reset_before: bytes,

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from support.recorded_bus import RecordedBus
 from support.searching import examples, seeds
 from support.shared_pair import PAIR, SharedPair
-from support.sharing import PipedLink, call, clients_of, open_directly, settle, sharing, until
+from support.sharing import SEED, SEED_BACK, PipedLink, call, clients_of, open_directly, settle, sharing, until
 from support.simulated_time import on_simulated_time, run_simulated
 from support.valve import Valve, cut
 from unity_link import (
@@ -28,7 +28,7 @@ from unity_link import (
 )
 from unity_link.bridges.serve.connection import COST_ALONE, MOST_POSTED, MOST_UNDER_WAY, MOST_UNSENT
 from unity_link.bridges.serve.shared import PATIENCE, SharedLink
-from unity_link.protocol import window
+from unity_link.protocol import posts
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.messages import Codec
 from unity_link.virtual import VirtualGateway
@@ -45,6 +45,10 @@ if TYPE_CHECKING:
 
 KILOHERTZ = 1_000_000
 """A base frequency at which simulated time is quick."""
+OF_A_SESSION = [
+    Codec(GatewayInfo()).request("R", 0, b"0A", SEED),
+    Codec(GatewayInfo()).request("W", 0, b"0A00000001", SEED),
+]
 FAILING = 0x44
 """An address whose accesses end in a bus error."""
 
@@ -190,8 +194,8 @@ async def test_a_new_session_of_one_client_stops_its_groups_and_no_others() -> N
         terminal.transport.write(b"GS00010001010A\rGN00\r")
         async with link.subscribe([1], rate_hz=1000) as samples:
             await until(lambda: terminal.heard.count(b"P00") > 10)
-            terminal.transport.write(b"K000\r")
-            await until(lambda: terminal.heard.endswith(b"K000\r\n"))
+            terminal.transport.write(b"K0000001\r")
+            await until(lambda: terminal.heard.endswith(b"K00000010000\r\n"))
             terminal.take()
             for _ in range(50):
                 assert (await anext(samples)).lost == 0
@@ -261,11 +265,11 @@ async def test_the_error_of_a_posted_write_is_told_before_the_answers_to_what_wa
     gateway = VirtualGateway()
     RecordedBus(gateway, failing=frozenset({0x44}))
     codec = Codec(gateway.info)
-    requests = [codec.request("R", 0, b"01"), codec.request("WS", 1, b"4400000001")]
-    requests += [codec.request("R", number, b"01") for number in range(2, 40)]
+    requests = [codec.request("R", 0, b"01", SEED), codec.request("WS", 1, b"4400000001", SEED)]
+    requests += [codec.request("R", number, b"01", SEED) for number in range(2, 40)]
     async with sharing(InOneRead(gateway)) as shared:
         client = call(shared)
-        client.transport.write(codec.framing.checked(b"K000"))
+        client.transport.write(codec.framing.checked(b"K0000001"))
         await settle(shared)
         client.take()
         # Where they arrive together, those of single words behind a posted write are not taken together.
@@ -273,7 +277,7 @@ async def test_the_error_of_a_posted_write_is_told_before_the_answers_to_what_wa
         await asyncio.sleep(0.001)
         client.transport.write(b"".join(requests[2:]))
         await until(lambda: client.heard.count(b"\n") == len(requests))
-        bodies = [codec.framing.open(frame) for frame in client.take().splitlines()]
+        bodies = [codec.framing.open(frame, SEED_BACK) for frame in client.take().splitlines()]
     assert [body[:6] for body in bodies[:3]] == [b"r00000", b"x00104", b"r00200"]
     assert len(bodies) == 40
 
@@ -381,7 +385,7 @@ async def test_what_waits_for_a_client_that_does_not_read_is_bounded() -> None:
         assert client._under_way < MOST_UNDER_WAY + 4096
 
 
-@pytest.mark.parametrize("flood", [b"Q\r", b"\n", b"\x00\n", b"R0A0000\n", b"GS00000101\r", b"I00\r", b"K000\r"])
+@pytest.mark.parametrize("flood", [b"Q\r", b"\n", b"\x00\n", b"R0A0000\n", b"GS00000101\r", b"I00\r", b"K0000001\r"])
 @on_simulated_time
 async def test_a_client_that_floods_the_server_leaves_the_others_their_turns(flood: bytes) -> None:
     async with sharing(VirtualGateway()) as shared, PipedLink(shared) as other:
@@ -414,7 +418,7 @@ async def test_a_request_waits_behind_few_of_a_client_that_floods_the_gateway(fl
 async def test_posted_writes_leave_their_room_once_a_row_of_reads_behind_them_is_answered(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(window, "FENCE_DELAY", 1.0)
+    monkeypatch.setattr(posts, "FENCE_DELAY", 1.0)
     async with sharing(VirtualGateway()) as shared, PipedLink(shared) as link:
         for _ in range(MOST_POSTED // COST_ALONE):
             await link.post(0x0A, 1)
@@ -444,8 +448,8 @@ async def test_what_the_server_says_itself_to_a_client_that_does_not_read_is_bou
         st.one_of(
             st.binary(max_size=40),
             st.from_regex(rb"[A-Za-z]{0,2}[0-9A-Fa-f]{0,16}[\r\n]{1,2}", fullmatch=True),
-            st.sampled_from([b"GS000100010101\r", b"GN00\r", b"GX00\r", b"GP00\r", b"K000\r", b"I01\r", b"Q\r"]),
-            st.sampled_from([b"r0000A760E\n" * 20, b"w0000A000000017213\n", b"R0A\r" * 30]),
+            st.sampled_from([b"GS000100010101\r", b"GN00\r", b"GX00\r", b"GP00\r", b"K0000001\r", b"I01\r", b"Q\r"]),
+            st.sampled_from([OF_A_SESSION[0] * 20, OF_A_SESSION[1], b"R0A\r" * 30]),
             st.sampled_from([b"RM00FF\r" * 9, b"WK00FF01\r"]),
         ),
         max_size=30,
@@ -458,7 +462,7 @@ def test_whatever_a_client_says_the_others_are_served(said: list[bytes], leaves:
         gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=KILOHERTZ, groups=2))
         async with sharing(gateway) as shared, PipedLink(shared) as other:
             wild = call(shared)
-            wild.transport.write(b"K000\r")
+            wild.transport.write(b"K0000001\r")
             for text in said:
                 wild.transport.write(text)
                 await other.write(0xF0, 7)
@@ -503,11 +507,12 @@ async def test_a_repetition_is_acknowledged_only_when_the_request_has_been_execu
     valve = Valve(VirtualGateway())
     async with sharing(valve) as shared:
         client = call(shared)
-        client.transport.write(b"K000\r")
+        client.transport.write(b"K0000001\r")
         await settle(shared)
         client.take()
         valve.requests_pass = False
-        write = b"w0000A000000017213\n"
+        framing = Codec(GatewayInfo()).framing
+        write, done = framing.checked(b"w0000A00000001", SEED), framing.checked(b"w000", SEED_BACK)
         client.transport.write(write)
         await asyncio.sleep(0.005)
         for _ in range(3):
@@ -517,10 +522,10 @@ async def test_a_repetition_is_acknowledged_only_when_the_request_has_been_execu
         assert client.take() == b"\n\n\n"
         valve.requests_pass = True
         await settle(shared)
-        assert client.take() == b"w000E53B\n"
+        assert client.take() == done
         client.transport.write(write)
         await settle(shared)
-        assert client.take() == b"w000E53B\n"
+        assert client.take() == done
 
 
 # The gateway comes and goes
@@ -652,10 +657,10 @@ async def test_an_answer_of_the_server_itself_waits_for_posted_writes_before_it(
     async with sharing(valve) as shared:
         client = call(shared)
         valve.requests_pass = False
-        client.transport.write(b"K000\rws0000A00000001\rgs00103000001010B\rgx00203\rh005\r")
+        client.transport.write(b"K0000001\rws0000A00000001\rgs00103000001010B\rgx00203\rh005\r")
         await asyncio.sleep(0.01)
         # Each of these would say that the posted write was executed.
-        assert client.take() == b"K000\r\n"
+        assert client.take() == b"K00000010000\r\n"
         valve.requests_pass = True
         await settle(shared)
         assert client.take() == b"gs001\r\ngx002\r\nn003\r\n"
@@ -667,7 +672,7 @@ async def test_a_server_whose_gateway_is_away_refuses_posted_writes_in_their_ord
     valve = Valve(VirtualGateway())
     async with sharing(valve) as shared:
         client = call(shared)
-        client.transport.write(b"K000\rH\r")
+        client.transport.write(b"K0000001\rH\r")
         await settle(shared)
         client.take()
         valve.requests_pass = False
@@ -683,7 +688,7 @@ async def test_a_posted_write_that_was_lost_is_told_before_what_was_asked_behind
     valve = Valve(VirtualGateway())
     async with sharing(valve) as shared:
         client = call(shared)
-        client.transport.write(b"K000\rH\r")
+        client.transport.write(b"K0000001\rH\r")
         await settle(shared)
         client.take()
         valve.answers_pass = False
@@ -692,7 +697,7 @@ async def test_a_posted_write_that_was_lost_is_told_before_what_was_asked_behind
         cut(shared)
         valve.answers_pass = True
         await until(lambda: client.heard.count(b"\n") == 3)
-        assert client.take() == b"r00000000002\r\nx00105\r\nh002\r\n"
+        assert client.take() == b"r00000000002\r\nx00105\r\nh002001\r\n"
 
 
 # A shared pair of wires

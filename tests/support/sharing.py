@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from unity_link.transport.stream import Stream
     from unity_link.virtual.faults import Noise
 
+SEED, SEED_BACK = 2, 3
+"""What the checks of session 1 have in them, there and back."""
 open_directly = Gateway.open
 """As it is, also while a test has put another way in its place."""
 
