@@ -281,8 +281,8 @@ def test_a_port_on_which_nothing_listens() -> None:
 
 
 def test_a_gateway_of_another_version() -> None:
-    with served(serve_tcp(gateway_of(protocol_version=3))) as url:
-        assert "version 03" in examined(url)["other version"]["text"]
+    with served(serve_tcp(gateway_of(protocol_version=2))) as url:
+        assert "the gateway speaks version 02 of the protocol" in examined(url)["other version"]["text"]
 
 
 def test_a_small_fifo_without_flow_control() -> None:

@@ -78,7 +78,7 @@ def serve(gateway: Gateway) -> Iterator[str]:
 
 
 class ObservedGateway(VirtualGateway):
-    """A gateway that keeps the frames that it was sent, and what reaches the bus; reset before one of these frames."""
+    """A gateway that keeps the frames that it was sent, and what reaches the bus; reset before or behind a frame."""
 
     def __init__(self, info: GatewayInfo = _DEFAULT_INFO) -> None:
         super().__init__(info)
@@ -88,6 +88,8 @@ class ObservedGateway(VirtualGateway):
         """Most requests with an ID that came together."""
         self.reset_before: int | None = None
         """Number of frames until the reset."""
+        self.reset_behind = False
+        """True if it is to be reset once the frame under way is answered."""
 
     def receive(self, data: bytes, now: float) -> bytes:
         """Take bytes, frame by frame."""
@@ -102,6 +104,9 @@ class ObservedGateway(VirtualGateway):
                     self.reset_before = None
             self.heard.append(frame.decode("latin-1").strip())
             replies.append(super().receive(frame, now))
+            if self.reset_behind:
+                self.reset()
+                self.reset_behind = False
         return b"".join(replies)
 
     def sessions(self) -> list[str]:

@@ -541,16 +541,16 @@ attempt('fence', @() link.fence());
 
 
 class ResetButton:
-    """Resets its gateway when it is written to."""
+    """Resets its gateway when a write to it is answered."""
 
-    def __init__(self, gateway: VirtualGateway) -> None:
+    def __init__(self, gateway: ObservedGateway) -> None:
         self._gateway = gateway
 
     def read(self, offset: int, now: float) -> int:
         return 0
 
     def write(self, offset: int, value: int, now: float) -> None:
-        self._gateway.reset()
+        self._gateway.reset_behind = True
 
 
 def gateway_with_reset_button() -> ObservedGateway:

@@ -105,7 +105,7 @@ async def explain_silence(url: DriverUrl, error: ConnectError) -> AsyncIterator[
         url: of the medium.
         error: why a link could not be opened.
     """
-    question = LF + Framing(Crc(), url.node).plain_request(b"Q")
+    question = _question(url)
     try:
         heard = await listen(url, question, PATIENCE)
     except ConnectError as failure:
@@ -119,6 +119,16 @@ async def explain_silence(url: DriverUrl, error: ConnectError) -> AsyncIterator[
     yield found or _unrecognised(heard, error)
 
 
+async def find_echo(url: DriverUrl) -> Finding | None:
+    """Return what is wrong at a medium on which a gateway answers, and what is sent comes back as well; else None."""
+    found = _recognise(await listen(url, _question(url), PATIENCE))
+    return found if found is not None and found.fault is FaultName.LOOPBACK else None
+
+
+def _question(url: DriverUrl) -> bytes:
+    return LF + Framing(Crc(), url.node).plain_request(b"Q")
+
+
 def has_speed(url: DriverUrl) -> bool:
     """Return whether the host's end of a medium has a speed that can be wrong."""
     return url.scheme == "serial" or (url.scheme in CHIP_SCHEMES and url.options.get("mode") == "uart")
@@ -130,7 +140,10 @@ def _recognise(heard: Heard) -> Finding | None:
     if heard.sent.strip() in data:
         if _ANSWER.search(data):
             text = "what is sent comes back before the answer: the adapter, or the transceiver, echoes"
-            advice = "switch its echo off, or its receiver while it sends (/RE to DE)"
+            advice = (
+                "switch its echo off, or its receiver while it sends (/RE to DE): links pass it over, and it takes "
+                "the line from the answers"
+            )
         else:
             text = "what is sent comes back as it is: TX is connected to RX (loopback)"
             advice = "connect TX to the gateway's rx and RX to its tx, and no jumper; switch off an adapter's echo"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from unity_link.doctor import computer
-from unity_link.doctor.answers import explain_silence
+from unity_link.doctor.answers import explain_silence, find_echo, has_speed
 from unity_link.doctor.findings import FaultName, Finding
 from unity_link.doctor.gateways import check_gateway, check_send_immediate
 from unity_link.doctor.media import CHIP_SCHEMES, check_medium, explain_failure
@@ -83,6 +83,8 @@ async def _check_link(
     except (UnansweredError, TimeoutError) as error:
         yield _explain_loss(error)
     else:
+        if has_speed(parsed) and (echo := await find_echo(parsed)) is not None:
+            yield echo
         if parsed.scheme in CHIP_SCHEMES and parsed.options.get("mode") != "uart":
             yield await check_send_immediate(parsed, info)
 

@@ -41,8 +41,8 @@ _FIFO_BYTES_PER_SECOND = 8e6
 _BITS_PER_BYTE = 10
 _LONGEST_ANSWER = 2.0
 """Seconds after which a gateway that has not answered stands still."""
-_REQUEST_BYTES = 10
-"""Bytes of an ``h``, as of its answer."""
+_REQUEST_BYTES = 13
+"""Bytes of the answer to an ``h``, about; the request has fewer."""
 _SLACK = 5e-3
 """Seconds by which a computer with other work may be slower than the medium."""
 _FEWEST_IN_FIFO = 4
@@ -158,8 +158,9 @@ async def _round_trip(link: Link, count: int) -> float:
 
 def _judge_round_trip(round_trip: float, rate: float | None, info: GatewayInfo) -> Finding:
     text = f"{_time(round_trip)}, median of {ROUND_TRIPS}"
-    size = 1 + info.id_digits + info.crc_bits // 4 + 1
-    allowed = 0.0 if rate is None else 2 * size / rate
+    # There and back; the answer counts failed posted writes as well.
+    size = 2 * (1 + info.id_digits + info.crc_bits // 4 + 1) + info.id_digits
+    allowed = 0.0 if rate is None else size / rate
     if rate is not None:
         text += f"; the bytes take {_time(allowed)} of it"
     if round_trip <= 3 * allowed + _SLACK:
