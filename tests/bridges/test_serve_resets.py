@@ -146,7 +146,9 @@ async def test_of_a_batch_that_was_sent_in_part_each_request_is_told_once_and_no
         client = call(shared)
         await say(client, shared, b"K0000001\r")
         # More than the window takes, and than the server listens to at once.
-        client.transport.write(request_rows(CODEC, "W", 0, hex_rows(np.arange(0x0A00000000, 0x0A00000000 + 3000), 10), SEED))
+        client.transport.write(
+            request_rows(CODEC, "W", 0, hex_rows(np.arange(0x0A00000000, 0x0A00000000 + 3000), 10), SEED)
+        )
         await asyncio.sleep(0.05)
         await tell_of_reset(shared, gateway, client)
         await settle(shared)
@@ -174,7 +176,9 @@ async def test_of_requests_side_by_side_those_that_had_no_room_are_known_not_to_
         # The window takes 128: of the writes there is room for a part.
         client.transport.write(b"H\r" * 50)
         await asyncio.sleep(0.001)
-        client.transport.write(request_rows(codec, "W", 0, hex_rows(np.arange(0x0A00000000, 0x0A00000000 + 128), 10), SEED))
+        client.transport.write(
+            request_rows(codec, "W", 0, hex_rows(np.arange(0x0A00000000, 0x0A00000000 + 128), 10), SEED)
+        )
         await asyncio.sleep(0.001)
         valve.answers_pass = True
         await tell_of_reset(shared, gateway, client)

@@ -53,10 +53,10 @@ def test_each_frame_is_a_line_with_time_direction_and_meaning_and_a_summary_come
     lines = [" ".join(line.split()) for line in result.stdout.splitlines()]
     assert lines[0] == f"0.000000 0 - connected: sim:?bytes_per_second=1000&snoop={snoop}"
     assert [line.split(" ", 1)[1] for line in lines if "0x0A" in line][:4] == [
-        "0 > w0000A0000002A6AE6 write 0x0000002A (42) to 0x0A (ID 000)",
-        "0 < w000E53B write to 0x0A done (ID 000)",
-        "0 > r0010A413E read 0x0A (ID 001)",
-        "0 < r0010000002A21CA read of 0x0A: 0x0000002A (42) (ID 001)",
+        "0 > w0000A0000002AE020 write 0x0000002A (42) to 0x0A (ID 000)",
+        "0 < w000BC6B write to 0x0A done (ID 000)",
+        "0 > r0010A05BD read 0x0A (ID 001)",
+        "0 < r0010000002A5930 read of 0x0A: 0x0000002A (42) (ID 001)",
     ]
     assert any(line.startswith("0.") and " 1 < P0000" in line and line.endswith(": 0x0A = 0") for line in lines)
     assert "0.000000 is " in result.stderr

@@ -27,7 +27,7 @@ from unity_link.protocol import (
     window,
 )
 from unity_link.protocol.frames import FrameError
-from unity_link.protocol.messages import COMMANDS, Repetition
+from unity_link.protocol.messages import COMMANDS, Repeat
 from unity_link.protocol.reception import SequencePlace
 from unity_link.transport import stream
 from unity_link.virtual import bus, transport
@@ -197,7 +197,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("a request that was sent again before a reset is said not to be executed")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(repetition.Repetition, "never_arrived_from", lambda self, refused: refused)
+    monkeypatch.setattr(repetition.Repeat, "never_arrived_from", lambda self, refused: refused)
 
 
 @bug("a reset is told as an error of one request")
@@ -467,12 +467,12 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("a queue is read again for a repetition")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(COMMANDS, "RQ", COMMANDS["RQ"]._replace(repetition=Repetition.READ_AGAIN))
+    monkeypatch.setitem(COMMANDS, "RQ", COMMANDS["RQ"]._replace(repetition=Repeat.READ_AGAIN))
 
 
 @bug("a masked write is executed again for a repetition")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(COMMANDS, "WK", COMMANDS["WK"]._replace(repetition=Repetition.READ_AGAIN))
+    monkeypatch.setitem(COMMANDS, "WK", COMMANDS["WK"]._replace(repetition=Repeat.READ_AGAIN))
 
 
 @bug("the words of a sample are read one after the other")

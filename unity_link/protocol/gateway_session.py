@@ -10,7 +10,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.protocol.crc import NO_SESSION, seed_of
-from unity_link.protocol.messages import COMMANDS, LOOKING, Codec, DecodedRequest, ErrorCode, Repetition, RequestError
+from unity_link.protocol.messages import COMMANDS, LOOKING, Codec, DecodedRequest, ErrorCode, Repeat, RequestError
 from unity_link.protocol.reception import Reception, Sequence, SequencePlace
 
 if TYPE_CHECKING:
@@ -180,11 +180,11 @@ class GatewaySession:
         if fate:
             return Answer(self._codec.error(ErrorCode(fate), number), number)
         repetition = COMMANDS[request.command].repetition
-        if repetition is Repetition.READ_AGAIN:
+        if repetition is Repeat.READ_AGAIN:
             return request._replace(repeated=True)
-        if repetition is Repetition.SILENCE:
+        if repetition is Repeat.SILENCE:
             return SILENCE
-        if repetition is Repetition.KEPT and not self._fits(request):
+        if repetition is Repeat.KEPT and not self._fits(request):
             return Answer(self._codec.error(ErrorCode.OUT_OF_RANGE, number), number)
         return Answer(self._codec.response(request, self._once_more(request, number)), number)
 

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
-class Repetition(enum.Enum):
+class Repeat(enum.Enum):
     """Rule for the answer to a request that was executed before (docs/protocol.md, "Exactly once, in order")."""
 
     READ_AGAIN = enum.auto()
@@ -49,7 +49,7 @@ class Command(NamedTuple):
     fields: str
     echo: str = ""
     reads: str = ""
-    repetition: Repetition = Repetition.ACKNOWLEDGE
+    repetition: Repeat = Repeat.ACKNOWLEDGE
     feature: Feature = Feature(0)
     tells: str = ""
 
@@ -59,14 +59,14 @@ class Command(NamedTuple):
 
 
 COMMANDS: dict[str, Command] = {
-    "R": Command("a", "a", "d", Repetition.READ_AGAIN),
-    "RM": Command("an", "an", "D", Repetition.READ_AGAIN),
-    "RQ": Command("an", "an", "D", Repetition.KEPT, Feature.QUEUE_COMMANDS),
+    "R": Command("a", "a", "d", Repeat.READ_AGAIN),
+    "RM": Command("an", "an", "D", Repeat.READ_AGAIN),
+    "RQ": Command("an", "an", "D", Repeat.KEPT, Feature.QUEUE_COMMANDS),
     "W": Command("ad", "a"),
     "WM": Command("aD", "an"),
     "WQ": Command("aD", "an", feature=Feature.QUEUE_COMMANDS),
-    "WK": Command("amd", "a", "d", Repetition.KEPT, Feature.MASKED_WRITE),
-    "WS": Command("ad", repetition=Repetition.SILENCE),
+    "WK": Command("amd", "a", "d", Repeat.KEPT, Feature.MASKED_WRITE),
+    "WS": Command("ad", repetition=Repeat.SILENCE),
     "GS": Command("gfvnA", "g", feature=Feature.GROUPS),
     "GN": Command("g", "g", feature=Feature.GROUPS),
     "GX": Command("g", "g", feature=Feature.GROUPS),
@@ -379,7 +379,7 @@ class Codec:
         if command == "K" and not with_id:
             return "k" if len(text) == self.digits["k"] else "ikb"
         row = COMMANDS.get(command)
-        if row is None or row.repetition is Repetition.SILENCE or (with_id and command in WITHOUT_ID):
+        if row is None or row.repetition is Repeat.SILENCE or (with_id and command in WITHOUT_ID):
             return None
         return row.response(with_id=with_id)
 

@@ -26,7 +26,7 @@ from unity_link.errors import ArgumentError
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.frames import in_session
 from unity_link.protocol.gateway_session import Answer, GatewaySession
-from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode, Repetition, RequestError
+from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode, Repeat, RequestError
 from unity_link.virtual.bus import AccessError, Device, ModelBus
 from unity_link.virtual.commands import CommandSet, FieldRangeError
 from unity_link.virtual.groups import PublishGroups
@@ -328,7 +328,7 @@ class VirtualGateway(BareGateway):
             body = self._codec.error(fault.code, request.id)
         else:
             body = b"" if command == "WS" else self._codec.response(request, reads)
-            if request.id is not None and COMMANDS[command].repetition is Repetition.KEPT:
+            if request.id is not None and COMMANDS[command].repetition is Repeat.KEPT:
                 self._session.state.keep(request.id, [reads] if isinstance(reads, int) else reads or ())
         if command in _BEHIND_SAMPLES:
             self.groups.ring.send_all()

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from unity_link.errors import GatewayError, Outcome, UnansweredError, UnityLinkError, UnsupportedError
 from unity_link.protocol.arrays import matching_rows, request_rows
-from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode, Repetition, parse_numbers
+from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode, Repeat, parse_numbers
 from unity_link.protocol.requests import BatchRun, Request, WordBatch
 
 if TYPE_CHECKING:
@@ -108,7 +108,7 @@ class Relayed(Request):
     ) -> None:
         super().__init__(codec, command, fields, codec.info.id_digits if command == "H" else digits)
         self.is_fence = command == "H"
-        self.places = (digits or 0) // codec.data_digits if COMMANDS[command].repetition is Repetition.KEPT else 0
+        self.places = (digits or 0) // codec.data_digits if COMMANDS[command].repetition is Repeat.KEPT else 0
         self.head = head
         self.number = number
         self.plain = plain
@@ -179,7 +179,7 @@ class Relayed(Request):
             return self.codec.id_text[self.state.failed] if counts and self.state is not None else b""
         if self.number is None or self.state is None:
             return answer
-        if COMMANDS[self.command].repetition is Repetition.KEPT:
+        if COMMANDS[self.command].repetition is Repeat.KEPT:
             self.state.keep(self.number, parse_numbers(answer, self.codec.info.data_digits))
         return answer
 
@@ -369,7 +369,7 @@ def _code_of(error: UnityLinkError, command: str) -> ErrorCode | None:
         return ErrorCode.OUT_OF_RANGE
     if isinstance(error, UnansweredError) and error.outcome is Outcome.EXECUTED:
         # What a destructive read gave is not known.
-        return ErrorCode.BUS_TIMEOUT if COMMANDS[command].repetition is Repetition.KEPT else None
+        return ErrorCode.BUS_TIMEOUT if COMMANDS[command].repetition is Repeat.KEPT else None
     if isinstance(error, UnansweredError) and error.outcome is Outcome.NOT_EXECUTED:
         return ErrorCode.NO_SESSION
     return ErrorCode.BUS_TIMEOUT
