@@ -197,7 +197,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("a request that was sent again before a reset is said not to be executed")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(repetition.Repeat, "never_arrived_from", lambda self, refused: refused)
+    monkeypatch.setattr(repetition.Repetition, "never_arrived_from", lambda self, refused: refused)
 
 
 @bug("a reset is told as an error of one request")
