@@ -220,7 +220,7 @@ async def test_a_closed_transport_leaves_no_timer_behind() -> None:
 async def test_a_gateway_may_be_connected_again_and_keeps_its_state() -> None:
     gateway = VirtualGateway()
     transport, _ = await connected(gateway)
-    transport.write(b"W1007\rK042\r")
+    transport.write(b"W1007\rK0420001\r")
     await turns()
     transport.abort()
     transport, protocol = await connected(gateway)
