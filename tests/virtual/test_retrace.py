@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import asyncio
+import itertools
 import json
 import random
 import subprocess
 import sys
-from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -18,7 +18,7 @@ from support.simulated_time import run_simulated
 from support.waveform import Waveform, bytes_at_pins
 from unity_link.errors import ArgumentError, GatewayError
 from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.crc import Crc
+from unity_link.protocol.crc import Crc, seed_of
 from unity_link.protocol.messages import ErrorCode
 from unity_link.transport import pcapng
 from unity_link.transport.pcapng import Packet
@@ -75,6 +75,16 @@ def checked(body: bytes) -> bytes:
     return body + Crc().text(body) + b"\n"
 
 
+def sent(body: bytes) -> bytes:
+    """Return a request of `SESSION`."""
+    return body + Crc().text(body, seed_of(1, from_gateway=False)) + b"\n"
+
+
+def told(body: bytes) -> bytes:
+    """Return what the gateway tells in `SESSION`."""
+    return body + Crc().text(body, seed_of(1, from_gateway=True)) + b"\n"
+
+
 def written(path: Path, *packets: tuple[float, bool, bytes], name: str = "hand") -> Path:
     """Write a snoop of packets: seconds, whether sent, bytes."""
     blocks = [pcapng.packet(Packet(0, round(time * 1e9), sent, data)) for time, sent, data in packets]
@@ -82,8 +92,8 @@ def written(path: Path, *packets: tuple[float, bool, bytes], name: str = "hand")
     return path
 
 
-QUESTION = [(1.0, True, b"\nQ\r"), (1.1, False, b"Q" + SLOW.to_hex() + b"\r\n"), (1.2, True, checked(b"K000"))]
-SESSION = [*QUESTION, (1.25, False, checked(b"K000"))]
+QUESTION = [(1.0, True, b"\nQ\r"), (1.1, False, b"Q" + SLOW.to_hex() + b"\r\n"), (1.2, True, checked(b"K0000001"))]
+SESSION = [*QUESTION, (1.25, False, checked(b"K00000010000"))]
 
 
 async def a_minute_without_groups(link: unity_link.Link) -> None:
@@ -163,16 +173,18 @@ def test_a_waveform_shows_the_inner_signals(tmp_path: Path) -> None:
     assert waveform.timescale == ["1 ns"]
     core = "unity_link_inst.core_inst"
     for name, bits in [
-        ("request_executor_inst.r", 86),
+        ("request_executor_inst.r", 121),
         ("bus_master_inst.for_sample", 1),
         ("with_groups_subscription_manager_inst.running", 4),
         ("with_groups_subscription_manager_inst.own_sequence", 8),
     ]:
         assert waveform.signals[f"unity_link_fifo.{core}.{name}"][1] == bits
     *_, (_, (registers,)) = waveform.cycles(f"{core}.request_executor_inst.r")
-    # The first fields of its record: three bits of state, whether there is a session, and the ID expected.
+    # The first fields of its record: four bits of state, whether there is a session and a program's, its number, and
+    # the ID expected.
     last_id = max(step.request.id for step in recorded.steps if step.request and step.request.id is not None)
-    assert (registers & 7, registers >> 3 & 1, registers >> 4 & 0xFFF) == (0, 1, last_id + 1)
+    assert (registers & 0xF, registers >> 4 & 3, registers >> 6 & 0xFFFF) == (0, 3, 1)
+    assert registers >> 22 & 0xFFF == last_id + 1
     running = {groups for _, (groups,) in waveform.cycles(f"{core}.with_groups_subscription_manager_inst.running")}
     assert {0, 0b1, 0b11, 0b111} <= running
 
@@ -194,7 +206,7 @@ def test_a_request_is_found_in_the_waveform_by_its_time(tmp_path: Path) -> None:
     heard = bytes(one.byte for one in taken)
     lone = [
         step
-        for before, step in pairwise(recorded.steps)
+        for before, step in itertools.pairwise(recorded.steps)
         # On this clock, 16 reads take more than 10 ms.
         if step.time - before.time > 50e6 and heard.count(step.frame) == 1
     ]
@@ -234,29 +246,29 @@ def test_what_a_bad_line_lost_or_damaged_on_the_way_to_the_gateway_is_so_again(n
     ("packets", "answers"),
     [
         (
-            # The answer to the first was lost, so that the queue cannot be read again.
+            # The answer to the first was lost, and the words of the queue are given again.
             [
-                (2.0, True, checked(b"rq0000A02")),
-                (2.1, True, checked(b"rq0000A02")),
-                (2.2, False, checked(b"x00008")),
+                (2.0, True, sent(b"rq0000A02")),
+                (2.1, True, sent(b"rq0000A02")),
+                (2.2, False, told(b"rq000" + 16 * b"0")),
             ],
             3,
         ),
         (
             [
-                (2.0, True, checked(b"w0000A00000001") + checked(b"w0010A00000002")),
-                (2.1, False, checked(b"X01") + checked(b"n000")),
-                (2.2, True, checked(b"w0000A00000001") + checked(b"w0010A00000002")),
-                (2.3, False, checked(b"w000") + checked(b"w001")),
+                (2.0, True, sent(b"w0000A00000001") + sent(b"w0010A00000002")),
+                (2.1, False, checked(b"X01") + told(b"n000")),
+                (2.2, True, sent(b"w0000A00000001") + sent(b"w0010A00000002")),
+                (2.3, False, told(b"w000") + told(b"w001")),
             ],
             6,
         ),
         (
             [
-                (2.0, True, checked(b"w0000A00000001") + checked(b"w0010A00000002") + checked(b"w0020A00000003")),
-                (2.1, False, checked(b"n000")),
-                (2.2, True, checked(b"w0000A00000001") + checked(b"w0010A00000002")),
-                (2.3, False, checked(b"w000") + checked(b"w001")),
+                (2.0, True, sent(b"w0000A00000001") + sent(b"w0010A00000002") + sent(b"w0020A00000003")),
+                (2.1, False, told(b"n000")),
+                (2.2, True, sent(b"w0000A00000001") + sent(b"w0010A00000002")),
+                (2.3, False, told(b"w000") + told(b"w001")),
             ],
             5,
         ),
@@ -311,10 +323,20 @@ def test_errors_of_the_bus_and_refusals_come_again(tmp_path: Path, monkeypatch: 
     assert report.answers == 3 + 7 + 1 + 1 + 1
 
 
-def test_connections_of_one_gateway_are_played_one_after_the_other(tmp_path: Path) -> None:
+def test_connections_of_one_gateway_are_played_one_after_the_other(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     path = tmp_path / "a.snoop"
-    for _ in range(2):
-        snoop_of(URLS["model"], path, a_second_with_groups)
+    monkeypatch.setattr("unity_link.link.connection.choose_seed", itertools.count().__next__)
+    monkeypatch.setenv("UNITY_LINK_SNOOP", str(path))
+
+    async def use() -> None:
+        gateway = VirtualGateway(SLOW)
+        for _ in range(2):
+            async with unity_link.connect(gateway) as link:
+                await a_second_with_groups(link)
+
+    run_simulated(use())
     assert retraced(path).differences == 0
     assert len([step for step in snooped(path).steps if step.frame == b"\nQ\r"]) == 2
 
@@ -331,25 +353,29 @@ def test_a_node_on_a_shared_medium_is_played_into_one_of_its_number(tmp_path: Pa
     assert all(step.answer is not None and step.answer.startswith(b"Z05") for step in recorded.steps)
 
 
+WRITE, SAMPLE = sent(b"w0000A00000001").decode().strip(), told(b"P030100000007").decode().strip()
+WRITTEN, REFUSED = told(b"w000").decode().strip(), told(b"x00006").decode().strip()
+
+
 @pytest.mark.parametrize(
     ("packets", "words"),
     [
         (
-            [(2.5, True, checked(b"w0000A00000001")), (2.6, False, checked(b"x00006"))],
-            "first difference at 1.500000 s, to w0000A000000017213: x00006FE7C was recorded, w000E53B comes",
+            [(2.5, True, sent(b"w0000A00000001")), (2.6, False, told(b"x00006"))],
+            f"first difference at 1.500000 s, to {WRITE}: {REFUSED} was recorded, {WRITTEN} comes",
         ),
         (
-            [(2.5, True, checked(b"r0000A")), (2.6, False, checked(b"r00000000001") + checked(b"h001"))],
+            [(2.5, True, sent(b"r0000A")), (2.6, False, told(b"r00000000001") + told(b"h001000"))],
             "",
         ),
         (
             [
-                (2.0, True, checked(b"gs00003200001010A")),
-                (2.1, False, checked(b"gs000")),
-                (2.2, True, checked(b"gp00103")),
-                (2.3, False, b"P030100000007\r\n" + checked(b"gp001")),
+                (2.0, True, sent(b"gs00003000001010A")),
+                (2.1, False, told(b"gs000")),
+                (2.2, True, sent(b"gp00103")),
+                (2.3, False, told(b"P030100000007") + told(b"gp001")),
             ],
-            "first difference at 1.300000 s, a sample: P030100000007 was recorded, nothing comes",
+            f"first difference at 1.300000 s, a sample: {SAMPLE} was recorded, nothing comes",
         ),
     ],
     ids=["answer", "stray", "sample"],
@@ -366,8 +392,8 @@ def test_an_answer_that_was_lost_is_not_compared(tmp_path: Path) -> None:
     path = written(
         tmp_path / "a.snoop",
         *SESSION,
-        (2.0, True, checked(b"w0000A00000001") + checked(b"r0010A")),
-        (2.1, False, checked(b"r00100000001")),
+        (2.0, True, sent(b"w0000A00000001") + sent(b"r0010A")),
+        (2.1, False, told(b"r00100000001")),
     )
     report = retraced(path)
     assert (report.differences, report.unknown, report.answers) == (0, 1, 3)
@@ -419,9 +445,7 @@ def test_a_waveform_that_does_not_fit_on_the_disk_is_one_sentence(tmp_path: Path
 
 
 def test_of_a_file_that_was_cut_what_is_whole_is_played(tmp_path: Path) -> None:
-    path = written(
-        tmp_path / "a.snoop", *SESSION, (2.0, True, checked(b"r0000A")), (2.1, False, checked(b"r00000000009"))
-    )
+    path = written(tmp_path / "a.snoop", *SESSION, (2.0, True, sent(b"r0000A")), (2.1, False, told(b"r00000000009")))
     path.write_bytes(path.read_bytes()[:-3])
     result = run("retrace", path, "--rtl")
     assert result.returncode == 1
