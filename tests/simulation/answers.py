@@ -10,6 +10,8 @@ from simulation.oracle import WorldError
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    from unity_link.protocol.configuration import GatewayInfo
+
 _NOT_EXPECTED = b"n"
 
 
@@ -18,19 +20,23 @@ class Answers:
 
     Args:
         line: its name.
-        digits: of an ID.
+        info: of the gateway.
     """
 
-    def __init__(self, line: str, digits: int) -> None:
+    def __init__(self, line: str, info: GatewayInfo) -> None:
+        digits = info.id_digits
         self._line = line
+        self._under_way_size = 1 + info.session_digits + info.crc_bits // 4
+        """Characters of the answer to the question which session is under way."""
         # Where there is no session, requests are refused in any order.
         self._answer = re.compile(rb"(?!x[0-9A-F]{%d}0A)([g-z]+)([0-9A-F]{%d})" % (digits, digits))
+        self._question = re.compile(rb"h([0-9A-F]{%d})" % digits)
         self._ring = 16**digits
         self.begin()
 
     def begin(self) -> None:
         """Begin on a new connection."""
-        self._rest = b""
+        self._rest = self._rest_asked = b""
         self._begin_session()
 
     def _begin_session(self) -> None:
@@ -46,30 +52,40 @@ class Answers:
         """
         *lines, self._rest = (self._rest + data).split(b"\n")
         for line in lines:
-            if line.startswith(b"K"):
+            if line.startswith(b"K") and len(line) != self._under_way_size:
                 self._begin_session()
             elif (answer := self._answer.match(line)) is not None and answer[1] != _NOT_EXPECTED:
                 self._take_answer(int(answer[2], 16), line)
 
+    def take_asked(self, data: bytes) -> None:
+        """Take bytes that arrive from the program: by an ``h`` it may ask how an earlier request ended."""
+        *lines, self._rest_asked = (self._rest_asked + data).split(b"\n")
+        for line in lines:
+            question = self._question.match(line)
+            if question is not None and not self._is_ahead(number := int(question[1], 16)):
+                self._told[number] = 1
+
+    def _is_ahead(self, number: int) -> bool:
+        return self._last < 0 or 0 < (number - self._last) % self._ring < self._ring // 2
+
     def _take_answer(self, number: int, line: bytes) -> None:
-        half = self._ring // 2
-        ahead = (number - self._last) % self._ring
-        if self._last < 0 or 0 < ahead < half:
+        if self._is_ahead(number):
             self._last = number
         elif not self._told[number]:
             raise WorldError("answers in another order", f"{self._line}: {line!r} comes behind {self._last:#x}")
         self._told[number] = 1
-        self._told[(number + half) % self._ring] = 0
+        self._told[(number + self._ring // 2) % self._ring] = 0
 
 
-def judge_answers(trace: Iterable[tuple[object, ...]], digits: dict[str, int]) -> None:
-    """Judge the answers on all lines that have digits of an ID named, by what they have carried."""
-    answers = {line: Answers(line, count) for line, count in digits.items()}
-    back = {f"{line}<": taker for line, taker in answers.items()}
+def judge_answers(trace: Iterable[tuple[object, ...]], gateways: dict[str, GatewayInfo]) -> None:
+    """Judge the answers on all lines for which a gateway is named, by what they have carried."""
+    answers = {line: Answers(line, info) for line, info in gateways.items()}
+    takers = {f"{line}<": taker.take for line, taker in answers.items()}
+    takers |= {f"{line}>": taker.take_asked for line, taker in answers.items()}
     for _, name, kind, *what in trace:
-        if kind == "carry" and name in back:
+        if kind == "carry" and name in takers:
             data = what[0]
             assert isinstance(data, bytes)
-            back[str(name)].take(data)
+            takers[str(name)](data)
         elif kind == "connect" and name in answers:
             answers[str(name)].begin()

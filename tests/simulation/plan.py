@@ -137,10 +137,10 @@ class Plan(NamedTuple):
         server = int(line[-1])
         return [line, f"server{server}.gateway{self.servers[server]}"] if _is_of_server(line) else [line]
 
-    def digits_behind_servers(self) -> dict[str, int]:
-        """Return the digits of IDs on each line to a server, on which no bytes are lost."""
+    def behind_servers(self) -> dict[str, GatewayInfo]:
+        """Return what the gateway is at the end of each line to a server, on which no bytes are lost."""
         return {
-            line.name: gateway_of(line.name, self.gateways, self.servers).info.id_digits
+            line.name: gateway_of(line.name, self.gateways, self.servers).info
             for line in self.lines
             if _is_of_server(line.name)
         }

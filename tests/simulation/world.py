@@ -144,7 +144,7 @@ class World:
         if self._wire is not None and self._wire.collisions and not self._was_disturbed(WIRE):
             raise WorldError("two who send at a time", self._wire.collisions[0])
         self._judge_sessions()
-        judge_answers(self._trace, plan.digits_behind_servers())
+        judge_answers(self._trace, plan.behind_servers())
         Oracle().judge([tap.recorder for tap in self._taps], self._logs)
 
     def _judge_sessions(self) -> None:

@@ -65,6 +65,8 @@ class ClientConnection(asyncio.Protocol):
         """Place of the last posted write among all that the client has asked for."""
         self._last_answered = 0
         """Place of the last request that was answered: all before it was executed, posted writes too."""
+        self._last_told = 0
+        """Place of the last request of which the client was sent an answer."""
         self._under_way = 0
         self._spent_here = 0
         """Bytes of `_under_way` for frames that were dealt with here since the last flush."""
@@ -276,7 +278,12 @@ class ClientConnection(asyncio.Protocol):
             self._answer_on()
 
     def _answer_posted(self, frame: bytes, order: int) -> None:
-        """Send the error of a posted write behind the answers to what was asked before it, and before all others."""
+        """Send the error of a posted write behind the answers to what was asked before it, and before all others.
+
+        Where one of those was sent before, the error comes too late: the count in the answer to an ``h`` tells of it.
+        """
+        if order < self._last_told:
+            return
         place = sum(entry.order < order for entry in self._pending)
         if not place:
             self.write(frame)
@@ -297,6 +304,7 @@ class ClientConnection(asyncio.Protocol):
             entry = pending[0]
             if isinstance(entry, RelayedRows):
                 self._write_rows(entry)
+                self._last_told = entry.order if entry.answered else self._last_told
                 if entry.answered < entry.count:
                     return
             elif entry.reply is None:
@@ -307,6 +315,7 @@ class ClientConnection(asyncio.Protocol):
                 elif entry.state is not None and entry.number is not None:
                     entry.state.awaited[entry.number] = 0
                 self.write(entry.reply)
+            self._last_told = entry.order
             pending.popleft()
 
     def _write_rows(self, rows: RelayedRows) -> None:

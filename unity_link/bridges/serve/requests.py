@@ -131,7 +131,7 @@ class Relayed(Request):
         self.characters = len(command) + codec.info.id_digits + len(fields)
         """Characters of the client's request before its check."""
         self.executed = False
-        """True if the gateway has executed it without an error."""
+        """True if the gateway has executed it, as far as is known without an error."""
         self.after: Callable[[bool], None] | None = None
         """Called when it is over, with `executed`."""
         self.stored: Callable[[], None] | None = None
@@ -164,11 +164,11 @@ class Relayed(Request):
             self.executed = True
             self._asker.answer(self, self.head + self._told())
         else:
-            code = _code_of(self.error, self.command)
+            code = _code_of(self.error)
             if code is ErrorCode.NO_SESSION and self.number is None:
                 code = ErrorCode.BUS_TIMEOUT
-            self.executed = code is None
-            self._asker.answer(self, self.head if code is None else self._refusal(code))
+            self.executed = isinstance(self.error, UnansweredError) and self.error.outcome is Outcome.EXECUTED
+            self._asker.answer(self, self._refusal(code))
 
     def _told(self) -> bytes:
         """Return what the client's answer has behind its ID or echo, and keep it if it cannot be read again."""
@@ -351,25 +351,22 @@ class RelayedRun(BatchRun):
 
     def fail_part(self, offset: int, count: int, error: UnityLinkError, events: Events) -> None:
         """Answer the client for some requests that ended with an error."""
-        rows, code = self._rows, _code_of(error, self.command)
+        rows, code = self._rows, _code_of(error)
         for place in range(self._start + offset, self._start + offset + count):
-            frame = rows.reply(place, b"") if code is None else rows.error_frame(place, code)
-            events.append(RowsAnswered(rows, place, 1, frame))
+            events.append(RowsAnswered(rows, place, 1, rows.error_frame(place, code)))
 
 
-def _code_of(error: UnityLinkError, command: str) -> ErrorCode | None:
-    """Return the error that a client is told, None where it is told that its request was executed.
+def _code_of(error: UnityLinkError) -> ErrorCode:
+    """Return the error that a client is told.
 
-    A link that ends may leave open whether a request was executed. The nearest that the protocol has is 05: nothing on
-    the bus answered. What is known not to be executed although it was sent was refused by a gateway that was reset.
+    A link that ends may leave open whether a request was executed, or how it ended. The nearest that the protocol has
+    is 05: nothing on the bus answered. What is known not to be executed although it was sent was refused by a gateway
+    that was reset.
     """
     if isinstance(error, GatewayError):
         return ErrorCode(error.code) if error.code in set(ErrorCode) else ErrorCode.BUS_ERROR
     if isinstance(error, UnsupportedError):
         return ErrorCode.OUT_OF_RANGE
-    if isinstance(error, UnansweredError) and error.outcome is Outcome.EXECUTED:
-        # What a destructive read gave is not known.
-        return ErrorCode.BUS_TIMEOUT if COMMANDS[command].repetition is Repeat.KEPT else None
     if isinstance(error, UnansweredError) and error.outcome is Outcome.NOT_EXECUTED:
         return ErrorCode.NO_SESSION
     return ErrorCode.BUS_TIMEOUT
