@@ -286,6 +286,13 @@ class Exchange:
             self._repeat()
         if self._waiting or self.window.posts.unfenced:
             self.admit(now, events)
+        if self.window.repetition.must_ask and not self.blocked and not self._takes_turns:
+            self._ask_whose()
+
+    def _ask_whose(self) -> None:
+        """Ask which session is under way: the answer says how far the line has come, too."""
+        self.window.repetition.ask()
+        self._send(self.codec.framing.checked(b"K"))
 
     def _repeat(self) -> None:
         """Send unanswered requests again; an ``h`` in place of those that are not wanted any more."""
@@ -293,9 +300,8 @@ class Exchange:
             return
         codec, repeated, window = self.codec, False, self.window
         if window.signs.place == window.repetition.sent and not self._takes_turns:
-            # Ahead of all: the answer says whose the session is, and how far the line has come.
-            window.repetition.ask()
-            self._send(codec.framing.checked(b"K"))
+            # Ahead of all.
+            self._ask_whose()
         for number, run, offset, count in window.repeat():
             self._counters.repetitions += count
             if run.unwanted():
@@ -540,12 +546,18 @@ class Exchange:
     def _damaged(self, frame: bytes, now: float) -> None:
         self._counters.damaged += 1
         self._counters.unasked += 1
-        # What is as short as an error is one of which the X was damaged: one bit makes a P of it.
-        if len(frame) < self._error_size or not frame.startswith(self._sample):
-            self.window.signs.heard = True
-            if not self._takes_turns:
-                # Where others wait for their turn, what belongs to it may still follow: the time shows its end.
-                self.window.answer_damaged(now)
+        # What is as short as an error without an ID is one, damaged: one bit makes a P of an X.
+        short = len(frame) < self._error_size
+        if not short and frame.startswith(self._sample):
+            return
+        self.window.signs.heard = True
+        if self._takes_turns:
+            # Where others wait for their turn, what belongs to it may still follow: the time shows its end.
+            return
+        if len(frame) + 1 == self._error_size:
+            self.window.damaged(now)
+        else:
+            self.window.answer_damaged(now)
 
     def _size_of(self, frame: bytes) -> int | None:
         """Return how many characters a frame has, LF included, as its beginning says; None where that does not."""
@@ -708,6 +720,7 @@ def _answer_sizes(codec: HostCodec) -> dict[bytes, int]:
         if name not in WITHOUT_ID and name != "WS" and "D" not in row.reads:
             sizes[codec.lower[name]] = codec.head_sizes[name] + (codec.data_digits if row.reads else 0)
     sizes[b"h"] += codec.info.id_digits
+    sizes[b"K"] = head + codec.info.session_digits
     return sizes
 
 

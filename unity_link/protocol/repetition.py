@@ -13,6 +13,8 @@ from unity_link.protocol.ring import Part, R, Ring
 
 NEVER = -1
 """Place before that of the first sending."""
+MOST_QUESTIONS = 8
+"""Most `K` whose answers may still come."""
 
 
 class Repetition(Generic[R]):
@@ -22,7 +24,8 @@ class Repetition(Generic[R]):
         ring: whose requests they are.
     """
 
-    __slots__ = ("_again", "_behind", "_ring", "answered", "end", "questions", "sent", "start")
+    __slots__ = ("_again", "_behind", "_ring", "answered", "end", "in_doubt", "must_ask", "questions", "sent",
+                 "start")  # fmt: skip
 
     def __init__(self, ring: Ring[R]) -> None:
         self._ring = ring
@@ -39,6 +42,10 @@ class Repetition(Generic[R]):
         """ID behind the last that was sent again, or is to be."""
         self.questions: list[int] = []
         """Places of the `K` whose answers may still come."""
+        self.in_doubt = False
+        """True if a sign has come that may be of the loss before or of the next one."""
+        self.must_ask = False
+        """True if one more `K` is to be sent, for the one before may have been lost as well."""
 
     def is_due(self) -> bool:
         """Return whether something is to be sent again."""
@@ -58,6 +65,7 @@ class Repetition(Generic[R]):
         if self.start != self.end:
             start, end = min(self.start, start, key=distance), max(self.end, end, key=distance)
         self.start, self.end = start, end
+        self.in_doubt = self.must_ask = False
         if not self._again or distance(end) > distance(self._behind):
             self._behind = end
 
@@ -93,8 +101,14 @@ class Repetition(Generic[R]):
             if ring.distance(self.end) > ring.unanswered_count:
                 self.end = ring.oldest
 
+    def doubt(self) -> None:
+        """Record a sign that may be of the loss before or of the next one; one more `K` will tell."""
+        self.in_doubt = True
+        self.must_ask = len(self.questions) < MOST_QUESTIONS
+
     def ask(self) -> None:
         """Record that a `K` is sent."""
+        self.must_ask = False
         self.questions.append(self.sent)
         self.sent += 1
 

@@ -274,9 +274,14 @@ class Window(Ring[R]):
 
     def asked(self, now: float) -> None:
         """Record the answer to a `K` that was sent ahead of a repetition: what was sent before will not be answered."""
-        place = self.repetition.told()
-        if place != NEVER and self.next != self.oldest:
-            self._find_lost(place, now)
+        repetition = self.repetition
+        place = repetition.told()
+        if place == NEVER or self.next == self.oldest:
+            return
+        self._find_lost(place, now)
+        if repetition.in_doubt and repetition.questions:
+            # Where one was lost, this was the answer to a later one.
+            repetition.doubt()
 
     def out_of_sequence(self, expected: int, now: float) -> None:
         """Record ``n``: the gateway expects this ID, so a request has been lost."""
@@ -293,7 +298,8 @@ class Window(Ring[R]):
         if expected == self.executed and run is not None:
             # Nothing behind a request that was lost is executed before that was sent again.
             self.repetition.arrived(self.repetition.first_sending(run, expected))
-            self._go_back(now)
+            if self.signs.takes(self.repetition.answered):
+                self._go_back(now)
 
     def damaged(self, now: float) -> None:
         """Record ``X01``, ``X07`` or ``X09``: a request arrived damaged."""
@@ -303,6 +309,7 @@ class Window(Ring[R]):
         """Record that something arrived damaged: perhaps the answer to the oldest, or to the next if it came before."""
         repetition = self.repetition
         if not self.signs.takes(repetition.answered):
+            repetition.doubt()
             return
         start = repetition.first_sent_once()
         end = self.behind_next_with_answer(start)
@@ -311,6 +318,9 @@ class Window(Ring[R]):
         elif not repetition.includes(start):
             self.signs.timed_out = False
             self._repeat(start, end, now)
+            if self.distance(start) >= self.distance(self.executed):
+                # What arrived damaged may have been an error or ``n``, and then there is no answer to what is sent.
+                repetition.doubt()
 
     def refused(self, now: float) -> R | None:
         """Record ``X02`` or ``X03``: give the run whose request is given up, if this was once too often."""
@@ -412,10 +422,14 @@ class Window(Ring[R]):
         return given_up
 
     def _go_back(self, now: float) -> None:
-        """Go back for a sign of loss, unless it may be one of the loss before."""
-        if self.oldest != self.next and self.signs.takes(self.repetition.answered):
+        """Go back for a sign of loss; where it may be one of the loss before, ask how far the line has come."""
+        if self.oldest == self.next:
+            return
+        if self.signs.takes(self.repetition.answered):
             self.signs.timed_out = False
             self._repeat_from_oldest(now)
+        else:
+            self.repetition.doubt()
 
     def _find_lost(self, place: int, now: float) -> None:
         """Send again what was sent before something that has arrived, and is not answered: it or its answer was lost.
