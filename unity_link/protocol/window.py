@@ -262,7 +262,8 @@ class Window(Ring[R]):
             return True
         for part in executed:
             self.fill(part.number, part.length, part.run.question(part.offset, part.length))
-        if executed:
+        if executed and self.distance(executed[0].number) > self.mask >> 1:
+            # Otherwise an earlier ``h`` has gone back further.
             self.oldest = executed[0].number
         self.signs.timed_out = False
         self._repeat(self.oldest, number + 1 & self.mask, now)
