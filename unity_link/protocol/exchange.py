@@ -692,7 +692,7 @@ class Exchange:
     def _look_for_flood(self, now: float) -> None:
         """Note whether lines come in place of answers, and more than what is sent can be the cause of."""
         counters = self._counters
-        sent = counters.requests + counters.repetitions
+        sent = self.window.repetition.sent
         if self.window.is_idle() or self._before_flood[1] != counters.responses:
             self._before_flood = now, counters.responses, counters.unasked, sent
             return
