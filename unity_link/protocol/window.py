@@ -19,7 +19,8 @@ takes the half behind its own number for repetitions. What comes in, and what th
     ==============================  ==========================================================================
 
 *Go back* means: ask for the session by a `K`, and send the unanswered requests again, in order, from `oldest`. It is
-done once for a loss (`loss`), with fewer in flight (`allowance`). The repetition sends only as many at a time, and new
+done once for a loss (`loss`), with fewer in flight (`allowance`); about a sign that may be of the same loss or of the
+next one, one more `K` asks, as the first may be lost. The repetition sends only as many at a time, and new
 requests follow behind its end. A damaged answer costs nothing but itself: the order in which requests were sent,
 repetitions and `K` among them, says of each answer which others will not come any more (`repetition`).
 
