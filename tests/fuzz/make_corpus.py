@@ -9,7 +9,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from unity_link.protocol.crc import Crc
+from unity_link.protocol.crc import Crc, seed_of
 from unity_link.protocol.frames import TOKEN_LINE
 from unity_link.virtual import VirtualGateway
 
@@ -18,9 +18,9 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 DEFAULT = VirtualGateway().receive(b"Q\r", 0.0).strip()[1:]
 
 
-def checked(body: bytes) -> bytes:
-    """Return a body with its check and its end."""
-    return body + Crc().text(body) + b"\n"
+def checked(body: bytes, session: int = 0) -> bytes:
+    """Return a body with its check, in which a session is, and its end."""
+    return body + Crc().text(body, seed_of(session, from_gateway=False)) + b"\n"
 
 
 def record(folder: Path) -> None:
@@ -32,15 +32,15 @@ def record(folder: Path) -> None:
     program = Path(sys.executable).with_name("unity-link")
     (folder / "scara.ul").write_bytes((EXAMPLES / "scara.ul").read_bytes())
     url = f"sim:scara?snoop={snoop}"
-    subprocess.run([program, "record", url, "scara.ul", "-o", recording, "--duration", "0.1"], cwd=folder, check=True)
+    subprocess.run([program, "record", url, "scara.ul", "-o", recording, "--duration", "0.3"], cwd=folder, check=True)
     (folder / "scara.ul").unlink()
 
 
 def main() -> int:
     """Write all; returns the exit status."""
-    session = checked(b"K000")
+    session = checked(b"K0000001")
     requests = [
-        checked(body) for body in (b"r00088", b"w0018A0000002A", b"rm0028804", b"gs00303000A020A0B", b"gn00403")
+        checked(body, 1) for body in (b"r00088", b"w0018A0000002A", b"rm0028804", b"gs00303000A020A0B", b"gn00403")
     ]
     texts: dict[str, bytes] = {
         "frames/requests": session + b"".join(requests),
@@ -60,7 +60,7 @@ def main() -> int:
             ]
         ),
         "serve/strangers": bytes([5, 9, 6, 1, 0, len(TOKEN_LINE) + 7]) + TOKEN_LINE + b"secret\n" + bytes([5, 255]),
-        "serve/gateway": bytes([6, 0, 5, 1, 9, 1, 3, 30]) + checked(b"K000") + checked(b"r00000000001") + bytes([9, 2]),
+        "serve/gateway": bytes([6, 0, 5, 1, 9, 1, 4, 12]) + b"r00000000001" + bytes([9, 2]),
         "spec/scara": (EXAMPLES / "scara.ul").read_bytes(),
         "spec/walker": (EXAMPLES / "walker.ul").read_bytes(),
     }

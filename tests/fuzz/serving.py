@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 from unity_link.bridges.serve.door import Door
 from unity_link.bridges.serve.shared import SharedLink
 from unity_link.errors import ConnectError
-from unity_link.protocol.crc import Crc
+from unity_link.protocol.crc import Crc, seed_of
+from unity_link.protocol.frames import in_session
 from unity_link.transport.pipe import PipeEnd, connect_pipe
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.gateway import Gateway
@@ -69,6 +70,8 @@ class Listener(asyncio.Protocol):
 
     def __init__(self) -> None:
         self.heard = 0
+        self.session = 0
+        """Number of the session that it began last."""
         self.gone = False
         self.end: PipeEnd
 
@@ -132,7 +135,17 @@ class Scene:
         self._tell(self._choices.take(self._choices.number()))
 
     def _client_says_checked(self) -> None:
-        self._tell(_checked(self._choices.take(self._choices.number() % 64)))
+        self._tell_checked(self._choices.take(self._choices.number() % 64))
+
+    def _tell_checked(self, body: bytes) -> None:
+        """Tell the server a frame of the client's session; a `K` begins the next one."""
+        listener = self._listener()
+        if listener is None:
+            return
+        if body[:1] == b"K":
+            listener.session += 1
+            body += b"%04X" % listener.session
+        listener.end.write(_checked(body, seed_of(listener.session, from_gateway=False)))
 
     def _client_asks(self) -> None:
         number, address = b"%03X" % self._choices.number(), b"%02X" % self._choices.number()
@@ -148,13 +161,14 @@ class Scene:
             b"h" + number,
             b"Q",
         )
-        self._tell(_checked(asked[self._choices.number() % len(asked)]))
+        self._tell_checked(asked[self._choices.number() % len(asked)])
 
     def _gateway_says(self) -> None:
         self._gateway.say(self._choices.take(self._choices.number()))
 
     def _gateway_says_checked(self) -> None:
-        self._gateway.say(_checked(self._choices.take(self._choices.number() % 64)))
+        seed = seed_of(self._gateway.honest.session, from_gateway=True)
+        self._gateway.say(_checked(self._choices.take(self._choices.number() % 64), seed))
 
     def _wait(self) -> None:
         loop = asyncio.get_running_loop()
@@ -192,8 +206,8 @@ class Scene:
             self.shared._flow.stream._transport.abort()
 
 
-def _checked(body: bytes) -> bytes:
-    return body + _CRC.text(body) + b"\n"
+def _checked(body: bytes, seed: int) -> bytes:
+    return body + _CRC.text(body, seed if body and in_session(body[0]) else 0) + b"\n"
 
 
 def serve(choices: Choices) -> None:
