@@ -431,14 +431,18 @@ static void note_round_trip(ul_link *link, double now)
     link->next_measurement = now + MEASUREMENT_PAUSE;
 }
 
+/* The sending that is answered now: the first, unless a later one is known to have arrived. */
+static uint32_t answered_sending(const ul_link *link, const ul_request *request)
+{
+    return came_before(link->arrived, request->first_sending) ? request->first_sending : request->last_sending;
+}
+
 /* The answer to a request has come. Without repetitions, that to the oldest says nothing of the others. */
 static void note_answer(ul_link *link, uint32_t id, double now)
 {
     ul_request *request = slot_of(link, id);
     bool tells = link->sent_again || id != link->oldest;
-    /* It is that to the first sending, unless a later one is known to have arrived. */
-    uint32_t sending =
-        came_before(link->arrived, request->first_sending) ? request->first_sending : request->last_sending;
+    uint32_t sending = answered_sending(link, request);
     if (link->is_timed && link->timed == id) note_round_trip(link, now);
     if (request->first_sending == request->last_sending) link->timeout = link->measured_timeout;
     if (!has_no_answer(request)) link->awaited--;
@@ -480,7 +484,10 @@ static void note_gap(ul_link *link, uint32_t expected, double now)
 {
     if (distance(link, expected) > in_flight(link)) return;
     if (distance(link, expected) > distance(link, link->executed)) {
+        const ul_request *first = find(link, link->executed), *last = find(link, (expected - 1) & link->ring_mask);
         confirm(link, expected);
+        if (first != NULL) note_arrival(link, answered_sending(link, first));
+        if (last != NULL) note_arrival(link, answered_sending(link, last));
         note_news(link, now);
     }
     const ul_request *request = find(link, expected);
@@ -593,6 +600,7 @@ static bool note_time(ul_link *link, double now, ul_request *given_up)
     if (!has_deadline(link, &deadline) || now < deadline) return false;
     /* Also where something was heard: it may be the beginning of a long answer on a slow line. */
     link->timeout = 2 * link->timeout < LONGEST_TIMEOUT ? 2 * link->timeout : LONGEST_TIMEOUT;
+    drop_questions(link, link->questions);
     bool lost = count_try(link, now, given_up);
     link->heard = false;
     link->waited = true;
