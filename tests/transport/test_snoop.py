@@ -16,7 +16,7 @@ from support.simulated_time import on_simulated_time, run_simulated
 from unity_link.bridges.serve import serve
 from unity_link.errors import ArgumentError
 from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.crc import Crc
+from unity_link.protocol.crc import Crc, seed_of
 from unity_link.transport import SNOOP_VARIABLE, pcapng
 from unity_link.transport.snoop import Connected, Disconnected, Passed, Snoop, read
 from unity_link.transport.tap import Tap
@@ -46,8 +46,12 @@ def passed(path: Path, *, sent: bool, connection: int = 0) -> bytes:
     )
 
 
-def checked(body: bytes) -> bytes:
-    return body + Crc().text(body) + b"\n"
+def checked(body: bytes, session: int = 1, *, from_gateway: bool = False) -> bytes:
+    return body + Crc().text(body, seed_of(session, from_gateway=from_gateway) if body[:1].islower() else 0) + b"\n"
+
+
+def answered(body: bytes) -> bytes:
+    return checked(body, from_gateway=True)
 
 
 def write_and_read(url: str) -> None:
@@ -65,8 +69,8 @@ def test_a_snoop_has_all_bytes_of_both_directions_in_their_order_and_the_end(tmp
     first, *_, last = events(path)
     assert first == Connected(0, f"sim:?snoop={path}")
     assert isinstance(last, Disconnected)
-    assert passed(path, sent=True).endswith(checked(b"K000") + checked(b"w000100000002A") + checked(b"r00110"))
-    assert passed(path, sent=False).endswith(checked(b"K000") + checked(b"w000") + checked(b"r0010000002A"))
+    assert passed(path, sent=True).endswith(checked(b"K0000001") + checked(b"w000100000002A") + checked(b"r00110"))
+    assert passed(path, sent=False).endswith(answered(b"K00000010000") + answered(b"w000") + answered(b"r0010000002A"))
 
 
 @on_simulated_time
@@ -76,9 +80,9 @@ async def test_times_in_a_snoop_are_those_at_which_bytes_passed(tmp_path: Path) 
         await link.read(0)
     packets = [event for event in events(path) if isinstance(event, Passed)]
     (asked,) = [event for event in packets if event.data.startswith(b"r000") and event.sent]
-    (answered,) = [event for event in packets if event.data.startswith(b"r000") and not event.sent]
+    (answer,) = [event for event in packets if event.data.startswith(b"r000") and not event.sent]
     # 17 bytes of an answer at 1,000 a second.
-    assert answered.time_ns - asked.time_ns == pytest.approx(17_000_000, abs=1000)
+    assert answer.time_ns - asked.time_ns == pytest.approx(17_000_000, abs=1000)
 
 
 def test_the_variable_asks_for_a_snoop_of_a_url_that_names_none(
@@ -113,7 +117,7 @@ async def test_a_link_that_reconnects_appends_to_its_snoop(tmp_path: Path) -> No
         await link.aclose()
     kinds = [type(event) for event in events(path) if not isinstance(event, Passed)]
     assert kinds == [Connected, Disconnected, Connected, Disconnected]
-    assert checked(b"r00101") in passed(path, sent=True, connection=1)
+    assert checked(b"r00001", 2) in passed(path, sent=True, connection=1)
 
 
 def test_a_file_that_was_moved_away_is_not_written_any_more(tmp_path: Path) -> None:
@@ -341,9 +345,12 @@ async def test_each_frame_is_logged_in_words_under_a_name_that_tells_its_directi
     lines = [(record.name.removeprefix("unity_link."), record.getMessage()) for record in caplog.records]
     frames = [line for line in lines if line[0].startswith("frames.")]
     for expected in [
-        ("frames.sent", "the given gateway > w0000A0000002A6AE6  write 0x0000002A (42) to 0x0A (ID 000)"),
-        ("frames.received", "the given gateway < w000E53B  write to 0x0A done (ID 000)"),
-        ("frames.received", "the given gateway < K00086E0  session started, the next ID expected is 000"),
+        ("frames.sent", "the given gateway > w0000A0000002AE020  write 0x0000002A (42) to 0x0A (ID 000)"),
+        ("frames.received", "the given gateway < w000BC6B  write to 0x0A done (ID 000)"),
+        (
+            "frames.received",
+            "the given gateway < K000000100002941  session 0001 has begun, the next ID expected is 000; no session ended",
+        ),
     ]:
         assert expected in frames
     assert any(
@@ -400,4 +407,4 @@ async def test_datagrams_are_snooped_as_the_frames_in_them(tmp_path: Path) -> No
     ):
         await link.write(0x10, 42)
     assert passed(path, sent=True).endswith(checked(b"w000100000002A"))
-    assert passed(path, sent=False).endswith(checked(b"w000"))
+    assert passed(path, sent=False).endswith(answered(b"w000"))
