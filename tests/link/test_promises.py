@@ -19,6 +19,9 @@ from support.valve import Valve, as_gateway, cut
 from unity_link import ArgumentError, BusError, BusTimeoutError, LinkLostError, UnityLinkError, UnsupportedError
 from unity_link.link.connection import Reconnect
 from unity_link.protocol.configuration import Feature
+from unity_link.protocol.crc import Crc, seed_of
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.faults import Failing
 
 if TYPE_CHECKING:
     from collections.abc import Awaitable, Callable
@@ -56,6 +59,37 @@ async def test_a_fence_waits_for_batches_and_blocks_that_were_asked_for_before_i
         assert [address for address, _ in bus.writes].count(0x11) == 2000
         assert [address for address, _ in bus.writes].count(0x12) == 2000
         await asyncio.gather(*asked)
+
+
+class Away(Valve):
+    """Answers an ``h`` by error 05 as a server does that has lost its gateway, and loses errors of posted writes."""
+
+    away = True
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        answer = super().receive(data, now)
+        if not self.away or not answer.startswith((b"h", b"x")):
+            return answer
+        lines = [line for line in answer.splitlines() if line.startswith(b"h")]
+        return b"".join(frame(b"x" + line[1:4] + b"05") for line in lines)
+
+
+def frame(body: bytes) -> bytes:
+    return body + Crc().text(body, seed_of(1, from_gateway=True)) + b"\n"
+
+
+@on_simulated_time
+async def test_a_fence_that_is_refused_says_so_and_a_later_one_tells_of_the_posted_writes() -> None:
+    gateway = VirtualGateway()
+    gateway.attach(Failing(), [0xF0])
+    async with unity_link.connect(line := Away(gateway)) as link:
+        await link.post(0xF0, 1)
+        with pytest.raises(BusTimeoutError, match="fence: how posted writes ended is not known"):
+            await link.fence()
+        line.away = False
+        with pytest.raises(BusTimeoutError, match="posted write at 0xF0"):
+            await link.fence()
+        await link.fence()
 
 
 @on_simulated_time

@@ -344,13 +344,11 @@ async def test_each_frame_is_logged_in_words_under_a_name_that_tells_its_directi
             await anext(aiter(samples))
     lines = [(record.name.removeprefix("unity_link."), record.getMessage()) for record in caplog.records]
     frames = [line for line in lines if line[0].startswith("frames.")]
+    session = "session 0001 has begun, the next ID expected is 000"
     for expected in [
         ("frames.sent", "the given gateway > w0000A0000002AE020  write 0x0000002A (42) to 0x0A (ID 000)"),
         ("frames.received", "the given gateway < w000BC6B  write to 0x0A done (ID 000)"),
-        (
-            "frames.received",
-            "the given gateway < K000000100002941  session 0001 has begun, the next ID expected is 000; no session ended",
-        ),
+        ("frames.received", f"the given gateway < K000000100002941  {session}; no session ended"),
     ]:
         assert expected in frames
     assert any(

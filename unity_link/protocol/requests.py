@@ -75,6 +75,9 @@ def gateway_error(code: int, what: str, refusal: Callable[[], str]) -> GatewayEr
         refusal: returns the reason why the bus refuses accesses, empty where none is known.
     """
     kind, text = _ERRORS.get(code, (GatewayError, f"the gateway answered error {code:02X}"))
+    if what == _NAMES["H"]:
+        # It accesses nothing: where the gateway is behind a server, that has lost it.
+        text = f"how posted writes ended is not known, for error {code:02X} was answered; a later fence may tell"
     reason = refusal() if kind is BusError else ""
     return kind(f"{what}: {text}" + (f", for {reason}" if reason else ""), code)
 
