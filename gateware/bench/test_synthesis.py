@@ -27,7 +27,7 @@ QUICKEST = "ecp5"
 PROMISED = {
     ("default", "ice40", "fmax_mhz"): 60,
     ("default", "ecp5", "fmax_mhz"): 100,
-    ("minimal", "ice40", "logic"): 1500,
+    ("minimal", "ice40", "logic"): 1650,
 }
 
 
