@@ -1,0 +1,102 @@
+"""Another host on the same line: the link that loses its session ends, and nothing that it was told is untrue."""
+
+from __future__ import annotations
+
+import asyncio
+
+import pytest
+
+import unity_link
+from support.recorded_bus import RecordedBus
+from support.simulated_time import on_simulated_time
+from support.valve import Valve
+from unity_link import LinkLostError
+from unity_link.protocol.crc import Crc
+from unity_link.virtual import VirtualGateway
+
+PROGRAM = b"K0004321" + Crc().text(b"K0004321") + b"\n"
+PERSON = b"K0004321\r"
+BOOT = b"U-Boot 2024.01\r\nKernel 5\r\n\x00\xffW0\rready\n"
+
+
+class Shared(Valve):
+    """Another host says something before a request of the link, and the link hears the answer, too."""
+
+    said = b""
+    requests_before = 0
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        answer = b""
+        if self.said and b"w" in data:
+            place = 0
+            for _ in range(self.requests_before):
+                place = data.find(b"\n", place) + 1 or len(data)
+            answer = super().receive(data[:place], now) + super().receive(self.said, now)
+            self.said, data = b"", data[place:]
+        return answer + super().receive(data, now)
+
+
+async def write_all(link: unity_link.Link, first: int, count: int) -> list[int | BaseException]:
+    """Write numbers side by side; return those that were acknowledged, and the errors of the others."""
+
+    async def write(number: int) -> int:
+        await link.write(number & 0xFF, number)
+        return number
+
+    return await asyncio.gather(*(write(first + place) for place in range(count)), return_exceptions=True)
+
+
+@pytest.mark.parametrize("requests_before", [0, 1, 7, 30])
+@pytest.mark.parametrize("opening", [PROGRAM, PERSON], ids=["program", "person"])
+@on_simulated_time
+async def test_a_link_whose_session_another_host_ends_says_so_and_acknowledges_nothing_that_was_not_executed(
+    opening: bytes, requests_before: int
+) -> None:
+    bus = RecordedBus(gateway := VirtualGateway())
+    line = Shared(gateway)
+    async with unity_link.connect(line) as link:
+        done = await write_all(link, 1, 10)
+        line.said, line.requests_before = opening, requests_before
+        began = asyncio.get_running_loop().time()
+        done += await write_all(link, 11, 30)
+        done += await write_all(link, 41, 1)
+        assert asyncio.get_running_loop().time() - began < 1
+        with pytest.raises(LinkLostError, match="unity-link serve"):
+            await link.read(0)
+    errors = [error for error in done if isinstance(error, BaseException)]
+    assert errors
+    assert all("unity-link serve" in str(error) for error in errors)
+    executed = [word for _, word in bus.writes]
+    assert executed == list(range(1, len(executed) + 1))
+    assert {number for number in done if isinstance(number, int)} <= set(executed)
+
+
+@pytest.mark.parametrize("requests_before", [0, 1, 7])
+@on_simulated_time
+async def test_what_a_boot_loader_says_on_the_line_costs_repetitions_at_the_most(requests_before: int) -> None:
+    bus = RecordedBus(gateway := VirtualGateway())
+    line = Shared(gateway)
+    async with unity_link.connect(line) as link:
+        line.said, line.requests_before = BOOT, requests_before
+        assert await write_all(link, 1, 30) == list(range(1, 31))
+        assert await link.read(5) == 5
+    assert [word for _, word in bus.writes] == list(range(1, 31))
+
+
+class Echoing(Valve):
+    """An adapter that gives back what it sends."""
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        return data + super().receive(data, now)
+
+
+@on_simulated_time
+async def test_an_echo_is_passed_over_and_a_read_gives_what_the_gateway_has() -> None:
+    gateway = VirtualGateway()
+    async with unity_link.connect(Echoing(gateway)) as link:
+        await link.write(0x10, 0x1234)
+        assert await link.read(0x10) == 0x1234
+        assert (await link.read_many([0x10] * 300)).tolist() == [0x1234] * 300
+        await link.post(0x11, 7)
+        await link.fence()
+        assert gateway.memory[0x11] == 7
