@@ -141,9 +141,13 @@ static bool ask(opening *opens, const char *asked, bool plain, double tries)
         if (asked == NULL) choose_session(opens, session);
         send_question(opens, question, plain);
         double end = opens->asked + opens->patience;
+        /* Where nothing but an echo was heard, the next question comes when that is long enough to be believed. */
+        double doubt = opens->alone_since + ECHO_PATIENCE + SHORTEST_TRY;
+        if (opens->is_alone && opens->asked < doubt && end > doubt) end = doubt;
         if (end > link->open_until) end = link->open_until;
         for (double now; (now = now_of(link)) < end && !link->gone;) {
             if (find_answer(opens, question, plain, fields, &damaged)) return true;
+            if (opens->is_loop) return false;
             if (damaged && !shortened) shortened = shorten(opens, now, &end);
             link->transport.wait(link->transport.context, false, end - now);
             if (fill(link)) opens->heard += link->receive_size;
