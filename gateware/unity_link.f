@@ -40,6 +40,7 @@ rtl/physical/ul_mac_rx.vhd
 rtl/physical/ul_mac_tx.vhd
 rtl/physical/ul_network_rx.vhd
 rtl/physical/ul_record_ring.vhd
+rtl/physical/ul_w5500.vhd
 cores/encoder/ul_encoder_velocity.vhd
 cores/schedule/ul_schedule.vhd
 cores/stepgen/ul_stepgen.vhd

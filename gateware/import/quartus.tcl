@@ -42,6 +42,7 @@ set_global_assignment -name VHDL_FILE [file join $gateware rtl/physical/ul_mac_r
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/physical/ul_mac_tx.vhd] -library unity_link -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/physical/ul_network_rx.vhd] -library unity_link -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware rtl/physical/ul_record_ring.vhd] -library unity_link -hdl_version VHDL_2008
+set_global_assignment -name VHDL_FILE [file join $gateware rtl/physical/ul_w5500.vhd] -library unity_link -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware cores/encoder/ul_encoder_velocity.vhd] -library unity_link -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware cores/schedule/ul_schedule.vhd] -library unity_link -hdl_version VHDL_2008
 set_global_assignment -name VHDL_FILE [file join $gateware cores/stepgen/ul_stepgen.vhd] -library unity_link -hdl_version VHDL_2008

@@ -42,6 +42,7 @@ read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/physical/ul_mac
 read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/physical/ul_mac_tx.vhd]
 read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/physical/ul_network_rx.vhd]
 read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/physical/ul_record_ring.vhd]
+read_vhdl -vhdl2008 -library unity_link [file join $gateware rtl/physical/ul_w5500.vhd]
 read_vhdl -vhdl2008 -library unity_link [file join $gateware cores/encoder/ul_encoder_velocity.vhd]
 read_vhdl -vhdl2008 -library unity_link [file join $gateware cores/schedule/ul_schedule.vhd]
 read_vhdl -vhdl2008 -library unity_link [file join $gateware cores/stepgen/ul_stepgen.vhd]
