@@ -35,9 +35,9 @@ class Repetition(Generic[R]):
         """Number of sendings."""
         self.answered = NEVER
         """Place of the last sending that is known to have arrived, while some were sent more than once."""
-        self._again: dict[int, int] = {}
-        """Places of the last sendings of those that were sent again, by ID; of an earlier lap where they are before
-        that of the run."""
+        self._again: dict[int, list[int]] = {}
+        """Places of the later sendings of those that were sent again, by ID, in order; of an earlier lap where they
+        are before that of the run."""
         self._behind = ring.next
         """ID behind the last that was sent again, or is to be."""
         self.questions: list[int] = []
@@ -80,7 +80,7 @@ class Repetition(Generic[R]):
             room -= count
             parts.append(Part(number, run, offset, count))
             for place in range(count):
-                self._again[number + place & self._ring.mask] = self.sent + place
+                self._again.setdefault(number + place & self._ring.mask, []).append(self.sent + place)
             self.sent += count
             self.start = number + count & self._ring.mask
         if not self._ring.open(self.start, self.end):
@@ -131,15 +131,18 @@ class Repetition(Generic[R]):
 
     def sending(self, run: R, number: int) -> int:
         """Return the place of the last sending of a request."""
-        return max(self.first_sending(run, number), self._again.get(number, NEVER))
+        first, again = self.first_sending(run, number), self._again.get(number)
+        return max(first, again[-1]) if again else first
 
     def answered_sending(self, run: R, number: int) -> int:
-        """Return the place of the sending that is answered now: the first, unless a later one is known to have arrived.
+        """Return the place of the sending that is answered now: the first behind what is known to have arrived.
 
-        An answer to one between them is taken for one to the last, which costs a repetition that was not needed.
+        An answer to the next one may be taken for one to it, which says less of the others, and nothing wrong.
         """
         first = self.first_sending(run, number)
-        return first if first > self.answered else self.sending(run, number)
+        if first > self.answered:
+            return first
+        return next((place for place in self._again.get(number, ()) if place > self.answered), self.sending(run, number))
 
     def is_lost(self, number: int, place: int) -> bool:
         """Return whether a request waits for its answer, and was sent before what has arrived now."""
