@@ -326,6 +326,7 @@ def test_errors_have_classes_codes_and_a_sentence(runtime: list[Path]) -> None:
 
 def test_what_a_lost_answer_means_is_known(runtime: list[Path]) -> None:
     body = """
+    CHECK(link.write_masked(0x10, 1, 1) == 0);      // the word as it was before is given again
     CHECK(link.read(0x10) == 1);
     robot.on.set(true);         // nobody wants the answer of this masked write
     CHECK(robot.on.get());

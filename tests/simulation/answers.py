@@ -30,7 +30,7 @@ class Answers:
         """Characters of the answer to the question which session is under way."""
         # Where there is no session, requests are refused in any order.
         self._answer = re.compile(rb"(?!x[0-9A-F]{%d}0A)([g-z]+)([0-9A-F]{%d})" % (digits, digits))
-        self._question = re.compile(rb"h([0-9A-F]{%d})" % digits)
+        self._question = re.compile(rb"(h|ws)([0-9A-F]{%d})" % digits)
         self._ring = 16**digits
         self.begin()
 
@@ -42,7 +42,9 @@ class Answers:
     def _begin_session(self) -> None:
         self._last = -1
         self._told = bytearray(self._ring)
-        """Which IDs of the last half of the ring were answered."""
+        """Which IDs of the last half of the ring were answered, or asked for again."""
+        self._posted = bytearray(self._ring)
+        """Which of them are those of posted writes."""
 
     def take(self, data: bytes) -> None:
         """Take bytes that arrive at the program.
@@ -58,12 +60,19 @@ class Answers:
                 self._take_answer(int(answer[2], 16), line)
 
     def take_asked(self, data: bytes) -> None:
-        """Take bytes that arrive from the program: by an ``h`` it may ask how an earlier request ended."""
+        """Take bytes that arrive from the program: by an ``h`` it may ask how an earlier request ended.
+
+        A posted write that is repeated asks the same, be it behind what is not answered yet.
+        """
         *lines, self._rest_asked = (self._rest_asked + data).split(b"\n")
         for line in lines:
             question = self._question.match(line)
-            if question is not None and not self._is_ahead(number := int(question[1], 16)):
+            if question is None:
+                continue
+            number, posts = int(question[2], 16), question[1] == b"ws"
+            if self._posted[number] if posts else not self._is_ahead(number):
                 self._told[number] = 1
+            self._posted[number] |= posts
 
     def _is_ahead(self, number: int) -> bool:
         return self._last < 0 or 0 < (number - self._last) % self._ring < self._ring // 2
@@ -74,7 +83,8 @@ class Answers:
         elif not self._told[number]:
             raise WorldError("answers in another order", f"{self._line}: {line!r} comes behind {self._last:#x}")
         self._told[number] = 1
-        self._told[(number + self._ring // 2) % self._ring] = 0
+        opposite = (number + self._ring // 2) % self._ring
+        self._told[opposite] = self._posted[opposite] = 0
 
 
 def judge_answers(trace: Iterable[tuple[object, ...]], gateways: dict[str, GatewayInfo]) -> None:
