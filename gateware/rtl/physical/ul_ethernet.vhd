@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Physical layer: Ethernet at 100 Mb/s by RMII, MII or RGMII, with what stands between a PHY and the frames of a
--- gateway: MAC, ARP, ping, UDP, and the sessions of docs/protocol.md, "Datagrams".
+-- Physical layer: Ethernet at 100 Mb/s by RMII, MII or RGMII, or by a W5500, with what stands between a PHY and the
+-- frames of a gateway: MAC, ARP, ping, UDP, and the sessions of docs/protocol.md, "Datagrams".
 --
--- Frames come in and go on to the core while nothing is wrong with them (`ul_mac`, `ul_network_rx`), each datagram
--- whole or not at all (`ul_record_ring`), if it is of the session or asks without one (`ul_datagram_reader`). What the
+-- Frames come in and go on to the core while nothing is wrong with them (`ul_mac` or `ul_w5500`, `ul_network_rx`), each
+-- datagram whole or not at all (`ul_record_ring`), if it is of the session or asks without one (`ul_datagram_reader`). What the
 -- core sends gathers in datagrams (`ul_answer_ring`, `ul_datagram_writer`). A datagram that does not fit is dropped and
 -- counted. The host that opened the session is the only one that is answered in it.
 
@@ -17,8 +17,10 @@ library work;
 
 entity ul_ethernet is
   generic (
-    -- "rmii", "mii", "rgmii": the pins of the PHY.
+    -- "rmii", "mii", "rgmii": the pins of the PHY; "w5500": the SPI of that chip.
     interface : string := "rmii";
+    -- At least 25,000,000, for "w5500": frequency of clk in Hz.
+    clock_hz : positive := 50_000_000;
     -- 48 bits, an address of one station: this gateway's.
     mac_address : std_logic_vector(47 downto 0) := x"02554C000001";
     -- 32 bits: that of IP.
@@ -54,6 +56,16 @@ entity ul_ethernet is
     phy_tx_en : out   std_logic;
     -- TXC of RGMII. Clock: phy_tx_clk.
     phy_txc : out   std_logic;
+    -- SCLK of a W5500.
+    spi_sck : out   std_logic;
+    -- SCSn.
+    spi_cs_n : out   std_logic;
+    -- MOSI.
+    spi_mosi : out   std_logic;
+    -- MISO.
+    spi_miso : in    std_logic;
+    -- RSTn.
+    spi_rst_n : out   std_logic;
     -- A byte for the core: it has moved at the edge at which rx_valid and rx_ready are both '1'.
     rx_data : out   std_logic_vector(7 downto 0);
     -- A byte stands at rx_data.
@@ -153,30 +165,69 @@ begin
     report "ul_ethernet: gateway_name has " & integer'image(gateway_name'length) & " characters, expected at most 15"
     severity failure;
 
-  mac_inst : entity work.ul_mac
-    generic map (
-      interface => interface
-    )
-    port map (
-      clk        => clk,
-      rst        => rst,
-      phy_rx_clk => phy_rx_clk,
-      phy_rxd    => phy_rxd,
-      phy_rx_dv  => phy_rx_dv,
-      phy_rx_er  => phy_rx_er,
-      phy_tx_clk => phy_tx_clk,
-      phy_txd    => phy_txd,
-      phy_tx_en  => phy_tx_en,
-      phy_txc    => phy_txc,
-      rx_data    => frame_data,
-      rx_end     => frame_end,
-      rx_valid   => frame_valid,
-      rx_ready   => '1',
-      tx_data    => sent_data,
-      tx_last    => sent_last,
-      tx_valid   => sent_valid,
-      tx_ready   => sent_ready
-    );
+  with_phy : if interface /= "w5500" generate
+
+    mac_inst : entity work.ul_mac
+      generic map (
+        interface => interface
+      )
+      port map (
+        clk        => clk,
+        rst        => rst,
+        phy_rx_clk => phy_rx_clk,
+        phy_rxd    => phy_rxd,
+        phy_rx_dv  => phy_rx_dv,
+        phy_rx_er  => phy_rx_er,
+        phy_tx_clk => phy_tx_clk,
+        phy_txd    => phy_txd,
+        phy_tx_en  => phy_tx_en,
+        phy_txc    => phy_txc,
+        rx_data    => frame_data,
+        rx_end     => frame_end,
+        rx_valid   => frame_valid,
+        rx_ready   => '1',
+        tx_data    => sent_data,
+        tx_last    => sent_last,
+        tx_valid   => sent_valid,
+        tx_ready   => sent_ready
+      );
+
+    spi_sck   <= '0';
+    spi_cs_n  <= '1';
+    spi_mosi  <= '0';
+    spi_rst_n <= '0';
+
+  end generate with_phy;
+
+  with_w5500 : if interface = "w5500" generate
+
+    w5500_inst : entity work.ul_w5500
+      generic map (
+        clock_hz    => clock_hz,
+        mac_address => mac_address
+      )
+      port map (
+        clk       => clk,
+        rst       => rst,
+        spi_sck   => spi_sck,
+        spi_cs_n  => spi_cs_n,
+        spi_mosi  => spi_mosi,
+        spi_miso  => spi_miso,
+        spi_rst_n => spi_rst_n,
+        rx_data   => frame_data,
+        rx_end    => frame_end,
+        rx_valid  => frame_valid,
+        tx_data   => sent_data,
+        tx_last   => sent_last,
+        tx_valid  => sent_valid,
+        tx_ready  => sent_ready
+      );
+
+    phy_txd   <= (others => '0');
+    phy_tx_en <= '0';
+    phy_txc   <= '0';
+
+  end generate with_w5500;
 
   network_rx_inst : entity work.ul_network_rx
     generic map (
