@@ -28,6 +28,7 @@ from unity_link.files import digest_of
 from unity_link.gateware import yowasp
 from unity_link.gateware.cache import ToolMissingError
 from unity_link.gateware.convert import ConversionError
+from unity_link.gateware.limits import ETHERNET
 from unity_link.gateware.own_vhdl import Converted, Own, OwnFile, Port
 from unity_link.gateware.yowasp import RefusedError
 from unity_link.generate import generate
@@ -134,12 +135,13 @@ def test_the_clocks_of_a_phy_on_a_header_enter_an_ecp5_at_a_clock_input() -> Non
 def test_there_are_boards_with_an_ethernet_port() -> None:
     media = {
         medium: {name for name in board_names() if load_board(name)[1].medium == medium}
-        for medium in ("rmii", "mii", "rgmii")
+        for medium in ETHERNET
     }
     assert media == {
         "rmii": {"ulx3s_rmii", "ulx3s_85f_rmii"},
         "mii": {"arty_a7_mii"},
         "rgmii": {"colorlight_i5_rgmii", "colorlight_5a_75b_rgmii"},
+        "w5500": {"ulx3s_w5500"},
     }
 
 
@@ -731,7 +733,7 @@ def test_every_board_leaves_a_bitstream_and_a_report_that_names_what_it_is_made_
         "uart": f"a UART of {board.baud} baud",
         "ft245": "/1?mode=ft245\n",
         "ft245_sync": "/1?mode=ft245-sync\n",
-        **dict.fromkeys(("rmii", "mii", "rgmii"), ethernet),
+        **dict.fromkeys(ETHERNET, ethernet),
     }
     assert link[board.medium] in report
     assert all(f"| {pin} | {way} | {board.pins[pin]} |" in report for pin, way in PINS[board.medium].items())

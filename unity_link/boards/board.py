@@ -54,6 +54,15 @@ PINS = {
         **_CHAIN,
     },
     "rgmii": {"clk": "input", **_PHY_OF_FOUR, "phy_txc": "output", **_CHAIN},
+    "w5500": {
+        "clk": "input",
+        "spi_sck": "output",
+        "spi_cs_n": "output",
+        "spi_mosi": "output",
+        "spi_miso": "input",
+        "spi_rst_n": "output",
+        **_CHAIN,
+    },
 }
 """The pins of a whole generated design, as `generate vhdl` makes it for each medium, and their directions."""
 CLOCKS = {
@@ -124,7 +133,7 @@ class Board(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=Tru
     """Package as the family's nextpnr calls it; for Gowin the whole part number."""
     speed: int = 6
     """Speed grade of an ECP5."""
-    medium: Literal["uart", "ft245", "ft245_sync", "rmii", "mii", "rgmii"]
+    medium: Literal["uart", "ft245", "ft245_sync", "rmii", "mii", "rgmii", "w5500"]
     baud: int | None = None
     """Baud rate of a UART."""
     mac: str | None = None

@@ -36,7 +36,8 @@ _SCOPED = {
     "uart": ("ul_subscription_manager", "ul_uart"),
     "ft245": ("ul_ft245_async", "ul_subscription_manager"),
     "ft245_sync": ("ul_fifo_async", "ul_ft245_sync", "ul_subscription_manager"),
-    **dict.fromkeys(ETHERNET, ("ul_fifo_async", "ul_mac", "ul_subscription_manager")),
+    **dict.fromkeys(("rmii", "mii", "rgmii"), ("ul_fifo_async", "ul_mac", "ul_subscription_manager")),
+    "w5500": ("ul_subscription_manager",),
 }
 """Entities of a medium whose crossings Vivado is told of."""
 _ATTENTION = "No tool of a vendor has read this file yet: see gateware/constraints/README.md."

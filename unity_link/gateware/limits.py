@@ -42,7 +42,7 @@ _RANGES = {
 _AXI4_LITE_BITS = (32, 64)
 _MOST_FIFO_BYTES = 0x8000
 """The answer to `Q` has four digits for them."""
-ETHERNET = ("rmii", "mii", "rgmii")
+ETHERNET = ("rmii", "mii", "rgmii", "w5500")
 """Values of `physical` that are an Ethernet port."""
 _LEAST_HZ_OF_ETHERNET = 25_000_000
 _DATAGRAM, _LONGEST_Q = 1400, 76

@@ -40,7 +40,7 @@ _LEAST_SAMPLE_DEPTH = 256
 """Least depth of the sample FIFO of a gateway by itself: room for the subscriptions of programs beside the groups of
 the spec.
 """
-_MEDIA = ("uart", "ft245", "ft245_sync", "rmii", "mii", "rgmii")
+_MEDIA = ("uart", "ft245", "ft245_sync", "rmii", "mii", "rgmii", "w5500")
 _BYTES_OF_DATAGRAM = 1378
 _BYTES_BESIDE_WORDS = 32
 """Most bytes of a frame on Ethernet, and enough for what a frame of a block has beside its words."""

@@ -46,6 +46,7 @@ _DESIGN_NAMES = (
         for pin in ("clk", "rx_clk", "rxd", "rxd_wide", "rx_dv", "rx_er", "tx_clk", "txd", "txd_wide", "tx_en")
     ),
     *("phy_txc", "phy_rst_n", "phy_clk_25", "phy_clk_25_now", "phy_dropped", "half_period", "half_left"),
+    *(f"spi_{pin}" for pin in ("sck", "cs_n", "mosi", "miso", "rst_n")),
     *(f"in_{pin}" for pin in ("data", "lost", "valid", "ready")),
     *(f"out_{pin}" for pin in ("data", "valid", "ready", "flush")),
     *(f"wb_{pin}" for pin in ("cyc", "stb", "we", "adr", "to_bank", "to_gateway", "ack", "err", "stall")),
