@@ -170,6 +170,7 @@ CONFIGURATIONS = {
     "ft245": Configuration("unity_link", {"physical": "ft245"}),
     "ft245_sync": Configuration("unity_link", {"physical": "ft245_sync"}),
     "rmii": Configuration("unity_link", {"physical": "rmii", "block_words": 160}, devices=("ecp5",)),
+    "w5500": Configuration("unity_link", {"physical": "w5500", "block_words": 160}, devices=("ecp5",)),
     "minimal_uart": Configuration("unity_link", {"physical": "uart", **_MINIMAL}),
     "wide": Configuration(
         "unity_link_fifo",

@@ -70,11 +70,11 @@ def test_a_generated_folder_with_the_gateware_is_whole_for_each_tool(tool: str, 
         tcl.createcommand(command, lambda *_: "")
     tcl.eval(f"source {tmp_path / tool}.tcl")
     assert all(path.is_file() for path in added)
-    assert [path.name for path in added[-7:]] == [
+    assert [path.name for path in added[-8:]] == [
         *("walker_gateway.vhd", "walker_on_uart.vhd", "walker_on_ft245.vhd", "walker_on_ft245_sync.vhd"),
         *("walker_on_rmii.vhd", "walker_on_mii.vhd", "walker_on_rgmii.vhd", "walker_on_w5500.vhd"),
     ]
-    assert len(added) == len(set(added)) == len(vhdl_sources()) + 2 + 9
+    assert len(added) == len(set(added)) == len(vhdl_sources()) + 2 + 10
 
 
 def test_only_vhdl_takes_the_gateware_along(tmp_path: Path) -> None:

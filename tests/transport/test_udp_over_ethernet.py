@@ -1,4 +1,4 @@
-"""Links by `udp:` to the gateware itself: compiled, behind RMII, at the kernel's own network stack.
+"""Links by `udp:` to the gateware itself: compiled, behind RMII or a W5500, at the kernel's own network stack.
 
 The names of the tests have the line that this machine gives: "tap", or "veth" where it has no TAP devices.
 """
@@ -21,7 +21,7 @@ import uvloop
 
 import unity_link
 from gateware.bench.network.tap import GATEWAY, INTERFACE, LINE, URL, own_network, plugged
-from gateware.bench.network.wire import GATEWAY_PORT
+from gateware.bench.network.wire import GATEWAY_PORT, Wire
 from generate.programs import CPP, HERE, C, Driven, compiled, generated, linked
 from support.behaviours import (
     BEHAVIOURS,
@@ -73,6 +73,12 @@ IN_MAKE_TEST = {
     ("C", each_write_is_executed_exactly_once_and_in_order_on_a_noisy_line),
 }
 """Cells beside those of asyncio that are no part of a campaign."""
+IN_MAKE_TEST_BEHIND_A_W5500 = {
+    ("asyncio", words_are_read_and_written),
+    ("asyncio", blocks_are_consecutive_and_queues_one_address),
+    ("C", each_write_is_executed_exactly_once_and_in_order_on_a_noisy_line),
+}
+"""Cells with that chip that are no part of a campaign."""
 
 
 class Served:
@@ -96,13 +102,20 @@ class Served:
 
 
 class Line:
-    """The way to gateways of one test: a network namespace."""
+    """The way to gateways of one test: a network namespace.
+
+    Args:
+        physical: their Ethernet port, as `unity_link` has it.
+    """
+
+    def __init__(self, physical: str) -> None:
+        self._physical = physical
 
     @contextlib.contextmanager
     def gateway(self, noise: float = 0.0, **_: Any) -> Iterator[Served]:
         """Plug a gateway in with failing addresses, behind a line that loses, doubles and delays frames."""
         towards, back = (Straying[bytes](seed, latest=20, **LOST if noise else {}) for seed in (1, 2))
-        with plugged(towards=towards, back=back) as gateway:
+        with plugged(Wire({"physical": self._physical}), towards=towards, back=back) as gateway:
             gateway.call("refuse", REFUSING)
             gateway.call("refuse", SILENT, silent=True)
             yield Served(gateway)
@@ -138,18 +151,27 @@ def compiled_driver(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str],
 
 
 def _cells() -> Iterator[Any]:
-    for name, behaviour in itertools.product(FACES, BEHAVIOURS):
-        if behaviour not in EMPTY:
+    for physical, name, behaviour in itertools.product(("rmii", "w5500"), FACES, BEHAVIOURS):
+        if behaviour in EMPTY:
+            continue
+        if physical == "rmii":
             short = name == "asyncio" or (name, behaviour) in IN_MAKE_TEST
-            marks = [] if short else [pytest.mark.campaign]
-            yield pytest.param(name, behaviour, id=f"{name}-{behaviour.__name__}", marks=marks)
+        else:
+            short = (name, behaviour) in IN_MAKE_TEST_BEHIND_A_W5500
+        marks = [] if short else [pytest.mark.campaign]
+        yield pytest.param(physical, name, behaviour, id=f"{physical}-{name}-{behaviour.__name__}", marks=marks)
 
 
-@pytest.mark.parametrize(("name", "behaviour"), [*_cells()])
+@pytest.mark.parametrize(("physical", "name", "behaviour"), [*_cells()])
 def test_every_face_does_on_the_gateware_what_a_link_does(
-    name: str, behaviour: Behaviour, network: None, tmp_path: Path, compiled_driver: Callable[[str], Path]
+    physical: str,
+    name: str,
+    behaviour: Behaviour,
+    network: None,
+    tmp_path: Path,
+    compiled_driver: Callable[[str], Path],
 ) -> None:
-    line: Any = Line()
+    line: Any = Line(physical)
     connect: Any = unity_link.connect
     if name in PROGRAMS:
         # It is started in the namespace.
