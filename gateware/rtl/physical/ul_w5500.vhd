@@ -97,9 +97,9 @@ architecture rtl of ul_w5500 is
   -- A register of one byte, and what is written there.
 
   type setting_t is record
-    area : block_t;
-    place    : octet_t;
-    value    : octet_t;
+    area  : block_t;
+    place : octet_t;
+    value : octet_t;
   end record setting_t;
 
   type settings_t is array (0 to 26) of setting_t;
@@ -156,9 +156,9 @@ architecture rtl of ul_w5500 is
   signal phase : phase_t;
   -- What follows when a command was accepted.
   signal then_step : step_t;
-  signal index : natural range 0 to 26;
-  signal timer : natural range 0 to pause;
-  signal tries : natural range 0 to patience;
+  signal index     : natural range 0 to 26;
+  signal timer     : natural range 0 to pause;
+  signal tries     : natural range 0 to patience;
 
   -- Place of the byte in its access, those of the data from 3 on; the last counts for all behind.
   signal place    : natural range 0 to 9;
@@ -191,21 +191,21 @@ begin
   choose : process (all) is
 
     variable address : std_logic_vector(15 downto 0);
-    variable area : block_t;
+    variable area    : block_t;
     variable writes  : std_logic;
     variable value   : octet_t;
 
   begin
 
-    area := socket;
-    writes   := '1';
-    address  := x"00" & command;
-    value    := x"00";
+    area    := socket;
+    writes  := '1';
+    address := x"00" & command;
+    value   := x"00";
 
     case step is
 
       when configure =>
-        area            := settings(index).area;
+        area                := settings(index).area;
         address(7 downto 0) := settings(index).place;
         value               := settings(index).value;
 
@@ -214,9 +214,9 @@ begin
         address(7 downto 0) := tx_write;
 
       when take =>
-        writes   := '0';
-        area := rx_block;
-        address  := std_logic_vector(rx_pointer);
+        writes  := '0';
+        area    := rx_block;
+        address := std_logic_vector(rx_pointer);
 
       when advance_rx =>
         address(7 downto 0) := rx_read;
@@ -229,8 +229,8 @@ begin
         value := x"40";
 
       when put =>
-        area := tx_block;
-        address  := std_logic_vector(tx_pointer);
+        area    := tx_block;
+        address := std_logic_vector(tx_pointer);
         if padding = '0' then
           value := tx_data;
         end if;
@@ -285,6 +285,7 @@ begin
     variable length : unsigned(15 downto 0);
 
     -- End the access, and go on with another.
+
     procedure go_on (following : step_t) is
     begin
 
@@ -297,6 +298,7 @@ begin
     end procedure go_on;
 
     -- The same access once more, as long as there is hope.
+
     procedure try_again is
     begin
 
@@ -318,9 +320,9 @@ begin
       length   := unsigned(many & shift);
 
       if ends = '1' then
-        rx_valid   <= '1';
-        rx_end     <= '1';
-        rx_data    <= x"01";
+        rx_valid <= '1';
+        rx_end   <= '1';
+        rx_data  <= x"01";
       end if;
 
       case phase is
@@ -383,7 +385,7 @@ begin
                 elsif index = settings'high then
                   go_on(accepted);
                   then_step <= check;
-                  tries <= 0;
+                  tries     <= 0;
                 else
                   go_on(configure);
                   index <= index + 1;
@@ -498,7 +500,7 @@ begin
       if rst = '1' then
         step       <= reset;
         phase      <= rest;
-        then_step      <= look;
+        then_step  <= look;
         index      <= 0;
         timer      <= pause;
         tries      <= 0;
