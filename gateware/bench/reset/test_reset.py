@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 MEMORY_OUTPUTS = {
     "ul_fifo_async": ["out_data"],
     "ul_answer_ring": ["out_data"],
+    "ul_byte_ring": ["out_data"],
     "ul_ethernet": ["rx_data"],
     "ul_ft245_sync": ["rx_data"],
     "ul_mac": ["rx_data", "rx_end"],
@@ -28,7 +29,7 @@ MEMORY_OUTPUTS = {
 }
 CONFIGURATIONS = [
     *(("unity_link", {"physical": medium}) for medium in ("fifo", "uart", "ft245", "ft245_sync")),
-    *(("unity_link", {"physical": medium, "block_words": 160}) for medium in ("rmii", "mii", "rgmii")),
+    *(("unity_link", {"physical": medium, "block_words": 160}) for medium in ("rmii", "mii", "rgmii", "w5500")),
     ("unity_link", {"groups": 0}),
     ("unity_link_core", {"checked_frames": False}),
 ]

@@ -45,19 +45,17 @@ end entity ul_answer_ring;
 
 architecture rtl of ul_answer_ring is
 
-  type memory_t is array (0 to depth - 1) of std_logic_vector(7 downto 0);
-
   subtype pointer_t is unsigned(log2_ceil(depth) - 1 downto 0);
 
-  signal memory     : memory_t;
-  signal write_at   : pointer_t;
-  signal read_at    : pointer_t;
-  signal gathered   : pointer_t;
-  signal part       : pointer_t;
+  -- Places in the ring: of the next byte, of the first one of the datagram that gathers, and behind its whole frames.
+  signal written  : pointer_t;
+  signal begin_at : pointer_t;
+  signal end_at   : pointer_t;
+  -- It has whole frames.
+  signal has_whole  : std_logic;
   signal full       : std_logic;
   signal too_many   : std_logic;
-  signal head       : std_logic;
-  signal load       : std_logic;
+  signal ring_empty : std_logic;
   signal line_start : std_logic;
   signal dropping   : std_logic;
   signal kept_for   : std_logic;
@@ -77,76 +75,61 @@ begin
   for_asking <= asking and not (has_session and of_session);
   for_nobody <= not for_asking and not has_session;
   waits      <= full or (is_lf and too_many)
-                or (line_start and not for_nobody and to_std_logic(gathered /= 0) and (for_asking xor kept_for));
+                or (line_start and not for_nobody and has_whole and (for_asking xor kept_for));
   take       <= in_valid and not waits;
   in_ready   <= not waits;
   write      <= take and not dropping and not (line_start and for_nobody);
-  load       <= '1' when read_at /= write_at and (head = '0' or out_ready = '1') else
-                '0';
-  whole      <= gathered;
+  whole      <= end_at - begin_at;
   to_asking  <= kept_for;
 
-  storage : process (clk) is
-  begin
-
-    if rising_edge(clk) then
-      if write = '1' then
-        memory(to_integer(write_at)) <= in_data;
-      end if;
-      if load = '1' then
-        out_data <= memory(to_integer(read_at));
-      end if;
-    end if;
-
-  end process storage;
+  byte_ring_inst : entity work.ul_byte_ring
+    generic map (
+      depth => depth
+    )
+    port map (
+      clk        => clk,
+      rst        => rst,
+      write      => write,
+      write_data => in_data,
+      full       => full,
+      written    => written,
+      out_data   => out_data,
+      out_valid  => open,
+      out_ready  => out_ready,
+      empty      => ring_empty
+    );
 
   control : process (clk) is
-
-    variable before : pointer_t;
-
   begin
 
     if rising_edge(clk) then
-      before := gathered;
       if close = '1' then
-        before := (others => '0');
+        begin_at  <= end_at;
+        has_whole <= '0';
       end if;
-      gathered <= before;
       if write = '1' then
-        write_at <= write_at + 1;
-        part     <= part + 1;
         if line_start = '1' then
           kept_for <= for_asking;
         end if;
         if is_lf = '1' then
-          gathered <= before + part + 1;
-          part     <= (others => '0');
+          end_at    <= written + 1;
+          has_whole <= '1';
         end if;
       end if;
       if take = '1' then
         line_start <= is_lf;
         dropping   <= (dropping or (line_start and for_nobody)) and not is_lf;
       end if;
-      if load = '1' then
-        read_at <= read_at + 1;
-        head    <= '1';
-      elsif out_ready = '1' then
-        head <= '0';
-      end if;
 
-      -- Each a cycle late, so by a byte too early.
-      full     <= to_std_logic(write_at - read_at >= depth - 3);
-      too_many <= to_std_logic(before /= 0 and before + part >= most - 1);
-      empty    <= to_std_logic(gathered = 0 and part = 0 and head = '0' and write_at = read_at);
+      -- A cycle late, so by a byte too early.
+      too_many <= has_whole and not close and to_std_logic(written - begin_at >= most - 1);
+      empty    <= ring_empty;
 
       if rst = '1' then
-        write_at   <= (others => '0');
-        read_at    <= (others => '0');
-        gathered   <= (others => '0');
-        part       <= (others => '0');
-        full       <= '0';
+        begin_at   <= (others => '0');
+        end_at     <= (others => '0');
+        has_whole  <= '0';
         too_many   <= '0';
-        head       <= '0';
         line_start <= '1';
         dropping   <= '0';
         kept_for   <= '0';

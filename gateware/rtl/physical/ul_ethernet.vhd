@@ -151,6 +151,13 @@ architecture rtl of ul_ethernet is
   signal sent_valid : std_logic;
   signal sent_ready : std_logic;
 
+  -- Of LUTs it would take 300 of an ECP5.
+  attribute ram_style    : string;
+  attribute syn_ramstyle : string;
+
+  attribute ram_style of peers    : signal is "block";
+  attribute syn_ramstyle of peers : signal is "block_ram";
+
 begin
 
   assert mac_address(40) = '0'

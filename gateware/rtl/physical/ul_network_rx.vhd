@@ -63,8 +63,14 @@ architecture rtl of ul_network_rx is
   signal udp_bytes : unsigned(10 downto 0);
   signal complete  : std_logic;
   signal overflow  : std_logic;
-  signal sum       : unsigned(15 downto 0);
-  signal carry     : std_logic;
+  -- The byte is one of those behind the length of IP; it is one of the header of IP.
+  signal counting : std_logic;
+  signal summing  : std_logic;
+  -- The check of that header in ones' complement, a byte at a time: the half that comes next, the other one, and what
+  -- the last addition carries into the next.
+  signal sum      : unsigned(7 downto 0);
+  signal sum_last : unsigned(7 downto 0);
+  signal carry    : std_logic;
 
   constant port_bits : std_logic_vector(15 downto 0) := std_logic_vector(to_unsigned(udp_port, 16));
 
@@ -75,7 +81,7 @@ begin
     variable index  : natural range 0 to 63;
     variable keep   : std_logic;
     variable is_udp : std_logic;
-    variable term   : unsigned(16 downto 0);
+    variable total  : unsigned(8 downto 0);
 
     procedure expect (condition : boolean) is
     begin
@@ -169,7 +175,7 @@ begin
           when 34 =>
             keep := not is_arp;
             expect(is_icmp = '0' or in_data = x"08");
-            expect(is_arp = '1' or (sum = x"FFFF" and carry = '0') or (sum = x"FFFE" and carry = '1'));
+            expect(is_arp = '1' or (sum_last = x"FF" and ((sum = x"FF" and carry = '0') or (sum = x"FE" and carry = '1'))));
 
           when 35 =>
             keep := not is_arp;
@@ -199,26 +205,30 @@ begin
         end case;
 
         -- The IP datagram has ended; one that ends within the headers is none.
-        if index >= 18 and complete = '0' and is_arp = '0' then
+        if (counting and not complete and not is_arp) = '1' then
           remaining <= remaining - 1;
           if remaining = 5 then
             complete <= '1';
-            expect(index >= 41);
+            expect(index = 41 or index = header);
           end if;
         end if;
         if index = 41 and is_arp = '1' then
           complete <= '1';
         end if;
+        if index = 17 then
+          counting <= '1';
+        end if;
 
-        -- In ones' complement, a byte in its half of the word.
-        if index >= 14 and index <= 33 then
-          term := resize(unsigned(in_data), 17);
-          if index mod 2 = 0 then
-            term := shift_left(term, 8);
-          end if;
-          term  := ('0' & sum) + term + unsigned'(0 => carry);
-          sum   <= term(15 downto 0);
-          carry <= term(16);
+        if summing = '1' then
+          total    := resize(sum, 9) + unsigned(in_data) + unsigned'(0 => carry);
+          sum      <= sum_last;
+          sum_last <= total(7 downto 0);
+          carry    <= total(8);
+        end if;
+        if index = 13 then
+          summing <= '1';
+        elsif index = 33 then
+          summing <= '0';
         end if;
 
         if (keep and wanted) = '1' then
@@ -244,7 +254,10 @@ begin
         is_icmp  <= '0';
         complete <= '0';
         overflow <= '0';
+        counting <= '0';
+        summing  <= '0';
         sum      <= (others => '0');
+        sum_last <= (others => '0');
         carry    <= '0';
       end if;
 

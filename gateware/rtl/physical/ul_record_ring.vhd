@@ -9,10 +9,6 @@
 
 library ieee;
   use ieee.std_logic_1164.all;
-  use ieee.numeric_std.all;
-
-library work;
-  use work.ul_math_pkg.all;
 
 entity ul_record_ring is
   generic (
@@ -40,92 +36,52 @@ end entity ul_record_ring;
 
 architecture rtl of ul_record_ring is
 
-  constant reserve : positive := 4;
-
-  type memory_t is array (0 to depth - 1) of std_logic_vector(7 downto 0);
-
-  subtype pointer_t is unsigned(log2_ceil(depth) - 1 downto 0);
-
-  signal memory   : memory_t;
-  signal write_at : pointer_t;
-  signal start    : pointer_t;
-  signal read_at  : pointer_t;
-  signal records  : pointer_t;
-  signal none     : std_logic;
-  signal head     : std_logic;
-  signal load     : std_logic;
-  signal more     : std_logic;
+  -- There is no committed record with which the reader has not done.
+  signal none   : std_logic;
+  signal rewind : std_logic;
+  signal kept   : std_logic;
+  signal empty  : std_logic;
 
 begin
 
-  none <= '1' when records = 0 else
-          '0';
-  -- Not beyond the committed records before the reader has done with them.
-  more      <= '1' when (none = '1' and read_at /= write_at) or (none = '0' and read_at /= start) else
-               '0';
-  load      <= more and (not head or out_ready);
-  out_valid <= head;
-  trial     <= none;
-  undone    <= none and rollback;
+  kept   <= not none;
+  rewind <= none and rollback;
+  trial  <= none;
+  undone <= rewind;
 
-  storage : process (clk) is
-  begin
-
-    if rising_edge(clk) then
-      if write = '1' then
-        memory(to_integer(write_at)) <= write_data;
-      end if;
-      if load = '1' then
-        out_data <= memory(to_integer(read_at));
-      end if;
-    end if;
-
-  end process storage;
+  byte_ring_inst : entity work.ul_byte_ring
+    generic map (
+      depth => depth
+    )
+    port map (
+      clk        => clk,
+      rst        => rst,
+      write      => write,
+      write_data => write_data,
+      commit     => commit,
+      rollback   => rollback,
+      rewind     => rewind,
+      kept_only  => kept,
+      full       => full,
+      written    => open,
+      out_data   => out_data,
+      out_valid  => out_valid,
+      out_ready  => out_ready,
+      empty      => empty
+    );
 
   control : process (clk) is
-
-    variable used : pointer_t;
-
   begin
 
     if rising_edge(clk) then
-      if write = '1' then
-        write_at <= write_at + 1;
-      end if;
-      if load = '1' then
-        read_at <= read_at + 1;
-        head    <= '1';
-      elsif out_ready = '1' then
-        head <= '0';
-      end if;
       if commit = '1' then
-        start <= write_at;
-      end if;
-      if rollback = '1' then
-        write_at <= start;
-        if none = '1' then
-          read_at <= start;
-          head    <= '0';
-        end if;
-      end if;
-      if (commit and not done) = '1' then
-        records <= records + 1;
-      elsif (done and not commit) = '1' then
-        records <= records - 1;
-      end if;
-      used := write_at - read_at;
-      full <= '0';
-      if used >= depth - reserve then
-        full <= '1';
+        none <= '0';
+      elsif (done and empty) = '1' then
+        none <= '1';
       end if;
 
       if rst = '1' then
-        write_at <= (others => '0');
-        start    <= (others => '0');
-        read_at  <= (others => '0');
-        records  <= (others => '0');
-        head     <= '0';
-        full     <= '0';
+        none <= '1';
       end if;
     end if;
 
