@@ -133,10 +133,7 @@ def test_the_clocks_of_a_phy_on_a_header_enter_an_ecp5_at_a_clock_input() -> Non
 
 
 def test_there_are_boards_with_an_ethernet_port() -> None:
-    media = {
-        medium: {name for name in board_names() if load_board(name)[1].medium == medium}
-        for medium in ETHERNET
-    }
+    media = {medium: {name for name in board_names() if load_board(name)[1].medium == medium} for medium in ETHERNET}
     assert media == {
         "rmii": {"ulx3s_rmii", "ulx3s_85f_rmii"},
         "mii": {"arty_a7_mii"},

@@ -14,7 +14,7 @@ from unity_link.boards.pins import generated_pins, generics_on, pins_of
 from unity_link.errors import ArgumentError
 from unity_link.gateware import LICENCE
 from unity_link.gateware.cache import LIBRARY, board_sources
-from unity_link.gateware.limits import ETHERNET, check_generics
+from unity_link.gateware.limits import check_generics
 from unity_link.gateware.own_vhdl import check_entities, convert_own
 from unity_link.gateware.sources import in_compile_order
 from unity_link.gateware.vendors import add_vhdl
