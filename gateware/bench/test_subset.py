@@ -102,7 +102,7 @@ def test_the_gateware_has_nothing_that_a_tool_refuses(path: Path) -> None:
     assert faults(path.read_text()) == []
 
 
-@pytest.mark.parametrize(("name", "count"), [("scara", 3), ("walker", 9)])
+@pytest.mark.parametrize(("name", "count"), [("scara", 3), ("walker", 10)])
 def test_generated_designs_have_nothing_that_a_tool_refuses(name: str, count: int) -> None:
     made = [file for file in generate("vhdl", compile_file(EXAMPLES / f"{name}.ul")) if "_bench" not in file.name]
     # The scara has its signals in a TosNet, which no whole design brings.

@@ -311,7 +311,7 @@ def test_gateway_and_boards_elaborate_with_the_gateware(name: str, tmp_path: Pat
     assert ghdl(tmp_path, "-i", *map(str, (*BOARDS.glob("*.vhd"), PROBE, *paths))).returncode == 0
     tops = [path.stem for path in paths if path.stem.endswith("_gateway") or "_on_" in path.stem]
     # What has FIFO ports or modules is no whole design by itself.
-    assert len(tops) == (1 if left_open(SPECS[name].interface()) else 7)
+    assert len(tops) == (1 if left_open(SPECS[name].interface()) else 8)
     for top in tops:
         done = ghdl(tmp_path, "-m", top)
         assert (done.returncode, done.stderr) == (0, "")

@@ -25,7 +25,7 @@ _EXAMPLE = re.compile(r"^```vhdl\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 _INTERNAL = {
     *("unity_link_fifo", "ul_fifo_port", "ul_ft245_pads", "ul_bus_master", "ul_word_memory", "ul_word_ring"),
     *("ul_mac_rx", "ul_mac_tx", "ul_network_rx", "ul_datagram_reader", "ul_datagram_writer"),
-    *("ul_answer_ring", "ul_record_ring", "ul_byte_ring"),
+    *("ul_answer_ring", "ul_record_ring", "ul_byte_ring", "ul_w5500"),
 }
 _MOST_BYTES = 60_000
 

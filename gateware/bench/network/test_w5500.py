@@ -36,11 +36,6 @@ def answers(wire: Wire, *data: bytes) -> list[bytes]:
     return found
 
 
-def asked(host: Host, body: bytes) -> bytes:
-    """Return what answers a frame of the host's session."""
-    return host.ask(host.datagram(checked(body, number=host.number)))
-
-
 def padded(data: bytes) -> bytes:
     return data.ljust(60 - HEADERS, b"\0")
 
@@ -77,10 +72,10 @@ def test_a_host_reads_and_writes_in_a_session(wire: Wire) -> None:
     host.open(0)
     for number in range(200):
         address = number % 250
-        wrote = asked(host, b"w%03X%02X%08X" % (2 * number, address, number))
-        assert wrote.endswith(checked(b"w%03X" % (2 * number), number=host.number, answers=True))
-        read = asked(host, b"r%03X%02X" % (2 * number + 1, address))
-        assert read.endswith(checked(b"r%03X%08X" % (2 * number + 1, number), number=host.number, answers=True))
+        wrote = host.ask(host.datagram(checked(b"w%03X%02X%08X" % (2 * number, address, number))))
+        assert wrote.endswith(checked(b"w%03X" % (2 * number)))
+        read = host.ask(host.datagram(checked(b"r%03X%02X" % (2 * number + 1, address))))
+        assert read.endswith(checked(b"r%03X%08X" % (2 * number + 1, number)))
     assert wire.writes() == [(number % 250, number) for number in range(200)]
 
 
@@ -88,8 +83,8 @@ def test_a_word_is_read_in_less_than_a_tenth_of_a_millisecond(wire: Wire) -> Non
     host = Host(wire)
     host.open(0)
     before = wire.run(1)
-    (answer,) = wire.ask(host.datagram(checked(b"r00010", number=host.number)))
-    assert carried(answer).endswith(checked(b"r00000000000", number=host.number, answers=True))
+    (answer,) = wire.ask(host.datagram(checked(b"r00010")))
+    assert carried(answer).endswith(checked(b"r00000000000"))
     assert answer.ended - before < CLOCK_HZ // 10_000
 
 

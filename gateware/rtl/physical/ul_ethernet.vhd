@@ -63,7 +63,7 @@ entity ul_ethernet is
     -- MOSI.
     spi_mosi : out   std_logic;
     -- MISO.
-    spi_miso : in    std_logic;
+    spi_miso : in    std_logic := '0';
     -- RSTn.
     spi_rst_n : out   std_logic;
     -- A byte for the core: it has moved at the edge at which rx_valid and rx_ready are both '1'.
