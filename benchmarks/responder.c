@@ -1,7 +1,8 @@
 /* The other end of the benchmarks: a gateway that costs next to nothing, so that what is measured is the host.
  *
  * It speaks the wire protocol in checked form (words of 32 bits, addresses of up to 16) and executes r, rm, w, wm, ws, h
- * and the group commands on plain memory. It trusts its wire: no session, no sequence rules, no errors.
+ * and the group commands on plain memory. It trusts its wire: the session is in the checks of what it sends, and it
+ * looks at no check, no ID and no error.
  * Groups that run publish in turn, as fast as the wire takes it, without timestamps.
  *
  * usage: responder FD CONFIGURATION     (the answer to Q, by which it sends)
@@ -37,6 +38,7 @@ static struct group {
 static int running, turn;
 static uint8_t runs[GROUPS];
 static int datagrams, asked, asked_plainly;
+static uint32_t number; /* of the session under way, 0 for none */
 static uint32_t session, offer = 1, sent_datagrams;
 static struct sockaddr_storage host;
 static socklen_t host_length;
@@ -66,9 +68,11 @@ static void put(const char *text, size_t length)
     out_length += length;
 }
 
+/* Requests with an ID and samples have the session in their check. */
 static void end_frame(size_t start)
 {
-    uint32_t crc = 0;
+    int seeded = number && (out[start] > 'Z' || out[start] == 'P');
+    uint32_t crc = seeded ? (2 * number + 1) << (32 - crc_bits) : 0;
     for (size_t i = start; i < out_length; i++)
         crc = crc_table[crc >> 24 ^ (uint8_t)out[i]] ^ crc << 8;
     put_hex(crc >> (32 - crc_bits), crc_bits / 4);
@@ -161,12 +165,19 @@ static void answer(const char *frame, size_t length)
     uint32_t address;
 
     if (frame[0] == 'Q' || frame[0] == 'K') {
+        int session_digits = crc_bits == 8 ? 2 : 4, opening = id_digits + session_digits;
+        size_t fields_length = length - 1 - (frame[length] == '\r' ? 0 : (size_t)crc_bits / 4);
+        uint32_t ended = number;
         put(frame, 1);
         if (frame[0] == 'Q')
             put(configuration, strlen(configuration));
-        else
-            put(frame + 1, (size_t)id_digits);
-        running = 0;
+        else if (fields_length > 0) {
+            put(frame + 1, (size_t)opening);
+            number = get_hex(frame + 1 + id_digits, session_digits);
+            running = 0;
+        }
+        if (frame[0] == 'K')
+            put_hex(ended, session_digits);
         if (frame[length] == '\r')
             put("\r\n", 2);
         else
@@ -193,6 +204,8 @@ static void answer(const char *frame, size_t length)
         for (int i = 0; i < set->words; i++)
             set->addresses[i] = (uint16_t)get_hex(fields + 10 + address_digits * i, address_digits);
         set->sequence = 0;
+    } else if (frame[0] == 'h') {
+        put_hex(0, id_digits);
     } else if (frame[0] == 'g') {
         run((uint8_t)get_hex(fields, 2), frame[1] == 'n');
     }

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.crc import seed_of
+from unity_link.protocol.frames import in_session
 from unity_link.protocol.messages import Codec
 from unity_link.virtual.rtl import RtlGateway, choose
 
@@ -17,6 +19,12 @@ MODEL = GatewayInfo(
 """Parts of the model that count here. Fewer digits of ID would leave too few requests under way for a USB."""
 CODEC = Codec(MODEL)
 """Its messages."""
+SESSION = 1
+"""Number of the session of frames with an ID."""
+OPENING = CODEC.opening(0, SESSION) + b"\r"
+"""Begins that session as a person does it, so that frames without an ID write as well."""
+OPENED_BYTES = len(OPENING) + CODEC.info.session_digits + len(b"\n")
+"""Bytes of the answer: the request, the session that ended, and one more end."""
 
 
 def compiled_gateway() -> RtlGateway:
@@ -30,5 +38,5 @@ def compiled_gateway() -> RtlGateway:
 
 
 def checked(body: bytes) -> bytes:
-    """Return the checked frame of a message."""
-    return CODEC.framing.checked(body)
+    """Return the checked frame of a request; of one with an ID in the session `SESSION`."""
+    return CODEC.framing.checked(body, seed_of(SESSION, from_gateway=False) if in_session(body[0]) else 0)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from benchmarks.paper.build import checked, compiled_gateway
+from benchmarks.paper.build import OPENED_BYTES, OPENING, checked, compiled_gateway
 from benchmarks.paper.results import Block, GatewareFigures, Publishing
 from unity_link.protocol.messages import GroupFlag
 
@@ -110,8 +110,7 @@ def _pipelined_posts(gateway: RtlGateway) -> float:
 
 def _with_ids(gateway: RtlGateway) -> float:
     """Return the bytes that leave in a cycle while reads that have IDs come."""
-    session = checked(b"K000")
-    _count(gateway, session, len(session))
+    _count(gateway, OPENING, OPENED_BYTES)
     requests = b"".join(checked(b"r%03X%02X" % (number, ADDRESS)) for number in range(_PIPELINED))
     size = len(checked(b"r00000000000")) * _PIPELINED
     cycles = _flood(gateway, requests, size)

@@ -6,7 +6,7 @@ import asyncio
 import statistics
 from typing import TYPE_CHECKING
 
-from benchmarks.paper.build import checked, compiled_gateway
+from benchmarks.paper.build import OPENING, checked, compiled_gateway
 from benchmarks.paper.results import RHYTHMS, Arrival, Effect, Latency, Rhythm, Spread
 from benchmarks.paper.stacks import BLOCK_WORDS, MODES, PROBE
 
@@ -145,7 +145,7 @@ def _measuring_arrivals(mode: Mode, times: int) -> Measure[Spread]:
 def _gateware(stack: StackName, access: Access) -> float:
     """Count what a request and its answer take at the pins and in the gateware, in microseconds."""
     gateway = compiled_gateway()
-    gateway.receive(checked(b"K000"), 0.0)
+    gateway.receive(OPENING, 0.0)
     gateway.set_pace(8e6)
     fields = {"read": b"0A", "block": b"0A%02X" % BLOCK_WORDS, "write": b"0A00000012"}[access]
     letters = {"read": b"R", "block": b"RM", "write": b"W"}[access]

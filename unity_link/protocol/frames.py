@@ -31,7 +31,7 @@ LARGEST_DATAGRAM = 1400
 
 
 def in_session(letter: int) -> bool:
-    """Return whether what a gateway sends with a first letter belongs to its session, if there is one."""
+    """Return whether a frame with a first letter belongs to a session, if there is one: with an ID, or a sample."""
     return letter >= _SMALL or letter == _SAMPLE
 
 
