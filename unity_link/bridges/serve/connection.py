@@ -282,12 +282,13 @@ class ClientConnection(asyncio.Protocol):
 
         Where one of those was sent before, the error comes too late: the count in the answer to an ``h`` tells of it.
         """
-        if order < self._last_told:
+        if not frame or order < self._last_told:
             return
         place = sum(entry.order < order for entry in self._pending)
         if not place:
             self.write(frame)
-        elif frame:
+            self._last_told = order
+        else:
             self._pending.insert(place, Said(frame, order))
             self._under_way += len(frame)
 
