@@ -142,7 +142,8 @@ class Repetition(Generic[R]):
         first = self.first_sending(run, number)
         if first > self.answered:
             return first
-        return next((place for place in self._again.get(number, ()) if place > self.answered), self.sending(run, number))
+        sent_after = (place for place in self._again.get(number, ()) if place > self.answered)
+        return next(sent_after, self.sending(run, number))
 
     def is_lost(self, number: int, place: int) -> bool:
         """Return whether a request waits for its answer, and was sent before what has arrived now."""
