@@ -243,8 +243,8 @@ static void recover(ul_link *link)
     ul_request given_up = {.batch = NULL};
     uint64_t before = link->statistics.repetitions;
     double deadline, now = now_of(link);
-    bool is_due = has_deadline(link, &deadline) && now >= deadline;
-    bool flooded = is_due && is_flooded(link, now);
+    bool waits = has_deadline(link, &deadline), is_due = waits && now >= deadline;
+    bool flooded = waits && is_flooded(link, now);
     if (note_time(link, now, &given_up)) lose(link, SILENT);
     settle(&given_up, UL_UNANSWERED);
     if (flooded) lose(link, FLOODED);
