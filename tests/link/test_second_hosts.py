@@ -13,6 +13,7 @@ from support.valve import Valve
 from unity_link import LinkLostError
 from unity_link.protocol.crc import Crc
 from unity_link.virtual import VirtualGateway
+from unity_link.virtual.shared_line import build_shared_line
 
 PROGRAM = b"K0004321" + Crc().text(b"K0004321") + b"\n"
 PERSON = b"K0004321\r"
@@ -81,6 +82,31 @@ async def test_what_a_boot_loader_says_on_the_line_costs_repetitions_at_the_most
         assert await write_all(link, 1, 30) == list(range(1, 31))
         assert await link.read(5) == 5
     assert [word for _, word in bus.writes] == list(range(1, 31))
+
+
+@pytest.mark.parametrize("opening", [PROGRAM, PERSON], ids=["program", "person"])
+@on_simulated_time
+async def test_on_a_line_of_nodes_a_link_whose_session_another_host_ends_says_so(opening: bytes) -> None:
+    line = build_shared_line([1, 2])
+    bus = RecordedBus(line.gateways[2])
+    async with unity_link.connect(line.at(1)) as other, unity_link.connect(line.at(2)) as link:
+        await write_all(link, 1, 10)
+        line.gateways[2].receive(of_node_2(opening), asyncio.get_running_loop().time())
+        began = asyncio.get_running_loop().time()
+        done = await write_all(link, 11, 5)
+        assert asyncio.get_running_loop().time() - began < 2
+        assert all("unity-link serve" in str(error) for error in done)
+        await other.write(0x10, 1)
+        assert await other.read(0x10) == 1
+    assert [word for _, word in bus.writes] == list(range(1, 11))
+    assert line.collisions == []
+
+
+def of_node_2(frame: bytes) -> bytes:
+    if frame.endswith(b"\r"):
+        return b"Z02" + frame
+    body = b"Z02" + frame[:-5]
+    return body + Crc().text(body) + b"\n"
 
 
 class Echoing(Valve):

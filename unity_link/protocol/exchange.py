@@ -119,6 +119,7 @@ class Exchange:
         """True if the medium takes no bytes: what was sent is still held back, so a repetition would be behind it."""
         self._takes_turns = takes_turns
         self._may_send = not takes_turns
+        self._asked_alone = False
         self.refused: int | None = None
         """The ID of a request that came whole, and that the gateway did not take for it is in no session: it was reset.
         """
@@ -272,10 +273,20 @@ class Exchange:
         self._may_send = True
         if self.window.repetition.is_due():
             self.window.resume(now)
-            self._repeat()
+            if not self._asks_alone():
+                self._repeat()
         else:
             self.admit(now, events)
         self._may_send = False
+
+    def _asks_alone(self) -> bool:
+        """Return whether this turn goes to the question whose the session is: before the second repetition in a row."""
+        signs, repetition = self.window.signs, self.window.repetition
+        asks = not (self._asked_alone or self.blocked) and signs.gone_back > 1 and signs.place == repetition.sent
+        self._asked_alone = asks
+        if asks:
+            self._ask_whose()
+        return asks
 
     def _confirm(self, now: float) -> None:
         self._number(Confirmation(self.codec), now)
