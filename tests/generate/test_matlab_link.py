@@ -568,10 +568,12 @@ def test_a_gateway_that_was_reset_behind_an_open_line_is_a_lost_link_and_a_new_o
         shown = octave.run(_RESET.format(url=url))
     assert shown["sampled"] == shown["read"] == doubles(7)
     assert shown["silent"] == "logical 1"
-    lost = "unity_link:linkLost the gateway was reset, which ends the link; the request is known not to be executed"
-    assert {shown[f"write {number}"] for number in range(1, 21)} == {lost}
+    reset = "unity_link:linkLost the gateway was reset, which ends the link; the request is "
+    # On a busy machine they are sent again before the answer has come: perhaps executed is true of these.
+    ends = {reset + "known not to be executed", reset + "perhaps executed"}
+    assert {shown[f"write {number}"] for number in range(1, 21)} <= ends
     assert shown["sampled again"] == doubles(1)
-    assert shown["fence"] == f"{lost}; posted writes that are known not to be executed: 1"
+    assert shown["fence"] == f"{reset}known not to be executed; posted writes that are known not to be executed: 1"
     assert gateway.bus_log.writes == [(10, 7), (20, 1)]
     assert len(set(gateway.sessions())) == 2
 
