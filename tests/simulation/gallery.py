@@ -19,7 +19,9 @@ from unity_link.protocol import (
     arrays,
     datagrams,
     exchange,
+    gateway_session,
     group_table,
+    host_codec,
     reception,
     repetition,
     requests,
@@ -233,6 +235,104 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 @bug("a server does not end its clients' sessions at a reset")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(shared.SharedLink, "_gateway_was_reset", connection.Connection._gateway_was_reset)
+
+
+# Protocol 03: checks that have the session in them, fates, kept words
+
+
+@bug("a check does not have the session in it")
+def _(monkeypatch: pytest.MonkeyPatch) -> None:
+    for module in (gateway_session, host_codec, reception):
+        monkeypatch.setattr(module, "seed_of", lambda session, *, from_gateway: 0)
+
+
+@bug("a host in doubt does not ask whose the session is")
+def _(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(exchange.Exchange, "_ask_whose", lambda self: None)
+
+
+@bug("a host takes the line back from another program")
+def _(monkeypatch: pytest.MonkeyPatch) -> None:
+    def again(self: Any, lost: Any, now: float, events: Any) -> None:
+        self._gateway_was_reset(now, events)
+
+    monkeypatch.setattr(session.Session, "_session_is_over", again)
+
+
+@bug("a program's session does not shut out what has no ID")
+def _(monkeypatch: pytest.MonkeyPatch) -> None:
+    begin = gateway_session.GatewaySession.begin
+
+    def for_all(self: Any, number: int, first: int, *, for_program: bool = True) -> None:
+        begin(self, number, first, for_program=False)
+
+    monkeypatch.setattr(gateway_session.GatewaySession, "begin", for_all)
+
+
+@bug("a reset is believed of a damaged request")
+def _(monkeypatch: pytest.MonkeyPatch) -> None:
+    has_no_session = exchange.Exchange._has_no_session
+
+    def believing(self: Any, line: bytes, now: float) -> bool:
+        found = has_no_session(self, line, now)
+        if found and self.refused is None:
+            number = self._id_number[self._open(line)[1 : 1 + self._id_digits]]
+            self.refused = number if self.window.find(number) is not None else None
+        return found
+
+    monkeypatch.setattr(exchange.Exchange, "_has_no_session", believing)
+
+
+@bug("a reset while the line was away is not noticed")
+def _(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(session.Session, "_interrupted", lambda self, error, events: None)
+
+
+@bug("a request that failed is acknowledged where it is repeated")
+def _(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(reception.Sequence, "fate", lambda self, number: 0)
+
+
+@bug("the fate of an earlier request is told")
+def _(monkeypatch: pytest.MonkeyPatch) -> None:
+    advance = reception.Sequence.advance
+
+    def keeping(self: Any, count: int = 1) -> None:
+        before = bytes(self.fates)
+        advance(self, count)
+        self.fates[:] = before
+
+    monkeypatch.setattr(reception.Sequence, "advance", keeping)
+
+
+@bug("posted writes that failed are not counted")
+def _(monkeypatch: pytest.MonkeyPatch) -> None:
+    fail = gateway_session.SessionState.fail
+
+    def uncounted(self: Any, number: int, code: Any, *, posted: bool) -> None:
+        fail(self, number, code, posted=False)
+
+    monkeypatch.setattr(gateway_session.SessionState, "fail", uncounted)
+
+
+@bug("posted writes are told as done whatever the count of those that failed")
+def _(monkeypatch: pytest.MonkeyPatch) -> None:
+    told = window.Window.told
+
+    def believing(self: Any, number: int, failed: int, now: float) -> bool:
+        return told(self, number, self.posts.failed, now)
+
+    monkeypatch.setattr(window.Window, "told", believing)
+
+
+@bug("a gateway keeps fewer words of destructive reads than hosts count on")
+def _(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(gateway_session, "MOST_KEPT_WORDS", 4)
+
+
+@bug("destructive reads do not wait for those whose words they would replace")
+def _(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(exchange.Exchange, "_overlaps", lambda self, source: False)
 
 
 # The window and the requests: what the host does

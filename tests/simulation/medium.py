@@ -27,6 +27,17 @@ STRETCH, IN_PIECES = 1_000, 250
 """Bytes of a stretch of a line that cuts them, and how many first bytes of each arrive in pieces."""
 
 
+TEXTS = (
+    b"U-Boot 2024.01 (Jan 08 2024 - 15:37:48 +0000)\r\nDRAM:  1 GiB\r\nWDT:   Not starting\r\n",
+    b"[    0.000000] Booting Linux on physical CPU 0x0\r\n[    0.000000] Kernel command line: console=ttyPS0\r\n",
+    b"login: \x1b[6n\rr\nPassword:\rw\n$ \x04",
+    b"\xff\x00\x80\x7f\n\x00\x00\xf0\n\r\xff",
+    b"\x00" * 60,
+    b"R40\rH\rRM4002\rQ\r",
+)
+"""What boot loaders, consoles, noise and a person say in between: nothing in it changes anything."""
+
+
 class Fault(NamedTuple):
     """Fault of a line at one of its bytes."""
 
@@ -36,11 +47,11 @@ class Fault(NamedTuple):
     at: int
     """Number of the byte, counted since the world began."""
     kind: str
-    """``lose``, ``flip``, ``double``, ``stall`` or ``cut``; for a datagram that has the byte ``lose``, ``flip``,
-    ``copy`` or ``late``."""
+    """``lose``, ``flip``, ``double``, ``text``, ``stall`` or ``cut``; for a datagram that has the byte ``lose``,
+    ``flip``, ``copy`` or ``late``."""
     amount: float
-    """Bytes that are lost or doubled; the bits that are inverted; seconds for a stall, or until the cut is noticed, or
-    until a datagram or its copy comes."""
+    """Bytes that are lost or doubled; the bits that are inverted; the place in `TEXTS`; seconds for a stall, or until
+    the cut is noticed, or until a datagram or its copy comes."""
 
 
 class Line(NamedTuple):
@@ -53,6 +64,8 @@ class Line(NamedTuple):
     """Most bytes that arrive in one read, where they arrive in pieces."""
     room: int
     """Bytes that may wait to be carried before their writer is told to pause, if it names no other number."""
+    echoes: bool = False
+    """True if what the host sends comes back, too: its adapter listens while it sends."""
 
 
 class Course:
@@ -106,6 +119,8 @@ class Course:
                 self.position += 1
             elif fault.kind == "double":
                 arrived += data[place : place + int(fault.amount)]
+            elif fault.kind == "text":
+                arrived += TEXTS[int(fault.amount)]
             else:
                 return bytes(arrived), data[place:], fault
         return bytes(arrived), b"", None
@@ -160,6 +175,8 @@ class End(asyncio.Transport):
     def __init__(self, network: Network, protocol: asyncio.BaseProtocol, line: Line, course: Course) -> None:
         super().__init__({"socket": _Socket(0)})
         self.peer: End
+        self.listens = False
+        """True at the end of who listens."""
         self.course = course
         self._network = network
         self._loop = network.loop
@@ -231,6 +248,11 @@ class End(asyncio.Transport):
             self._paused = False
             self._protocol.resume_writing()
 
+    def take(self, data: bytes) -> None:
+        """Take what arrives here from somewhere else."""
+        if not self._dead:
+            self._protocol.data_received(data)
+
     def cut(self, noticed_after: float) -> None:
         """End both sides, this one at once and the other later, as where a machine does not see that a cable is out."""
         self._closing = self.peer._closing = True
@@ -270,6 +292,8 @@ class End(asyncio.Transport):
             data = data[: self.line.piece]
         now = self._loop.time()
         arrived, rest, fault = course.carry(data, now)
+        if self.line.echoes and not self.listens:
+            self._protocol.data_received(data[: len(data) - len(rest)])
         if rest:
             buffer[:0] = rest
         if arrived and not peer._dead:
@@ -399,6 +423,7 @@ class Network:
         here = End(self, near, line, self.courses[host, False])
         there = End(self, far, line, self.courses[host, True])
         here.peer, there.peer = there, here
+        there.listens = True
         self.open[there] = name
         self.connections[host] += 1
         self.trace.append((self.loop.time(), host, "connect", self.connections[host]))
@@ -454,6 +479,11 @@ class Network:
         """Cut the connections of a line."""
         for end in [end for end in self.open if end.line.name == line]:
             end.cut(0.0)
+
+    def intrude(self, line: str, data: bytes) -> None:
+        """Let another host on a line send something to who listens at its end."""
+        for end in [end for end in self.open if end.line.name == line]:
+            end.take(data)
 
     def drop(self, name: str) -> None:
         """Lose what one who listens has sent and has not arrived."""

@@ -196,6 +196,8 @@ class Tap:
         """The last bytes that came in, for a frame that comes in several reads."""
         self._after = b""
         """The beginning of a frame that is being sent."""
+        self.openings = 0
+        """Number of sessions that were begun."""
 
     @property
     def memory(self) -> MutableMapping[int, int]:
@@ -249,11 +251,14 @@ class Tap:
         sent = self._after + data
         end = sent.rfind(b"\n") + 1
         self._after = sent[end:]
-        if b"P" in sent or b"gs" in sent:
+        if b"P" in sent or b"gs" in sent or b"K" in sent:
             for whole in sent[:end].split(b"\n"):
                 line = whole.removeprefix(self._address)
                 if line[:2] == b"gs":
                     self.published.answer()
+                elif line[:1] == b"K":
+                    # The answer to the question which session is under way is shorter.
+                    self.openings += len(line) > 1 + self.info.session_digits + self._check
                 elif line[:1] == b"P":
                     self.published.publish(line[1:3], int(line[3:5], 16), line[5 : -self._check])
         return data
@@ -314,9 +319,13 @@ class LinkLog:
         self.reconnect = reconnect
         self.block_words = block_words
         self.refused = False
-        """True if the link gave up reconnecting, because a server had no group left for its subscriptions."""
+        """True if the link does not come back: a server had no group left for its subscriptions, or another host has
+        taken the line.
+        """
         self.closed = False
         """True if the program has closed the link while its tasks ran."""
+        self.opened = asyncio.get_running_loop().time()
+        """Instant at which the link was there."""
         self.asks: list[Ask] = []
         self.listenings: list[Listening] = []
         self.post_failures: list[tuple[float, int, asyncio.Task[Any] | None]] = []

@@ -9,7 +9,7 @@ from __future__ import annotations
 import random
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
-from simulation.medium import HIGH, Fault, Line
+from simulation.medium import HIGH, TEXTS, Fault, Line
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.virtual.rtl import configurations
 
@@ -89,7 +89,7 @@ class ProgramPlan(NamedTuple):
 
 
 class Mishap(NamedTuple):
-    """Mishap of a gateway, a server or a client at an instant, whatever is on its lines."""
+    """Mishap of a gateway, a server or a line at an instant, whatever is on it."""
 
     at: float
     """Seconds since the world began; of a ``hang up`` latencies since the server's line was connected again."""
@@ -98,8 +98,10 @@ class Mishap(NamedTuple):
     """``reset``: it is reset, and its connections are cut; ``away``: it also can't be reached for a time; ``reset in
     place``: its connections stay, but what it has sent and has not arrived is lost. A gateway that is reached by
     datagrams has no connections, and what is under way still comes. ``hang up``: the connection of a
-    client's line is cut each time when its server has its gateway back."""
-    seconds: float
+    client's line is cut each time when its server has its gateway back. ``second program`` and ``person``: another host
+    on the line of a gateway begins a session."""
+    amount: float
+    """Seconds that it is away; of another host the number of its session."""
 
 
 class Plan(NamedTuple):
@@ -218,7 +220,8 @@ class Draw:
         faults = [fault for line in lines for fault in self._faults(line.name, gateways, servers)]
         mishaps = self._mishaps(count, len(servers))
         mishaps += self._hang_ups(mishaps, servers, [program.line for program in programs])
-        return Plan(self._seed, gateways, servers, tuple(lines), tuple(programs), tuple(faults), tuple(mishaps))
+        plan = Plan(self._seed, gateways, servers, tuple(lines), tuple(programs), tuple(faults), tuple(mishaps))
+        return self._with_others(plan)
 
     def _shared(self, plan: Plan) -> Plan:
         """Return a plan with its gateways on one line, and what happens there."""
@@ -229,6 +232,26 @@ class Draw:
         mishaps = self._mishaps(len(plan.gateways), 0) if draw.random() < _BAD_WIRES else []
         lines = (*plan.lines, Line(WIRE, 0.0, HIGH, HIGH))
         return plan._replace(lines=lines, faults=tuple(faults), mishaps=tuple(mishaps), baud=baud)
+
+    def _with_others(self, plan: Plan) -> Plan:
+        """Return a plan with others on the lines of gateways: hosts, boot loaders, noise, and echoes."""
+        # Drawn apart: all else is the same in a world without them.
+        draw = random.Random(f"others {self._seed}")
+        lines, faults, mishaps = list(plan.lines), list(plan.faults), list(plan.mishaps)
+        for place, line in enumerate(plan.lines):
+            gateway = gateway_of(line.name, plan.gateways, plan.servers)
+            echoes, texts, seconds = (draw.random() < odds for odds in (_ECHOES, _TALKERS, _SECOND_HOSTS))
+            if _is_of_server(line.name) or gateway.datagrams:
+                continue
+            lines[place] = line._replace(echoes=echoes)
+            if texts and gateway.info.crc_bits > 8:
+                for _ in range(draw.choice((1, 1, 2, 4))):
+                    at, text = int(draw.expovariate(1 / 800)), draw.randrange(len(TEXTS))
+                    faults.append(Fault(line.name, draw.random() < 0.5, at, "text", text))
+            if seconds and not line.name.startswith("server"):
+                kind, number = draw.choice(("second program", "second program", "person")), draw.randrange(1, 0x80)
+                mishaps.append(Mishap(draw.uniform(0.005, 0.6), line.name, kind, number))
+        return plan._replace(lines=tuple(lines), faults=tuple(faults), mishaps=tuple(mishaps))
 
     # The world
 
@@ -461,6 +484,8 @@ class Draw:
 
 _GROUPS = ("periodic", "periodic", "periodic", "asked", "changed", "triggered")
 """Causes of publication of groups."""
+_ECHOES, _TALKERS, _SECOND_HOSTS = 0.1, 0.5, 0.3
+"""Probabilities that a gateway's line echoes, that something talks on it, and that another host does."""
 _BAD_WIRES = 0.7
 """Probabilities of faults of nodes, or of their line."""
 _WIRE_FAULTS = ("lose", "lose", "flip", "flip", "double")

@@ -28,6 +28,8 @@ if TYPE_CHECKING:
     from simulation.plan import Life, ProgramPlan, Step
     from unity_link.transport import Medium
 
+_FOR_GOOD = ("the reconnection failed", "unity-link serve")
+"""Parts of the errors of links that do not come back."""
 _MORE = re.compile(r"(\d+) more posted writes failed")
 PAUSES = Reconnect(first_pause=0.02, longest_pause=1.0)
 CONNECT_TRIES = 40
@@ -98,15 +100,16 @@ class Program:
         self._plan = plan
         self._target = target
         self._tap = tap
-        self._logs = logs
-        self._own_logs: list[LinkLog] = []
+        self._all_logs = logs
+        self.logs: list[LinkLog] = []
+        """Of its links."""
         self._trace = trace
         self._loop = asyncio.get_running_loop()
         self._mine: dict[int, int] = {}
 
     def listenings(self) -> Iterator[Listening]:
         """Return all subscriptions that were."""
-        for log in self._own_logs:
+        for log in self.logs:
             yield from log.listenings
 
     async def run(self) -> None:
@@ -124,8 +127,8 @@ class Program:
             reconnect=life.reconnect,
             block_words=link.gateway.block_words,
         )
-        self._logs.append(log)
-        self._own_logs.append(log)
+        self._all_logs.append(log)
+        self.logs.append(log)
         self._mine = {}
         leaving = None
         try:
@@ -202,7 +205,7 @@ class Program:
 
     def _fail(self, log: LinkLog, ask: Ask, error: UnityLinkError, *, ended: bool) -> None:
         ask.told, ask.error = self._loop.time(), error
-        log.refused |= "the reconnection failed" in str(error)
+        log.refused |= any(reason in str(error) for reason in _FOR_GOOD)
         ask.ended = ended or log.refused or isinstance(error, LinkClosedError)
         self._note("failed", ask.number, repr(error))
         if ask.kind in ("fence", "exit"):

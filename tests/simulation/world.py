@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import hashlib
+import math
 import random
 from collections import Counter
 from types import SimpleNamespace
@@ -22,6 +23,7 @@ from simulation.sendings import watched
 from unity_link.bridges.serve import Server, serve
 from unity_link.errors import UnityLinkError
 from unity_link.protocol import datagrams
+from unity_link.protocol.messages import Codec
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.line import SlowLine
 from unity_link.virtual.modelled_time import DeadlockError
@@ -42,6 +44,8 @@ SETTLED_AFTER = 90.0
 """Seconds after which everything must have come to its end."""
 MOST_SENDINGS = 12
 """Most sendings of a request, but for repetitions because nothing had come in time."""
+MOST_DOUBT = 1.0
+"""Seconds within which a link ends whose line another host has taken."""
 
 
 class Outcome:
@@ -76,6 +80,8 @@ class World:
         """Errors raised where nothing waits for them."""
         self._wire: Wire | None = None
         """The line that the gateways share, if they do."""
+        self._taken: dict[str, float] = {}
+        """Instants at which another host has begun a session with a gateway, by the lines."""
         self._anew: dict[str, asyncio.Event] = {}
         """By the names of those that are reached by datagrams: set when they are to begin anew."""
 
@@ -144,6 +150,7 @@ class World:
         if self._wire is not None and self._wire.collisions and not self._was_disturbed(WIRE):
             raise WorldError("two who send at a time", self._wire.collisions[0])
         self._judge_sessions()
+        self._judge_losers()
         judge_answers(self._trace, plan.behind_servers())
         Oracle().judge([tap.recorder for tap in self._taps], self._logs)
 
@@ -168,14 +175,32 @@ class World:
                 if listening.lost and "buffer" not in listening.arguments:
                     raise WorldError("samples lost where nothing is", f"{program.name}, {listening.addresses}")
 
+    def _judge_losers(self) -> None:
+        """Check that a link ends soon where another host takes its gateway, if nothing else happens."""
+        for program in self._programs:
+            line, at = program.line, self._taken.get(program.line, math.inf)
+            gateway = line.rpartition(".")[2]
+            if self._faults_on(line) or any(mishap.whom == gateway for mishap in self._plan.mishaps):
+                continue
+            for ask in [ask for log in program.logs if log.opened < at for ask in log.asks]:
+                if ask.asked <= at or ask.cancelled or ask.told is None or ask.kind == "exit":
+                    continue
+                if ask.error is None:
+                    raise WorldError("a link that goes on beside another host", f"{ask}, {at:.6f}")
+                if ask.told > ask.asked + MOST_DOUBT:
+                    raise WorldError("a link that ends late behind another host", f"{ask}, told at {ask.told}")
+
+    def _faults_on(self, line: str) -> int:
+        """Return how many faults a line has had."""
+        return sum(self._network.courses[line, back].fired for back in (False, True))
+
     def _was_disturbed(self, line: str) -> bool:
         """Return whether something has happened to a line, or to who listens at its end."""
-        network = self._network
         if self._wire is not None and "server" not in line.rpartition(".")[2]:
             # What happens to a node, or a program of one, may cost the others a turn.
             return bool(self._plan.mishaps) or self._wire.was_disturbed
-        faults = sum(network.courses[line, back].fired for back in (False, True))
-        return faults > 0 or any(mishap.whom in (line, line.rpartition(".")[2]) for mishap in self._plan.mishaps)
+        whom = line, line.rpartition(".")[2]
+        return self._faults_on(line) > 0 or any(mishap.whom in whom for mishap in self._plan.mishaps)
 
     async def _watch(self, place: int, server: Server) -> None:
         try:
@@ -276,6 +301,13 @@ class World:
         if mishap.whom in self._anew:
             network.unplug((mishap.whom, 1))
             self._anew[mishap.whom].set()
+        if mishap.kind in ("second program", "person"):
+            tap = gateway_of(mishap.whom, self._taps, self._plan.servers)
+            before = tap.openings
+            network.intrude(mishap.whom, self._opening(mishap))
+            if tap.openings > before:
+                self._taken[mishap.whom] = asyncio.get_running_loop().time()
+            return
         if mishap.kind == "hang up":
             network.hang_up(mishap.whom)
         elif mishap.kind == "reset in place":
@@ -285,12 +317,18 @@ class World:
         if self._wire is not None and mishap.kind == "away":
             node = node_of(int(mishap.whom[-1]))
             self._wire.gone.add(node)
-            network.loop.call_later(mishap.seconds, self._wire.gone.discard, node)
+            network.loop.call_later(mishap.amount, self._wire.gone.discard, node)
         if mishap.whom.startswith("gateway"):
             self._taps[int(mishap.whom[-1])].reset()
         if mishap.kind == "away":
             network.away.add(mishap.whom)
-            network.loop.call_later(mishap.seconds, network.away.discard, mishap.whom)
+            network.loop.call_later(mishap.amount, network.away.discard, mishap.whom)
+
+    def _opening(self, mishap: Mishap) -> bytes:
+        """Return what another host sends to begin a session."""
+        codec = Codec(gateway_of(mishap.whom, self._plan.gateways, self._plan.servers).info)
+        opening = codec.opening(0, int(mishap.amount))
+        return b"\n" + (opening + b"\r" if mishap.kind == "person" else codec.framing.checked(opening))
 
     def _count(self) -> None:
         outcome = self.outcome
