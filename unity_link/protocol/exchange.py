@@ -295,10 +295,10 @@ class Exchange:
         """Send what answers have made room for, or shown to be lost."""
         if self.window.repetition.is_due():
             self._repeat()
-        if self._waiting or self.window.posts.unfenced:
-            self.admit(now, events)
         if self.window.repetition.must_ask and not self.blocked and not self._takes_turns:
             self._ask_whose()
+        if self._waiting or self.window.posts.unfenced:
+            self.admit(now, events)
 
     def _ask_whose(self) -> None:
         """Ask which session is under way: the answer says how far the line has come, too."""
@@ -571,9 +571,12 @@ class Exchange:
             self.window.answer_damaged(now)
 
     def _size_of(self, frame: bytes) -> int | None:
-        """Return how many characters a frame has, LF included, as its beginning says; None where that does not."""
+        """Return how many characters a frame has, LF included, as its beginning says; None where that does not.
+
+        Nor where it may be an echo, which begins as the answer does.
+        """
         framing = self.codec.framing
-        if not frame.startswith(framing.prefix):
+        if self._echo is not None or not frame.startswith(framing.prefix):
             return None
         head = frame[len(framing.prefix) : len(framing.prefix) + 2 + self._id_digits]
         if head.startswith(b"P"):

@@ -13,6 +13,8 @@ from unity_link.protocol.ring import Part, R, Ring
 
 NEVER = -1
 """Place before that of the first sending."""
+MOST_SENDINGS = 8
+"""Places of later sendings of a request that are kept: those of the last ones."""
 MOST_QUESTIONS = 8
 """Most `K` whose answers may still come."""
 
@@ -80,7 +82,9 @@ class Repetition(Generic[R]):
             room -= count
             parts.append(Part(number, run, offset, count))
             for place in range(count):
-                self._again.setdefault(number + place & self._ring.mask, []).append(self.sent + place)
+                again = self._again.setdefault(number + place & self._ring.mask, [])
+                again.append(self.sent + place)
+                del again[:-MOST_SENDINGS]
             self.sent += count
             self.start = number + count & self._ring.mask
         if not self._ring.open(self.start, self.end):

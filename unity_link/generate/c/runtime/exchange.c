@@ -226,14 +226,14 @@ static void repeat(ul_link *link, double now)
 /* Whether lines come in place of answers, and more than what is sent can be the cause of. */
 static bool is_flooded(ul_link *link, double now)
 {
-    uint64_t sent = link->statistics.requests + link->statistics.repetitions;
+    uint32_t sent = link->sent - link->flood_sent;
     if (link->flood_responses == link->statistics.responses)
         return now - link->flood_since >= FLOOD_PATIENCE
-            && link->unasked - link->flood_unasked >= FEWEST_OF_A_FLOOD + 2 * (sent - link->flood_sent);
+            && link->unasked - link->flood_unasked >= FEWEST_OF_A_FLOOD + 2 * (uint64_t)sent;
     link->flood_since = now;
     link->flood_responses = link->statistics.responses;
     link->flood_unasked = link->unasked;
-    link->flood_sent = sent;
+    link->flood_sent = link->sent;
     return false;
 }
 
@@ -250,6 +250,7 @@ static void recover(ul_link *link)
     if (flooded) lose(link, FLOODED);
     if (link->gone) return;
     if (is_repeating(link)) repeat(link, now);
+    if (link->must_ask && !is_half_duplex(link)) ask_whose(link);
     if (!is_due || !link->waited || link->statistics.repetitions == before) return;
     link->statistics.timeouts++;
     if (link->transport.set_again != NULL)
@@ -467,6 +468,7 @@ static size_t body_size(const ul_link *link, text frame)
     size_t head = strlen(command) + link->info.id_digits;
     /* So begins a sample whose first letter was damaged, too; where sides take turns, its end is waited for. */
     if (strcmp(command, "X") == 0) return is_half_duplex(link) ? 0 : 3;
+    if (strcmp(command, "K") == 0) return 1 + session_digits(link);
     if (strcmp(command, "n") == 0) return head;
     if (strcmp(command, "x") == 0) return head + 2 + (is_no_session(link, frame) ? link->crc_digits : 0);
     const shape *is = shape_of(command);
@@ -502,16 +504,20 @@ static bool is_sample(const ul_link *link, text frame)
 /* Take a damaged frame off the beginning of what came; how many characters that are. */
 static size_t cut(ul_link *link, text frame, size_t size)
 {
-    /* What is as short as an error is one of which the X was damaged: one bit makes a P of it. */
-    bool sample = is_sample(link, frame) && frame.size >= frame_overhead(link) + 3;
+    /* What is as short as an error without an ID is one, damaged: one bit makes a P of an X. */
+    size_t error_size = frame_overhead(link) + 3;
+    bool sample = is_sample(link, frame) && frame.size >= error_size;
+    size_t after_cut = size == 0 || size > frame.size + 1 ? frame.size + 1 : size;
     link->statistics.damaged++;
     link->unasked++;
     if (!sample) {
         link->heard = true;
         /* Where sides take turns, more of it may follow: the time shows its end. */
-        if (!is_half_duplex(link)) note_damaged_answer(link, now_of(link));
+        if (is_half_duplex(link)) return after_cut;
+        if (frame.size + 1 == error_size) go_back(link, now_of(link));
+        else note_damaged_answer(link, now_of(link));
     }
-    return size == 0 || size > frame.size + 1 ? frame.size + 1 : size;
+    return after_cut;
 }
 
 /* Whether a line is what was sent, as an adapter gives it back that listens while it sends: the check has the direction

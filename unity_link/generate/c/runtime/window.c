@@ -119,6 +119,12 @@ static bool came_before(uint32_t one, uint32_t other)
     return one != other && other - one < UINT32_C(1) << 31;
 }
 
+/* The place of the last sending of a request. */
+static uint32_t last_sending(const ul_request *request)
+{
+    return request->sent_later == 0 ? request->first_sending : request->later_sendings[request->sent_later - 1];
+}
+
 static void measure(ul_link *link, double round_trip)
 {
     if (!link->knows_round_trip) {
@@ -206,7 +212,8 @@ static uint32_t number_request(ul_link *link, const ul_request *request, double 
     ul_request *slot = slot_of(link, id);
     *slot = *request;
     slot->waiting = true;
-    slot->first_sending = slot->last_sending = link->sent++;
+    slot->first_sending = link->sent++;
+    slot->sent_later = 0;
     link->bytes += size;
     if (request->posted) link->unfenced++;
     else if (shape_of(request->command)->counts) link->unfenced = 0;
@@ -250,7 +257,11 @@ static unsigned repetition_room(const ul_link *link)
 static const ul_request *note_repetition(ul_link *link, uint32_t id)
 {
     ul_request *request = slot_of(link, id);
-    request->last_sending = link->sent++;
+    if (request->sent_later == UL_SENDINGS) {
+        request->sent_later--;
+        memmove(request->later_sendings, request->later_sendings + 1, request->sent_later * sizeof link->sent);
+    }
+    request->later_sendings[request->sent_later++] = link->sent++;
     link->sent_again = true;
     return request;
 }
@@ -273,6 +284,7 @@ static void repeat_part(ul_link *link, uint32_t start, uint32_t end, double now)
         if (distance(link, end) > distance(link, link->repeat_end)) link->repeat_end = end;
     }
     end = link->repeat_end;
+    link->in_doubt = link->must_ask = false;
     if (!link->sent_again || distance(link, end) > distance(link, link->again_end)) link->again_end = end;
     link->is_timed = false;
     link->since = now;
@@ -306,10 +318,18 @@ static void drop_questions(ul_link *link, unsigned count)
     memmove(link->question, link->question + count, link->questions * sizeof *link->question);
 }
 
-/* Whose the session is will be asked ahead of what is sent again; where more questions than have a place are not
- * answered, an answer counts as that to an earlier one. */
+/* A sign has come that may be of the loss before or of the next one: one more question will tell. */
+static void doubt(ul_link *link)
+{
+    link->in_doubt = true;
+    link->must_ask = link->questions < UL_QUESTIONS;
+}
+
+/* Whose the session is is asked; where more questions than have a place are not answered, an answer counts as that to an
+ * earlier one. */
 static void note_question(ul_link *link)
 {
+    link->must_ask = false;
     if (link->questions < UL_QUESTIONS) link->question[link->questions++] = link->sent;
     link->sent++;
 }
@@ -329,10 +349,14 @@ static bool takes_sign(const ul_link *link)
     return !came_before(link->arrived, link->sign) && link->gone_back < MOST_SIGNS;
 }
 
-/* Go back for a sign of loss. */
+/* Go back for a sign of loss; where it may be one of the loss before, ask how far the line has come. */
 static void go_back(ul_link *link, double now)
 {
-    if (link->oldest == link->next || !takes_sign(link)) return;
+    if (link->oldest == link->next) return;
+    if (!takes_sign(link)) {
+        doubt(link);
+        return;
+    }
     link->waited = false;
     repeat_from_oldest(link, now);
 }
@@ -352,7 +376,7 @@ static void note_arrival(ul_link *link, uint32_t sending)
 static bool is_lost_before(const ul_link *link, uint32_t id, uint32_t sending)
 {
     const ul_request *request = find(link, id);
-    return request != NULL && came_before(request->last_sending, sending) && !is_to_be_repeated(link, id);
+    return request != NULL && came_before(last_sending(request), sending) && !is_to_be_repeated(link, id);
 }
 
 /* Send again what was sent before something that has arrived, and is not answered: it or its answer was lost. Where the
@@ -431,20 +455,23 @@ static void note_round_trip(ul_link *link, double now)
     link->next_measurement = now + MEASUREMENT_PAUSE;
 }
 
-/* The sending that is answered now: the first, unless a later one is known to have arrived. */
+/* The sending that is answered now: the first behind what is known to have arrived. */
 static uint32_t answered_sending(const ul_link *link, const ul_request *request)
 {
-    return came_before(link->arrived, request->first_sending) ? request->first_sending : request->last_sending;
+    if (came_before(link->arrived, request->first_sending)) return request->first_sending;
+    for (unsigned place = 0; place < request->sent_later; place++)
+        if (came_before(link->arrived, request->later_sendings[place])) return request->later_sendings[place];
+    return last_sending(request);
 }
 
 /* The answer to a request has come. Without repetitions, that to the oldest says nothing of the others. */
 static void note_answer(ul_link *link, uint32_t id, double now)
 {
     ul_request *request = slot_of(link, id);
-    bool tells = link->sent_again || id != link->oldest;
+    bool tells = link->sent_again || link->questions > 0 || id != link->oldest;
     uint32_t sending = answered_sending(link, request);
     if (link->is_timed && link->timed == id) note_round_trip(link, now);
-    if (request->first_sending == request->last_sending) link->timeout = link->measured_timeout;
+    if (request->sent_later == 0) link->timeout = link->measured_timeout;
     if (!has_no_answer(request)) link->awaited--;
     if (distance(link, id) >= distance(link, link->executed)) confirm(link, after(link, id));
     request->waiting = false;
@@ -494,19 +521,24 @@ static void note_gap(ul_link *link, uint32_t expected, double now)
     if (expected != link->executed || request == NULL) return;
     /* Nothing behind a request that was lost is executed before that was sent again. */
     note_arrival(link, request->first_sending);
-    go_back(link, now);
+    if (takes_sign(link)) go_back(link, now);
 }
 
 /* Something arrived damaged: perhaps the answer to the oldest request, or to the next one if it came before. */
 static void note_damaged_answer(ul_link *link, double now)
 {
-    if (!takes_sign(link)) return;
+    if (!takes_sign(link)) {
+        doubt(link);
+        return;
+    }
     uint32_t start = first_sent_once(link), end = behind_next_with_answer(link, start);
     if (start == end) {
         go_back(link, now);
     } else if (!is_to_be_repeated(link, start)) {
         link->waited = false;
         repeat_part(link, start, end, now);
+        /* It may have been an error or `n`, and then there is no answer to what is sent. */
+        if (distance(link, start) >= distance(link, link->executed)) doubt(link);
     }
 }
 
@@ -516,7 +548,10 @@ static void note_session_told(ul_link *link, double now)
     if (link->questions == 0) return;
     uint32_t sending = link->question[0];
     drop_questions(link, 1);
-    if (link->next != link->oldest) find_lost(link, sending, now);
+    if (link->next == link->oldest) return;
+    find_lost(link, sending, now);
+    /* Where one was lost, this was the answer to a later one. */
+    if (link->in_doubt && link->questions > 0) doubt(link);
 }
 
 /* The oldest request cannot be had. An `h` takes its place, for those behind it build on its ID; what it was is put
@@ -525,12 +560,10 @@ static void give_up(ul_link *link, ul_request *given_up)
 {
     ul_request *place = slot_of(link, link->oldest);
     *given_up = *place;
-    *place = FENCE;
-    place->waiting = true;
-    place->posted = given_up->posted;
+    strcpy(place->command, FENCE.command);
+    place->address = place->count = 0;
+    place->batch = NULL;
     if (has_no_answer(given_up)) link->awaited++;
-    place->first_sending = given_up->first_sending;
-    place->last_sending = given_up->last_sending;
     if (link->oldest == link->executed) link->bytes -= request_size(link, given_up) - request_size(link, place);
     link->tries = link->refusals = link->gone_back = 0;
     link->gave_up = true;
@@ -555,7 +588,7 @@ static uint32_t never_executed_from(const ul_link *link, uint32_t refused)
 {
     const ul_request *request = find(link, refused);
     if (request == NULL) return link->next;
-    uint32_t last = request->last_sending;
+    uint32_t last = last_sending(request);
     while (refused != link->next && (request == NULL || came_before(request->first_sending, last))) {
         refused = after(link, refused);
         request = find(link, refused);
