@@ -806,15 +806,6 @@ TWO_DIGITS = GatewayInfo(id_digits=2)
 OUTCOMES = {None: 0, Outcome.UNKNOWN: 32, Outcome.EXECUTED: 33, Outcome.NOT_EXECUTED: 34}
 
 
-def by_instant(sent: list[tuple[float, bytes]]) -> dict[float, bytes]:
-    """Return what was sent, by the seconds since the beginning."""
-    found: dict[float, bytes] = {}
-    for when, data in sent:
-        instant = round(when - sent[0][0], 6)
-        found[instant] = found.get(instant, b"") + data
-    return found
-
-
 @pytest.mark.parametrize("together", [False, True], ids=["one by one", "together"])
 @pytest.mark.parametrize("chances", SPOILED, ids=str)
 def test_it_sends_the_same_bytes_at_the_same_times_as_the_host_in_python(
@@ -839,7 +830,10 @@ def test_it_sends_the_same_bytes_at_the_same_times_as_the_host_in_python(
         else:
             for write in writes:
                 host.do(write)
-        assert by_instant(line.sent) == by_instant(reference.sent)
+        began, reference_began = line.sent[0][0], reference.sent[0][0]
+        assert [(round(when - began, 6), data) for when, data in line.sent] == [
+            (round(when - reference_began, 6), data) for when, data in reference.sent
+        ]
         counters = host.session.counters
         assert counted[2:5] == [counters.repetitions, counters.timeouts, counters.damaged]
 

@@ -67,6 +67,7 @@ class SimulatedHost:
         self._gateway = gateway
         self._under_way: deque[tuple[float, bytes]] = deque()
         self._events: Events = []
+        self._output = b""
         self.session.connect(0.0, shortest_timeout)
         while not self.session.is_open:
             self._turn()
@@ -82,7 +83,8 @@ class SimulatedHost:
             self._turn()
             left.difference_update(map(id, self._events))
             self._events.clear()
-        self._send()
+        # Sent at once: what is asked for next stands behind it, with an end of its own.
+        self._output += self.session.take_output()
 
     def request(self, command: str, *fields: int, words: int = 0) -> Request:
         """Make a request with fields of an address and words."""
@@ -91,14 +93,12 @@ class SimulatedHost:
         text = b"".join(b"%0*X" % (width, field) for width, field in zip(widths, fields, strict=True))
         return Request(self.session.codec, command, text, words * info.data_digits)
 
-    def _send(self) -> None:
-        answer = self._gateway(self.session.take_output(), self.now)
-        if answer:
-            self._under_way.append((self.now + LATENCY, answer))
-
     def _turn(self) -> None:
         """Send what is to be sent, and let time pass until something happens."""
-        self._send()
+        output, self._output = self._output + self.session.take_output(), b""
+        answer = self._gateway(output, self.now)
+        if answer:
+            self._under_way.append((self.now + LATENCY, answer))
         deadline = self.session.deadline
         until = self.now + 1.0 if deadline is None else deadline
         if self._under_way and self._under_way[0][0] <= until:

@@ -42,7 +42,11 @@ class LossSigns:
 
     def takes(self, arrived: int) -> bool:
         """Return whether a sign is followed, given the place of the last sending that has arrived."""
-        return self.place <= arrived and self.gone_back < MOST_SIGNS
+        return self.place <= arrived and not self.are_left_to_the_time()
+
+    def are_left_to_the_time(self) -> bool:
+        """Return whether the window has gone back so often to this request that no further sign counts."""
+        return self.gone_back >= MOST_SIGNS
 
     def go_back(self, sent: int) -> None:
         """Record that the window goes back, given the number of sendings."""

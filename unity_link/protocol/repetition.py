@@ -16,7 +16,7 @@ NEVER = -1
 MOST_SENDINGS = 8
 """Places of later sendings of a request that are kept: those of the last ones."""
 MOST_QUESTIONS = 8
-"""Most `K` whose answers may still come."""
+"""Most `K` whose answers are waited for."""
 
 
 class Repetition(Generic[R]):
@@ -113,7 +113,9 @@ class Repetition(Generic[R]):
     def ask(self) -> None:
         """Record that a `K` is sent."""
         self.must_ask = False
-        self.questions.append(self.sent)
+        # Where more are not answered, an answer counts as that to an earlier one.
+        if len(self.questions) < MOST_QUESTIONS:
+            self.questions.append(self.sent)
         self.sent += 1
 
     def told(self) -> int:

@@ -280,6 +280,9 @@ class Window(Ring[R]):
         place = repetition.told()
         if place == NEVER or self.next == self.oldest:
             return
+        if self.signs.are_left_to_the_time():
+            repetition.arrived(place)
+            return
         self._find_lost(place, now)
         if repetition.in_doubt and repetition.questions:
             # Where one was lost, this was the answer to a later one.

@@ -514,7 +514,7 @@ static void note_gap(ul_link *link, uint32_t expected, double now)
         const ul_request *first = find(link, link->executed), *last = find(link, (expected - 1) & link->ring_mask);
         confirm(link, expected);
         if (first != NULL) note_arrival(link, answered_sending(link, first));
-        if (last != NULL) note_arrival(link, answered_sending(link, last));
+        if (last != NULL && last != first) note_arrival(link, answered_sending(link, last));
         note_news(link, now);
     }
     const ul_request *request = find(link, expected);
@@ -549,6 +549,10 @@ static void note_session_told(ul_link *link, double now)
     uint32_t sending = link->question[0];
     drop_questions(link, 1);
     if (link->next == link->oldest) return;
+    if (link->gone_back >= MOST_SIGNS) {
+        note_arrival(link, sending);
+        return;
+    }
     find_lost(link, sending, now);
     /* Where one was lost, this was the answer to a later one. */
     if (link->in_doubt && link->questions > 0) doubt(link);
