@@ -58,3 +58,5 @@ FEWEST_OF_A_FLOOD = 64
 
 TABLE: dict[str, float] = {name: value for name, value in globals().items() if isinstance(value, int | float)}
 """All of them by name, for clients in other languages."""
+MOST_KEPT_WORDS = 256
+"""Words of destructive reads that a gateway keeps; those of a request begin at its ID modulo this."""

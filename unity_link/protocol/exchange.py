@@ -18,9 +18,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from unity_link import protocol
 from unity_link.errors import UnansweredError, UnsupportedError
 from unity_link.protocol.configuration import Feature
-from unity_link.protocol.constants import FEWEST_OF_A_FLOOD, FLOOD_PATIENCE, KEEP_ALIVE
+from unity_link.protocol.constants import FEWEST_OF_A_FLOOD, FLOOD_PATIENCE, KEEP_ALIVE, MOST_KEPT_WORDS
 from unity_link.protocol.frames import LF, MOST_LINES, FrameError, OtherNodeError
-from unity_link.protocol.gateway_session import MOST_KEPT_WORDS
 from unity_link.protocol.messages import COMMANDS, WITHOUT_ID, ErrorCode
 from unity_link.protocol.requests import BatchRun, Confirmation, Fence, Request, gateway_error
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
+from unity_link.protocol.constants import MOST_KEPT_WORDS
 from unity_link.protocol.crc import NO_SESSION, seed_of
 from unity_link.protocol.messages import COMMANDS, LOOKING, Codec, DecodedRequest, ErrorCode, Repeat, RequestError
 from unity_link.protocol.reception import Reception, Sequence, SequencePlace
@@ -16,9 +17,6 @@ from unity_link.protocol.reception import Reception, Sequence, SequencePlace
 if TYPE_CHECKING:
     from collections.abc import Sequence as Words
     from typing import Final
-
-MOST_KEPT_WORDS = 256
-"""Words of destructive reads that are kept; those of a request begin at its ID modulo this."""
 
 
 class Answer(NamedTuple):

@@ -95,9 +95,11 @@ class Window(Ring[R]):
 
     @property
     def in_flight(self) -> int:
-        """Number of IDs that were sent and are not done."""
+        """Number of IDs from the first on that was sent and is not done."""
         executed = self.posts.executed
-        return self.next - (executed[0].number if executed else self.oldest) & self.mask
+        # Either may be before the other.
+        held = self.next - executed[0].number & self.mask if executed else 0
+        return max(held, self.next - self.oldest & self.mask)
 
     def is_idle(self) -> bool:
         """Return whether nothing is in flight."""
