@@ -613,7 +613,7 @@ attempt('write', @() link.write(10, 3));
 
 def test_a_gateway_that_falls_silent_is_a_lost_link_even_if_it_publishes(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
-    with simulate("tcp") as url, FaultyLine(url, "tcp", requests=[lose("^w", 10**6)]) as line:
+    with simulate("tcp") as url, FaultyLine(url, "tcp", requests=[lose(lost, 10**6) for lost in ("^w", r"^K.{4}\s*$")]) as line:
         shown = octave.run(f"""\
 link = unity_link.Link('{line.url}');
 samples = link.subscribe(1, 'rate_hz', 100);
@@ -666,7 +666,7 @@ def test_a_gateway_of_another_version_is_named_with_what_to_do(octave: Octave) -
         shown = octave.run(f"attempt('other', @() unity_link.Link('{line.url}'));")
         assert line.count("^Q") >= 3
     assert shown["other"] == (
-        "unity_link:unsupported the gateway speaks version 01 of the protocol and this program version 02: build the "
+        "unity_link:unsupported the gateway speaks version 01 of the protocol and this program version 03: build the "
         "gateway anew with this version of unity-link, or generate the client with one that speaks 01"
     )
 

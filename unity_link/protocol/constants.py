@@ -55,8 +55,8 @@ FLOOD_PATIENCE = 1.0
 """Seconds without an answer, in a flood of lines that are none; the first time out behind them ends the session."""
 FEWEST_OF_A_FLOOD = 64
 """Lines of a flood, at least, besides two for each request that is sent meanwhile: those may be its damaged answer."""
+MOST_KEPT_WORDS = 256
+"""Words of destructive reads that a gateway keeps; those of a request begin at its ID modulo this."""
 
 TABLE: dict[str, float] = {name: value for name, value in globals().items() if isinstance(value, int | float)}
 """All of them by name, for clients in other languages."""
-MOST_KEPT_WORDS = 256
-"""Words of destructive reads that a gateway keeps; those of a request begin at its ID modulo this."""

@@ -34,7 +34,6 @@
  * It does what `unity_link/protocol/window.py` does, for the host in Python, and its tests compare the two.
  */
 
-enum { KEPT_WORDS = 256 };        /* of answers to destructive reads, in the gateway */
 static const ul_request FENCE = {.command = "h"};
 static const double FOR_EVER = 1e300;
 
@@ -175,7 +174,7 @@ static bool would_overwrite(const ul_link *link, const ul_request *request)
     for (uint32_t id = link->oldest; id != link->next; id = after(link, id)) {
         const ul_request *other = find(link, id);
         if (other == NULL || !shape_of(other->command)->is_destructive) continue;
-        uint32_t ahead = (link->next - id) % KEPT_WORDS, behind = (id - link->next) % KEPT_WORDS;
+        uint32_t ahead = (link->next - id) % MOST_KEPT_WORDS, behind = (id - link->next) % MOST_KEPT_WORDS;
         /* A masked write has no count, and one word. */
         if (ahead <= (other->count ? other->count - 1 : 0) || behind <= (request->count ? request->count - 1 : 0)) return true;
     }
