@@ -613,7 +613,10 @@ attempt('write', @() link.write(10, 3));
 
 def test_a_gateway_that_falls_silent_is_a_lost_link_even_if_it_publishes(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
-    with simulate("tcp") as url, FaultyLine(url, "tcp", requests=[lose(lost, 10**6) for lost in ("^w", r"^K.{4}\s*$")]) as line:
+    with (
+        simulate("tcp") as url,
+        FaultyLine(url, "tcp", requests=[lose(lost, 10**6) for lost in ("^w", r"^K.{4}\s*$")]) as line,
+    ):
         shown = octave.run(f"""\
 link = unity_link.Link('{line.url}');
 samples = link.subscribe(1, 'rate_hz', 100);

@@ -200,7 +200,9 @@ class World:
             # What happens to a node, or a program of one, may cost the others a turn.
             return bool(self._plan.mishaps) or self._wire.was_disturbed
         whom = line, line.rpartition(".")[2]
-        return self._faults_on(line) > 0 or any(mishap.whom in whom for mishap in self._plan.mishaps)
+        # An echo comes in the middle of what the gateway sends meanwhile.
+        echoes = any(other.name == line and other.echoes for other in self._plan.lines)
+        return echoes or self._faults_on(line) > 0 or any(mishap.whom in whom for mishap in self._plan.mishaps)
 
     async def _watch(self, place: int, server: Server) -> None:
         try:
