@@ -88,10 +88,12 @@ async def test_what_a_boot_loader_says_on_the_line_costs_repetitions_at_the_most
 @on_simulated_time
 async def test_on_a_line_of_nodes_a_link_whose_session_another_host_ends_says_so(opening: bytes) -> None:
     line = build_shared_line([1, 2])
-    bus = RecordedBus(line.gateways[2])
+    gateway = line.gateways[2]
+    assert isinstance(gateway, VirtualGateway)
+    bus = RecordedBus(gateway)
     async with unity_link.connect(line.at(1)) as other, unity_link.connect(line.at(2)) as link:
         await write_all(link, 1, 10)
-        line.gateways[2].receive(of_node_2(opening), asyncio.get_running_loop().time())
+        gateway.receive(of_node_2(opening), asyncio.get_running_loop().time())
         began = asyncio.get_running_loop().time()
         done = await write_all(link, 11, 5)
         assert asyncio.get_running_loop().time() - began < 2
