@@ -36,6 +36,8 @@ TEXTS = (
     b"R40\rH\rRM4002\rQ\r",
 )
 """What boot loaders, consoles, noise and a person say in between: nothing in it changes anything."""
+WRITES = b"W40000000FF\rW400000000FF\rWS41000000FF\rWS410000000FF\r"
+"""Writes as a person types them, of words of 32 and of 36 bits."""
 
 
 class Fault(NamedTuple):
@@ -50,7 +52,8 @@ class Fault(NamedTuple):
     """``lose``, ``flip``, ``double``, ``text``, ``stall`` or ``cut``; for a datagram that has the byte ``lose``,
     ``flip``, ``copy`` or ``late``."""
     amount: float
-    """Bytes that are lost or doubled; the bits that are inverted; the place in `TEXTS`; seconds for a stall, or until
+    """Bytes that are lost or doubled; the bits that are inverted; the place in `TEXTS`, or the
+    one behind them for `WRITES`; seconds for a stall, or until
     the cut is noticed, or until a datagram or its copy comes."""
 
 
@@ -120,7 +123,7 @@ class Course:
             elif fault.kind == "double":
                 arrived += data[place : place + int(fault.amount)]
             elif fault.kind == "text":
-                arrived += TEXTS[int(fault.amount)]
+                arrived += (*TEXTS, WRITES)[int(fault.amount)]
             else:
                 return bytes(arrived), data[place:], fault
         return bytes(arrived), b"", None

@@ -248,6 +248,10 @@ class Draw:
                 for _ in range(draw.choice((1, 1, 2, 4))):
                     at, text = int(draw.expovariate(1 / 800)), draw.randrange(len(TEXTS))
                     faults.append(Fault(line.name, draw.random() < 0.5, at, "text", text))
+            if texts and not seconds and not any(mishap.whom == line.name.rpartition(".")[2] for mishap in mishaps):
+                # A session is under way from the first question on.
+                at = _OPENED + int(draw.expovariate(1 / 800))
+                faults.append(Fault(line.name, False, at, "text", len(TEXTS)))
             if seconds and not line.name.startswith("server"):
                 kind, number = draw.choice(("second program", "second program", "person")), draw.randrange(1, 0x80)
                 mishaps.append(Mishap(draw.uniform(0.005, 0.6), line.name, kind, number))
@@ -484,6 +488,8 @@ class Draw:
 
 _GROUPS = ("periodic", "periodic", "periodic", "asked", "changed", "triggered")
 """Causes of publication of groups."""
+_OPENED = 500
+"""Bytes behind which a host has begun a session, whatever its line has lost before."""
 _ECHOES, _TALKERS, _SECOND_HOSTS = 0.1, 0.5, 0.3
 """Probabilities that a gateway's line echoes, that something talks on it, and that another host does."""
 _BAD_WIRES = 0.7
