@@ -138,7 +138,7 @@ class Scene:
         self._tell_checked(self._choices.take(self._choices.number() % 64))
 
     def _tell_checked(self, body: bytes) -> None:
-        """Tell the server a frame of the client's session; a `K` begins the next one."""
+        """Send the server a frame of the client's session; a `K` begins the next one."""
         listener = self._listener()
         if listener is None:
             return

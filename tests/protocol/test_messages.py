@@ -197,7 +197,7 @@ def test_what_is_no_row_of_numbers_is_read_neither_as_a_list_nor_as_an_array(dig
 
 
 SEEDS = st.integers(0, 0xFF)
-"""Of sessions that each CRC can have."""
+"""Seeds that a CRC of any width can have."""
 
 
 @given(codec=ALL_FEATURES, data=st.data(), node=st.sampled_from([None, 0x5A]))

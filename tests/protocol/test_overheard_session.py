@@ -1,4 +1,4 @@
-"""Who listens finds the session in what passes."""
+"""The number of a session, found by a listener from the frames that pass."""
 
 from __future__ import annotations
 

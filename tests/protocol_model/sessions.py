@@ -49,7 +49,7 @@ class Rules(NamedTuple):
     counts: bool = True
     """The answer to `h` says how many posted writes failed; the host asks for each where it missed an error."""
     kept: bool = True
-    """What a destructive read gave is kept, and given again."""
+    """The gateway keeps the words of a destructive read, and answers its repetition by them."""
     spaced: bool = True
     """A host has no two unanswered destructive reads whose words are kept in the same place."""
     newer: bool = True
@@ -121,7 +121,7 @@ class Gateway(NamedTuple):
     session: int = 0
     expected: int = 0
     failed_at: tuple[bool, ...] = (False,) * WINDOW
-    """Whether the last request of each ID failed, modulo the window."""
+    """True for each ID, modulo the window, of which the last request failed."""
     failed: int = 0
     kept: tuple[Ghost, ...] = ()
     newest: int = 0

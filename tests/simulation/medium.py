@@ -35,9 +35,9 @@ TEXTS = (
     b"\x00" * 60,
     b"R40\rH\rRM4002\rQ\r",
 )
-"""What boot loaders, consoles, noise and a person say in between: nothing in it changes anything."""
+"""Lines of boot loaders, consoles, noise and a person: nothing in them changes anything."""
 WRITES = b"W40000000FF\rW400000000FF\rWS41000000FF\rWS410000000FF\r"
-"""Writes as a person types them, of words of 32 and of 36 bits."""
+"""Writes as a person types them, of words of 32 and of 36 bits: `typed`."""
 
 
 class Fault(NamedTuple):
@@ -49,11 +49,10 @@ class Fault(NamedTuple):
     at: int
     """Number of the byte, counted since the world began."""
     kind: str
-    """``lose``, ``flip``, ``double``, ``text``, ``stall`` or ``cut``; for a datagram that has the byte ``lose``,
-    ``flip``, ``copy`` or ``late``."""
+    """``lose``, ``flip``, ``double``, ``text``, ``typed``, ``stall`` or ``cut``; for a datagram that has the byte
+    ``lose``, ``flip``, ``copy`` or ``late``."""
     amount: float
-    """Bytes that are lost or doubled; the bits that are inverted; the place in `TEXTS`, or the
-    one behind them for `WRITES`; seconds for a stall, or until
+    """Bytes that are lost or doubled; the bits that are inverted; the place in `TEXTS`; seconds for a stall, or until
     the cut is noticed, or until a datagram or its copy comes."""
 
 
@@ -123,7 +122,9 @@ class Course:
             elif fault.kind == "double":
                 arrived += data[place : place + int(fault.amount)]
             elif fault.kind == "text":
-                arrived += (*TEXTS, WRITES)[int(fault.amount)]
+                arrived += TEXTS[int(fault.amount)]
+            elif fault.kind == "typed":
+                arrived += WRITES
             else:
                 return bytes(arrived), data[place:], fault
         return bytes(arrived), b"", None

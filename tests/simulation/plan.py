@@ -251,7 +251,7 @@ class Draw:
             if texts and not seconds and not any(mishap.whom == line.name.rpartition(".")[2] for mishap in mishaps):
                 # A session is under way from the first question on.
                 at = _OPENED + int(draw.expovariate(1 / 800))
-                faults.append(Fault(line.name, False, at, "text", len(TEXTS)))
+                faults.append(Fault(line.name, False, at, "typed", 0))
             if seconds and not line.name.startswith("server"):
                 kind, number = draw.choice(("second program", "second program", "person")), draw.randrange(1, 0x80)
                 mishaps.append(Mishap(draw.uniform(0.005, 0.6), line.name, kind, number))

@@ -102,7 +102,7 @@ class Program:
         self._tap = tap
         self._all_logs = logs
         self.logs: list[LinkLog] = []
-        """Of its links."""
+        """Logs of its links."""
         self._trace = trace
         self._loop = asyncio.get_running_loop()
         self._mine: dict[int, int] = {}

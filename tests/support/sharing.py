@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from unity_link.virtual.faults import Noise
 
 SEED, SEED_BACK = 2, 3
-"""What the checks of session 1 have in them, there and back."""
+"""Seeds of session 1: of what the host sends, and of what the gateway sends."""
 open_directly = Gateway.open
 """As it is, also while a test has put another way in its place."""
 

@@ -458,7 +458,7 @@ def fates(script: Script) -> None:
 
 
 def _destructive(script: Script, number: int) -> int:
-    """Have destructive reads repeated, and return the next ID."""
+    """Add destructive reads and their repetitions, and return the next ID."""
     taken: list[tuple[Any, ...]] = [
         ("WK", 0x0A, 0x5A, 0xFF),
         ("WK", 0x0A, 0xFF, 0),

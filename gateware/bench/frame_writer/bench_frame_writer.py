@@ -151,7 +151,7 @@ class Writer:
             signal.value = rng.getrandbits(len(signal))
 
     async def _send_tail(self, tail: str) -> None:
-        """Give the digits of a tail as they are asked for; what the answer is made of may change meanwhile."""
+        """Drive the digits of a tail as they are asked for; the other inputs of the answer may change meanwhile."""
         dut, sent = self.dut, 0
         dut.tail.value, dut.tail_more.value = bool(tail), max(len(tail) - 1, 0)
         while sent < len(tail):
