@@ -56,6 +56,23 @@ def test_a_read_that_was_under_way_when_the_line_was_lost_is_answered_in_the_nex
     assert read.answer == 42
 
 
+def test_a_gateway_without_a_session_that_refuses_a_damaged_request_says_nothing_of_the_one_it_names() -> None:
+    session, gateway = opened(resumes=False)
+    first, second = (Request(session.codec, "W", session.codec.fields("W", 0x10, word), 0) for word in (1, 2))
+    session.submit(first, 0.0)
+    gateway.receive(session.take_output(), 0.0)
+    session.submit(second, 0.0)
+    gateway.reset()
+    damaged = session.take_output().replace(b"w001", b"w000")
+    answer = gateway.receive(damaged, 0.0)
+    assert answer.startswith(b"x0000A")
+    while answer:
+        session.receive(answer, 0.0)
+        answer = gateway.receive(session.take_output(), 0.0)
+    assert gateway.memory[0x10] == 1
+    assert outcome_of(first) is Outcome.UNKNOWN
+
+
 @pytest.mark.parametrize("lost_after", range(7))
 @pytest.mark.parametrize("reset_after", [*range(12), None])
 def test_a_reset_at_any_instant_of_a_reconnection_is_told_before_the_last_session_is_open(

@@ -48,10 +48,13 @@ class Bug(NamedTuple):
 
 
 BUGS: list[Bug] = []
-UNSEEN = frozenset({"samples in bursts reach the subscriber of another group"})
-"""Bugs that no world shows, for bursts of samples in them are of one group too rarely.
+UNSEEN = frozenset(
+    {"samples in bursts reach the subscriber of another group", "a reset is believed of a damaged request"}
+)
+"""Bugs that no world shows: bursts of samples in them are of one group, and what a reset meets is seldom damaged.
 
-`test_samples_of_two_groups_in_bursts_reach_the_subscription_that_asked_for_them` finds it.
+`test_samples_of_two_groups_in_bursts_reach_the_subscription_that_asked_for_them` finds the first, and
+`test_a_gateway_without_a_session_that_refuses_a_damaged_request_says_nothing_of_the_one_it_names` the second.
 """
 
 
