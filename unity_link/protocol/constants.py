@@ -52,9 +52,13 @@ SURE = 3
 ECHO_PATIENCE = 0.5
 """Seconds for which nothing but an echo is heard before it is believed: on a pair of wires an answer may follow."""
 FLOOD_PATIENCE = 1.0
-"""Seconds without an answer, in a flood of lines that are none; the first time out behind them ends the session."""
+"""Seconds without an answer, in a flood of lines that are none; the next time out ends the session at the latest."""
 FEWEST_OF_A_FLOOD = 64
 """Lines of a flood, at least, besides two for each request that is sent meanwhile: those may be its damaged answer."""
+MOST_QUESTIONS = 8
+"""Questions whose the session is, at most, whose answers are waited for."""
+MOST_SENDINGS = 8
+"""Sendings of a request behind the first of which the places are known: the last ones."""
 MOST_KEPT_WORDS = 256
 """Words of destructive reads that a gateway keeps; those of a request begin at its ID modulo this."""
 

@@ -9,14 +9,11 @@ from __future__ import annotations
 
 from typing import Generic
 
+from unity_link.protocol.constants import MOST_QUESTIONS, MOST_SENDINGS
 from unity_link.protocol.ring import Part, R, Ring
 
 NEVER = -1
 """Place before that of the first sending."""
-MOST_SENDINGS = 8
-"""Places of later sendings of a request that are kept: those of the last ones."""
-MOST_QUESTIONS = 8
-"""Most `K` whose answers are waited for."""
 
 
 class Repetition(Generic[R]):
