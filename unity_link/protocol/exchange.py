@@ -188,9 +188,7 @@ class Exchange:
     def submit_alone(self, request: Request, now: float) -> bytes:
         """Return the frame of a request that has an answer, where nothing else is under way; nothing otherwise."""
         window = self.window
-        if self._waiting or not self._may_send or window.next != window.oldest or window.posts.executed:
-            return b""
-        if self._echo is not None:
+        if self._waiting or not self._may_send or self._echo is not None or not window.is_idle():
             return b""
         request.sent = True
         self._counters.requests += 1
@@ -308,17 +306,13 @@ class Exchange:
         """Send unanswered requests again; an ``h`` in place of those that are not wanted any more."""
         if self.blocked or not self._may_send:
             return
-        codec, repeated, window = self.codec, False, self.window
+        repeated, window = False, self.window
         if window.signs.place == window.repetition.sent and not self._takes_turns:
             # Ahead of all.
             self._ask_whose()
         for number, run, offset, count in window.repeat():
             self._counters.repetitions += count
-            if run.unwanted():
-                ids = (number + index & codec.ring - 1 for index in range(count))
-                frames = b"".join(codec.request("H", identifier, b"", codec.seed) for identifier in ids)
-            else:
-                frames = run.frames_of(offset, count)
+            frames = self.codec.confirmations(number, count) if run.unwanted() else run.frames_of(offset, count)
             self._send(frames)
             repeated = True
         if repeated and not window.allowance.loses:

@@ -36,6 +36,11 @@ class HostCodec(Codec):
         self.begun_back = self.framing.begun ^ self.seed_back
         """The same of what the gateway sends."""
 
+    def confirmations(self, first: int, count: int) -> bytes:
+        """Return the frames of ``h`` with consecutive IDs."""
+        ids = (number & self.ring - 1 for number in range(first, first + count))
+        return b"".join(self.request("H", number, b"", self.seed) for number in ids)
+
     def residue(self, size: int) -> int:
         """Return what a gateway without a session finds in the check of a sound request of so many characters."""
         body = size - self.framing.overhead
