@@ -8,7 +8,7 @@ import functools
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 import unity_link
@@ -18,7 +18,7 @@ from support.searching import examples
 from support.simulated_time import on_simulated_time, run_simulated
 from support.valve import as_gateway
 from unity_link.protocol.crc import Crc
-from unity_link.protocol.frames import Framing
+from unity_link.protocol.frames import MOST_LINES, Framing
 from unity_link.virtual.build import build_gateway
 
 if TYPE_CHECKING:
@@ -152,6 +152,8 @@ def scripted_driver() -> Iterator[list[Scripted]]:
 @pytest.mark.parametrize("node", [None, NODE], ids=["own medium", "shared medium"])
 @settings(max_examples=examples(60))
 @given(arriving=bursts, cuts=st.lists(st.integers(0, 1 << 20), max_size=8))
+@example(arriving=[Burst("noise", MOST_LINES), Burst("endless sample", 1)], cuts=[])
+@example(arriving=[Burst("noise", MOST_LINES), Burst("endless answer", 1)], cuts=[])
 def test_any_mixture_of_frames_cut_anywhere_is_what_it_is_line_by_line(
     node: int | None, arriving: list[Burst], cuts: list[int]
 ) -> None:

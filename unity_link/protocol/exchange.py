@@ -372,7 +372,10 @@ class Exchange:
                 break
             before, start = start, self._receive_next(data, start, now, events)
             lines += 1
-            if start in (before, len(data)) or lines == MOST_LINES or self.has_ended:
+            if start in (before, len(data)) or self.has_ended:
+                break
+            if lines >= MOST_LINES and data.find(LF, start) >= 0:
+                # Bytes without an end are dropped by the read that brought them, however many lines stood before.
                 break
         if start != len(data) and not data.startswith(self._sample, start):
             # Perhaps the beginning of a long answer on a slow line.
