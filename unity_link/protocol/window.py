@@ -199,6 +199,7 @@ class Window(Ring[R]):
             and repetition.start == repetition.end
             and not repetition.awaits()
             and not self.round_trip.is_doubled
+            and self.signs.place == NEVER
         )
 
     def answered_alone(self, now: float) -> None:
@@ -226,13 +227,7 @@ class Window(Ring[R]):
             trip.end(now)
         # Without repetitions, the answer to the oldest says nothing of the others.
         tells = repetition.awaits() or number != self.oldest
-        place = NEVER
-        if tells:
-            place = repetition.answered_sending(beginning, number)
-            if count > 1:
-                # Those of the others came behind it.
-                repetition.answered = max(repetition.answered, place)
-                place = repetition.answered_sending(run, last)
+        place = self._answered_place(beginning, number, run, last) if tells or self.signs.place != NEVER else NEVER
         if trip.is_doubled and repetition.sending(run, last) == repetition.first_sending(run, last):
             trip.undo_doubling()
         self._confirm(number)
@@ -247,6 +242,20 @@ class Window(Ring[R]):
         self._news(now)
         if tells:
             self._find_lost(place, now)
+        elif place != NEVER:
+            repetition.arrived(place)
+            if place >= self.signs.place:
+                self.signs.place = NEVER
+
+    def _answered_place(self, beginning: R, number: int, run: R, last: int) -> int:
+        """Return the place of the sending of the last of some IDs, all of which are answered now."""
+        repetition = self.repetition
+        place = repetition.answered_sending(beginning, number)
+        if last != number:
+            # Those of the others came behind it.
+            repetition.answered = max(repetition.answered, place)
+            place = repetition.answered_sending(run, last)
+        return place
 
     def told(self, number: int, failed: int, now: float) -> bool:
         """Take the count of failed posted writes from the answer to an ``h``: return whether all before it are told.
