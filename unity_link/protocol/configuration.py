@@ -41,6 +41,8 @@ class Feature(enum.IntFlag):
     """Only one side may send at a time."""
     DESCRIPTION = 1024
     """The highest addresses hold a description: the spec that it was generated from."""
+    COMPACT = 2048
+    """It takes and sends the frames of a session in compact form, too."""
 
 
 class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
@@ -96,6 +98,11 @@ class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
     def last_session(self) -> int:
         """Highest number of a session: with the direction it fits in the CRC, and in 16 bits."""
         return (1 << 4 * self.session_digits - 1) - 1
+
+    @property
+    def asks_compact(self) -> int:
+        """Bit beside the number of a session by which a host asks for the compact form."""
+        return self.last_session + 1
 
     @property
     def base_frequency_hz(self) -> float:

@@ -18,12 +18,15 @@ if TYPE_CHECKING:
 LF = b"\n"
 CR = b"\r"
 _CR_BYTE = CR[0]
+COMPACT_END = b"\xca"
+"""End of a frame in compact form (`unity_link.protocol.compact`)."""
 TOKEN_LINE = b"token "
 """Beginning of the first line of a connection where a token is wanted; no command begins so."""
 LONGEST_FRAME = 16_384
 """Bytes without a line end that are kept: more than the longest message, a sample of 255 words of 64 bits, has."""
 MOST_LINES = 128
 """Lines that a host looks at one by one in one turn of what runs it; the rest of a read waits for the next."""
+_END = re.compile(rb"[\r\n\xca]")
 _SMALL = ord("a")
 _SAMPLE = ord("P")
 LARGEST_DATAGRAM = 1400
@@ -116,7 +119,18 @@ def datagrams(data: bytes, room: int = LARGEST_DATAGRAM) -> list[bytes]:
     return _pieces(room).findall(data)
 
 
+def end_of_first(data: bytes | bytearray) -> int:
+    """Return where the first of some frames ends, 0 where none does."""
+    found = _END.search(data)
+    return 0 if found is None else found.end()
+
+
+def end_of_last(data: bytes) -> int:
+    """Return where the last frame that ends in LF or is compact ends, 0 where none does."""
+    return max(data.rfind(LF), data.rfind(COMPACT_END)) + 1
+
+
 @functools.cache
 def _pieces(room: int) -> re.Pattern[bytes]:
     """Return what matches as many whole frames as fit, or one that is longer."""
-    return re.compile(rb"(?s:.{1,%d}(?<=[\r\n])(?![\r\n])|[^\r\n]*[\r\n]+)" % room)
+    return re.compile(rb"(?s:.{1,%d}(?<=[\r\n\xca])(?![\r\n\xca])|[^\r\n\xca]*[\r\n\xca]+)" % room)

@@ -1,0 +1,263 @@
+"""The compact form of frames (docs/protocol.md, "The compact form"): two digits a byte, between bytes that no text has.
+
+It is the same frame, with the CRC of its text: what is above this module sees text, and both forms mix at any time.
+Many frames of one command and one length, side by side, are taken together (`unity_link.protocol.compact_rows`).
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+from typing import TYPE_CHECKING, Final
+
+from unity_link.protocol.configuration import Feature
+from unity_link.protocol.frames import COMPACT_END, LONGEST_FRAME
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+    from types import ModuleType
+
+    from unity_link.protocol.configuration import GatewayInfo
+
+START: Final = b"\xb5"
+END: Final = COMPACT_END
+ESCAPE: Final = b"\xd3"
+STUFFED: Final = 0x40
+"""Value that is xored into a byte behind `ESCAPE`."""
+RESERVED: Final = b"\n\r" + START + END + ESCAPE
+"""Bytes that stand between start and end behind an escape only."""
+COMMANDS: Final = ("r", "rm", "rq", "w", "wm", "wq", "wk", "ws", "h", "gn", "gx", "gp", "i", "n", "x", "P")
+"""Commands that have this form, each at its number."""
+FEWEST_FRAMES: Final = 8
+"""Frames that are worth a turn of numpy."""
+_ADDRESSED: Final = frozenset(("r", "rm", "rq", "w", "wm", "wq", "wk", "ws"))
+"""Commands whose requests name an address."""
+_STUFFING: Final = [(bytes((byte,)), ESCAPE + bytes((byte ^ STUFFED,))) for byte in ESCAPE + RESERVED[:-1]]
+"""Bytes and what stands for them; the escape comes first, for it is in what stands for the others."""
+_SAMPLE: Final = COMMANDS.index("P")
+_FIRST_LETTER: Final = ord("g")
+_ESCAPED = re.compile(rb"\xd3(.?)", re.DOTALL)
+_DIGITS = re.compile(r"[0-9A-F]*").fullmatch
+_FRAME = re.compile(rb"\xb5[^\n\r\xb5\xca]*\xca\n?|[^\n\xb5\xca]*\n")
+_PIECE = re.compile(rb"\xb5([^\n\r\xb5\xca]*)([\n\r\xb5\xca])|([\n\r])|(\xca)|[^\n\r\xb5\xca]+")
+
+
+@dataclasses.dataclass(frozen=True)
+class CompactForm:
+    """Widths of a gateway's frames in one direction, which tell the frames with a digit to fill up.
+
+    Words must have an even number of digits.
+    """
+
+    id_digits: int
+    crc_digits: int
+    address_digits: int
+    from_gateway: bool
+    has_node: bool = False
+    """True for addressed frames: the first byte is the number of the node."""
+
+    @classmethod
+    def of(cls, info: GatewayInfo, *, from_gateway: bool) -> CompactForm:
+        """Return the form of what a gateway sends, or takes."""
+        has_node = Feature.ADDRESSED in info.features
+        return cls(info.id_digits, info.crc_bits // 4, info.address_digits, from_gateway, has_node)
+
+    def is_filled(self, command: str) -> bool:
+        """Return whether a digit 0 stands behind the number of a command, for an even number of digits."""
+        digits = 1 + self.crc_digits
+        if command != "P":
+            digits += self.id_digits
+        if command in _ADDRESSED and not self.from_gateway:
+            digits += self.address_digits
+        if command == "h" and self.from_gateway:
+            digits += self.id_digits
+        return digits % 2 == 1
+
+    def heads(self) -> list[tuple[str, str]]:
+        """Return, for each number of a command, its letters and the digit that fills up, "0" or ""."""
+        return [(command, "0" if self.is_filled(command) else "") for command in COMMANDS]
+
+
+class Packer:
+    """Puts frames into the compact form.
+
+    Args:
+        form: of the frames in this direction.
+    """
+
+    def __init__(self, form: CompactForm) -> None:
+        self._heads = {command.encode(): f"{number:X}{fill}" for number, (command, fill) in enumerate(form.heads())}
+        self._prefix_size = 3 if form.has_node else 0
+        # On a shared medium for the sake of nodes without the form, which know no other end.
+        self._end = END + b"\n" if form.has_node else END
+
+    def pack(self, frames: bytes) -> bytes:
+        """Return frames, whole ones, with those that have a compact form in it, and the others as they are."""
+        size = frames.find(b"\n") + 1
+        if size == len(frames):
+            return self.pack_one(frames)
+        count = len(frames) // size if size else 0
+        if (
+            count >= FEWEST_FRAMES
+            and not self._prefix_size
+            and frames[size - 1 :: size] == b"\n" * count
+            and len(frames) == size * count
+        ):
+            head, at = self._head(frames)
+            packed: bytes = _rows().pack(frames, count, at, head) if head else b""
+            if packed:
+                return packed
+        return b"".join(map(self.pack_one, frames.splitlines(keepends=True)))
+
+    def _head(self, frame: bytes) -> tuple[str, int]:
+        """Return the number of the command of a frame and what fills up, and where the digits begin; or nothing."""
+        at = self._prefix_size
+        size = 2 if len(frame) > at + 1 and frame[at + 1] >= _FIRST_LETTER else 1
+        return self._heads.get(frame[at : at + size], ""), at + size
+
+    def pack_one(self, frame: bytes) -> bytes:
+        """Return one frame in compact form if it has one, and as it is otherwise."""
+        head, at = self._head(frame)
+        if not head or frame[-1:] != b"\n":
+            return frame
+        digits = frame[at:-1].decode("latin-1")
+        text = frame[1 : self._prefix_size].decode("latin-1") + head + digits
+        if len(text) % 2 or not _DIGITS(text) or (self._prefix_size and frame[:1] != b"Z"):
+            return frame
+        content = bytes.fromhex(text)
+        return START + _stuffed(content) + self._end
+
+
+class Unpacker:
+    """Makes text of what arrives in both forms.
+
+    A line end or a start in a compact frame cuts it, and an end that nothing began ends a line: what is before is
+    damaged, and the check above finds it.
+
+    Args:
+        form: of the frames in this direction.
+    """
+
+    def __init__(self, form: CompactForm) -> None:
+        self._heads = form.heads()
+        self._has_node = form.has_node
+        self.reset()
+
+    def reset(self) -> None:
+        """Forget what has begun."""
+        self._begun = b""
+        """A compact frame without its end, from its start on."""
+        self._in_line = False
+        """True behind text without its line end."""
+
+    @property
+    def begins_answer(self) -> bool:
+        """Return whether the beginning of a frame that is no sample has come, perhaps of a long one on a slow line."""
+        at = 1 + self._has_node
+        return len(self._begun) > at and self._begun[at] >> 4 != _SAMPLE
+
+    def unpack_whole(self, data: bytes) -> bytes:
+        """Return the text of what is one frame, nothing where it is not, or something has come before."""
+        if self._begun or self._in_line:
+            return b""
+        if data.isascii():
+            return data
+        found = _PIECE.fullmatch(data)
+        return self._text(found[1]) + b"\n" if found is not None and found[2] == END else b""
+
+    def unpack(self, data: bytes) -> bytes:
+        """Return the text of what has arrived; a compact frame comes with its end."""
+        if self._begun:
+            data = self._begun + data
+            self._begun = b""
+        elif data.isascii():
+            if data:
+                self._in_line = data[-1] not in b"\n\r"
+            return data
+        text = b""
+        count = data.count(END)
+        if count >= FEWEST_FRAMES and not self._has_node and not self._in_line and data.startswith(START):
+            end = data.rindex(END) + 1
+            if text := _rows().unpack(data[:end], count, self._heads):
+                data = data[end:]
+        return text + b"".join(self._pieces(data))
+
+    def _pieces(self, data: bytes) -> Iterable[bytes]:
+        at = 0
+        while at < len(data):
+            if data[at] == START[0] and self._in_line:
+                yield b"\n"
+                self._in_line = False
+            found = _PIECE.match(data, at)
+            if found is None:
+                # Its end is still to come, or it is none: then it can't be longer than a frame.
+                self._begun = data[at:]
+                if len(self._begun) > LONGEST_FRAME:
+                    yield self._text(self._begun[1:])
+                    self._begun, self._in_line = b"", True
+                return
+            at = found.end()
+            if data[found.start()] == START[0]:
+                yield self._text(found[1])
+                yield b"\n" if found[2] in (START, END) else found[2]
+                at -= found[2] == START
+            else:
+                yield found[0] + b"\n" if found[4] else found[0]
+                self._in_line = not (found[3] or found[4])
+
+    def _text(self, content: bytes) -> bytes:
+        """Return the text of what stands between start and end, without its line end."""
+        if ESCAPE in content:
+            content = _unstuffed(content)
+        text = content.hex().upper()
+        prefix = ""
+        if self._has_node and text:
+            prefix, text = "Z" + text[:2], text[2:]
+        if not text:
+            return prefix.encode()
+        command, fill = self._heads[int(text[0], 16)]
+        return (prefix + command + text[1 + len(fill) :]).encode()
+
+
+def text_of(info: GatewayInfo, *, from_gateway: bool) -> Callable[[bytes], bytes]:
+    """Return a function that makes text of the bytes of one direction as they arrive, as a gateway's features ask."""
+    if Feature.COMPACT not in info.features:
+        return bytes
+    return Unpacker(CompactForm.of(info, from_gateway=from_gateway)).unpack
+
+
+def cut(data: bytes) -> list[bytes]:
+    """Return the whole frames of both forms, each with its end."""
+    return _FRAME.findall(data)
+
+
+def is_sample(frame: bytes, prefix: bytes) -> bool:
+    """Return whether a frame of a gateway, in either form, is a sample; `prefix` is that of its text."""
+    # Behind its number a sample has a digit that fills up, whatever the widths are.
+    return frame.startswith((prefix + b"P", START + _stuffed(bytes.fromhex(prefix[1:].decode())) + b"\xf0"))
+
+
+def _rows() -> ModuleType:
+    """Return the module that takes frames together, which needs numpy."""
+    from unity_link.protocol import compact_rows
+
+    return compact_rows
+
+
+def _stuffed(content: bytes) -> bytes:
+    """Return bytes with their escapes."""
+    if len(content.translate(None, RESERVED)) != len(content):
+        for byte, stuffed in _STUFFING:
+            content = content.replace(byte, stuffed)
+    return content
+
+
+def _unstuffed(content: bytes) -> bytes:
+    """Return bytes without their escapes."""
+    found = content
+    for byte, stuffed in reversed(_STUFFING):
+        found = found.replace(stuffed, byte)
+    if len(found) + content.count(ESCAPE) == len(content):
+        return found
+    # Behind one stands what needs none: it was damaged.
+    return _ESCAPED.sub(lambda pair: bytes(byte ^ STUFFED for byte in pair[1]), content)
