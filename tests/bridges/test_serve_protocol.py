@@ -27,7 +27,9 @@ if TYPE_CHECKING:
     from unity_link.bridges.serve.shared import SharedLink
 
 FOLDER = Path(__file__).resolve().parents[1] / "vectors"
-FILES = [path for path in sorted(FOLDER.glob("*.ndjson")) if path.stem != "addressed"]
+FILES = [
+    path for path in sorted(FOLDER.glob("*.ndjson")) if path.stem not in {"addressed", "compact", "compact_addressed"}
+]
 
 
 def in_words_of(shared: SharedLink, text: bytes) -> bytes:

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from support.by_path import imported
 from support.searching import examples
+from unity_link.protocol.compact import cut, is_sample
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual import VirtualGateway
@@ -33,11 +34,12 @@ def load(path: Path) -> tuple[VirtualGateway, list[dict[str, Any]]]:
 
 def split(answer: bytes, node: int | None) -> tuple[bytes, bytes]:
     """Return responses and publishes."""
-    start = b"P" if node is None else b"Z%02XP" % node
-    frames = answer.splitlines(keepends=True)
+    prefix = b"" if node is None else b"Z%02X" % node
+    frames = cut(answer)
+    assert b"".join(frames) == answer
     return (
-        b"".join(frame for frame in frames if not frame.startswith(start)),
-        b"".join(frame for frame in frames if frame.startswith(start)),
+        b"".join(frame for frame in frames if not is_sample(frame, prefix)),
+        b"".join(frame for frame in frames if is_sample(frame, prefix)),
     )
 
 
@@ -66,9 +68,9 @@ def test_the_model_answers_every_vector_byte_for_byte(path: Path) -> None:
 def test_each_sample_comes_before_the_answer_to_the_request_that_took_it(path: Path) -> None:
     gateway, steps = load(path)
     for step in steps:
-        frames = gateway.receive(step["send"].encode("latin-1"), 0.0).splitlines(keepends=True)
+        frames = cut(gateway.receive(step["send"].encode("latin-1"), 0.0))
         kinds = [bool(split(frame, node_of(path))[1]) for frame in frames]
-        assert not any(kinds) or kinds == [True, False] * (len(kinds) // 2), step["about"]
+        assert all(kinds[at + 1 : at + 2] == [False] for at, is_one in enumerate(kinds) if is_one), step["about"]
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)

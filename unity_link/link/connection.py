@@ -34,7 +34,7 @@ from unity_link.protocol.configuration import Feature
 from unity_link.protocol.group_table import GroupsRestored
 from unity_link.protocol.numbers import real_number
 from unity_link.protocol.session import Interrupted, Opened, Session, Taken, Unusable
-from unity_link.transport import DriverUrl, name_of, node_of
+from unity_link.transport import DriverUrl, name_of, node_of, takes_compact_form
 from unity_link.transport.stream import Stream
 
 if TYPE_CHECKING:
@@ -123,7 +123,12 @@ class Connection:
         """True if robots of another map than the gateway's are taken."""
         self.compatible_maps: set[int] = set()
         """Fingerprints of specs of which the gateway has all alike, by its description."""
-        self._session = Session(node_of(target), choose_seed, resumes=resumes or reconnect is not None)
+        self._session = Session(
+            node_of(target),
+            choose_seed,
+            resumes=resumes or reconnect is not None,
+            compact=takes_compact_form(target),
+        )
         self._flow = Flow(self._session, self._runtime, self._disconnected)
         handlers: dict[type, Callable[[Any], None]] = {
             Opened: self._session_opened,

@@ -16,6 +16,7 @@ from itertools import groupby
 from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
 
 from unity_link.errors import ConnectError, UnsupportedError
+from unity_link.protocol.compact import START, cut, text_of
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import LARGEST_DATAGRAM, FrameError, Framing, datagrams
@@ -268,7 +269,7 @@ class GatewayDatagrams(Generic[A]):
         if self.requester is None:
             self._send_to_opener(frames)
             return
-        for of_session, group in groupby(_frames(frames), self._is_of_session):
+        for of_session, group in groupby(cut(frames), self._is_of_session):
             (self._send_to_opener if of_session else self._send_to_requester)(b"".join(group))
 
     # Sessions
@@ -299,7 +300,7 @@ class GatewayDatagrams(Generic[A]):
 
     def _take_questions(self, datagram: bytes, source: A) -> None:
         """Execute requests without an ID, and refuse the others."""
-        frames = _frames(_ended(datagram))
+        frames = _frames(text_of(self._codec.info, from_gateway=False)(_ended(datagram)))
         if not frames:
             return
         self.requester = Requester(source, plain=b"\r" in frames[0])
@@ -336,6 +337,8 @@ class GatewayDatagrams(Generic[A]):
     def _is_of_session(self, frame: bytes) -> bool:
         if self.session == NO_SESSION:
             return False
+        if frame.startswith(START):
+            return True
         body = frame[len(self._framing.prefix) :].rstrip(b"\r\n")
         if body.startswith(b"K"):
             # The answer to the question is shorter than that to the opening of a session.

@@ -578,7 +578,7 @@ class Exchange:
         if head.startswith(b"P"):
             group = self._groups.begun.get(head[1:3])
             return group.length + framing.overhead if group is not None and group.length else None
-        letters = head[: 2 if head[1:2] >= b"g" else 1]
+        letters = head[: 2 if b"g" <= head[1:2] <= b"z" else 1]
         size = self._sizes.get(letters)
         if size is None:
             number = self._id_number.get(head[len(letters) : len(letters) + self._id_digits])
@@ -603,7 +603,7 @@ class Exchange:
             self._receive_error(body, now, events)
         elif body[0] == _K and len(body) == 1 + self.codec.info.session_digits:
             self.window.signs.heard = True
-            self.under_way = _number_of(body[1:])
+            self.under_way = _number_of(body[1:]) & self.codec.info.last_session
             self.window.asked(now)
 
     def _receive_answer(self, body: bytes, now: float, events: Events) -> None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
+from unity_link.protocol.configuration import Feature
 from unity_link.protocol.constants import MOST_KEPT_WORDS
 from unity_link.protocol.crc import NO_SESSION, seed_of
 from unity_link.protocol.messages import COMMANDS, LOOKING, Codec, DecodedRequest, ErrorCode, Repeat, RequestError
@@ -39,15 +40,19 @@ class SessionState:
     Args:
         number: of the session.
         for_program: True if a checked `K` began it, so that what is not in its order is shut out.
+        compact: whether it asked for the compact form.
         ring: number of IDs.
         fates: of `Sequence`.
         kept: words of destructive reads, which as in the gateware neither a reset nor a session changes.
     """
 
-    __slots__ = ("awaited", "failed", "fates", "for_program", "kept", "number", "seeds")
+    __slots__ = ("awaited", "compact", "failed", "fates", "for_program", "kept", "number", "seeds")
 
-    def __init__(self, number: int, *, for_program: bool, ring: int, fates: bytearray, kept: list[int]) -> None:
+    def __init__(
+        self, number: int, *, for_program: bool, compact: bool, ring: int, fates: bytearray, kept: list[int]
+    ) -> None:
         self.number = number
+        self.compact = compact
         self.seeds = seed_of(number, from_gateway=False), seed_of(number, from_gateway=True)
         """Seeds of what the host sends, and of what the gateway sends."""
         self.for_program = for_program
@@ -84,7 +89,7 @@ class GatewaySession:
     def __init__(self, codec: Codec) -> None:
         self.sequence = Sequence(codec.ring)
         self.ended = NO_SESSION
-        """Number of the session that the last `K` has ended."""
+        """Number of the session that the last `K` has ended, as that was asked for."""
         self._codec = codec
         self.state = self._state(NO_SESSION, self.sequence.fates, [0] * MOST_KEPT_WORDS)
         self.reception = Reception(codec)
@@ -102,25 +107,34 @@ class GatewaySession:
         self.sequence.reset()
         self._begin(NO_SESSION, for_program=False)
 
-    def begin(self, number: int, first: int, *, for_program: bool = True) -> None:
+    def begin(self, number: int, first: int, *, for_program: bool = True, compact: bool = False) -> None:
         """Begin a session.
 
         Args:
             number: of the session.
             first: the next ID expected.
             for_program: whether what is not in its order is shut out.
+            compact: whether frames are sent in compact form.
         """
         self.sequence.start(first)
-        self._begin(number, for_program=for_program)
+        self._begin(number, for_program=for_program, compact=compact)
 
-    def _begin(self, number: int, *, for_program: bool) -> None:
+    @property
+    def asked(self) -> int:
+        """Number of the session under way as it was asked for, with the bit of the compact form."""
+        return self.state.number | self.state.compact * self._codec.info.asks_compact
+
+    def _begin(self, number: int, *, for_program: bool, compact: bool = False) -> None:
         before = self.state
-        self.ended = before.number
-        self.state = self._state(number, before.fates, before.kept, for_program=for_program)
+        self.ended = self.asked
+        self.state = self._state(number, before.fates, before.kept, for_program=for_program, compact=compact)
         before.end()
 
-    def _state(self, number: int, fates: bytearray, kept: list[int], *, for_program: bool = False) -> SessionState:
-        return SessionState(number, for_program=for_program, ring=self._codec.ring, fates=fates, kept=kept)
+    def _state(
+        self, number: int, fates: bytearray, kept: list[int], *, for_program: bool = False, compact: bool = False
+    ) -> SessionState:
+        ring = self._codec.ring
+        return SessionState(number, for_program=for_program, compact=compact, ring=ring, fates=fates, kept=kept)
 
     def take(
         self, line: bytes, *, plain: bool, prefix: bytes = b"", bytes_lost: bool = False
@@ -162,12 +176,15 @@ class GatewaySession:
 
     def _open(self, request: DecodedRequest, *, for_program: bool) -> DecodedRequest | Answer:
         """Begin the session that a `K` asks for, if it may be."""
-        first, number = request.values
+        first, asked = request.values
+        info = self._codec.info
+        number = asked & info.last_session
         if self.begun and number == self.state.number:
             return Answer(self._codec.error(ErrorCode.SESSION_UNDER_WAY))
-        if not 0 < number <= self._codec.info.last_session:
+        compact = asked != number
+        if not number or (compact and Feature.COMPACT not in info.features):
             return Answer(self._codec.error(ErrorCode.OUT_OF_RANGE))
-        self.begin(number, first, for_program=for_program)
+        self.begin(number, first, for_program=for_program, compact=compact)
         return request
 
     def _repeat(self, request: DecodedRequest, number: int) -> DecodedRequest | Answer:

@@ -20,7 +20,7 @@ from collections import deque
 from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.errors import ConnectError, LinkLostError, UnsupportedError
-from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.constants import (
     CHECKED_TRIES,
     DAMAGE_COST,
@@ -33,7 +33,7 @@ from unity_link.protocol.constants import (
     SURE,
 )
 from unity_link.protocol.crc import NO_SESSION, Crc
-from unity_link.protocol.frames import LF, MOST_LINES, FrameError, Framing
+from unity_link.protocol.frames import COMPACT_END, LF, MOST_LINES, FrameError, Framing
 from unity_link.protocol.host_codec import HostCodec
 
 if TYPE_CHECKING:
@@ -108,6 +108,7 @@ class Handshake:
             is not known; None where there is no other node.
         longest_try: seconds after which a question is asked again, at most, where the medium needs less than others.
         person: True for a session of somebody who types: it shuts nothing out, and its first ID is 0.
+        compact: whether the compact form is asked for where the gateway has it, and no adapter gives back what is sent.
     """
 
     def __init__(
@@ -120,6 +121,7 @@ class Handshake:
         wire_time: float | None = None,
         longest_try: float = math.inf,
         person: bool = False,
+        compact: bool = False,
     ) -> None:
         self._takes_turns = wire_time is not None
         self._wire_time = wire_time or 0.0
@@ -129,11 +131,13 @@ class Handshake:
         """Questions that came back."""
         self._node = node
         self._numbers = numbers
-        self._person = person
+        self._person, self._wants_compact = person, compact
         self._first = 0 if person else numbers.choose()
         self._before = before
         self.session = NO_SESSION
         """Number of the session that was asked for last."""
+        self.compact = False
+        """True if the compact form was asked for with it."""
         self._asked_for: dict[int, float] = {}
         """Instants at which sessions were asked for, by number."""
         self._out: list[bytes] = []
@@ -250,7 +254,7 @@ class Handshake:
         )
 
     def _told_whose(self, body: bytes, now: float) -> None:
-        session = int(body[1:], 16)
+        session = int(body[1:], 16) & self.codec.info.last_session
         if session not in (NO_SESSION, self._before):
             raise LinkLostError(TAKEN)
         self.found_reset = session == NO_SESSION
@@ -263,7 +267,8 @@ class Handshake:
         def frame() -> bytes:
             self.session = self._numbers.next(self.codec.info.last_session)
             self._asked_for[self.session] = self._asked_at
-            opening = self.codec.opening(self.first, self.session)
+            self.compact = self._wants_compact and Feature.COMPACT in self.codec.info.features and not self.echoes
+            opening = self._opening(self.session)
             return self._framing.plain_request(opening) if self._person else self._framing.checked(opening)
 
         def is_answer(body: bytes) -> bool:
@@ -273,8 +278,11 @@ class Handshake:
 
     def _is_opening(self, body: bytes, session: int) -> bool:
         """Return whether a body is the answer to the opening of a session."""
-        opening = self.codec.opening(self.first, session)
+        opening = self._opening(session)
         return body.startswith(opening) and len(body) == len(opening) + self.codec.info.session_digits
+
+    def _opening(self, session: int) -> bytes:
+        return self.codec.opening(self.first, session | self.compact * self.codec.info.asks_compact)
 
     def _is_late(self, line: bytes, body: bytes, now: float) -> bool:
         """Return whether a line answers an earlier question; where another session was asked for since, wait longer."""
@@ -338,6 +346,8 @@ class Handshake:
         return start
 
     def _receive_line(self, line: bytes, now: float) -> None:
+        # Samples of a session before may be in compact form, and end without a line end.
+        line = line[line.rfind(COMPACT_END) + 1 :]
         if not line:
             return
         echo = self._sent.strip(LF)
@@ -403,7 +413,7 @@ class Handshake:
 
     def _session_begun(self, body: bytes, now: float) -> None:
         self.round_trip = now - self._asked_at
-        ended = int(body[-self.codec.info.session_digits :], 16)
+        ended = int(body[-self.codec.info.session_digits :], 16) & self.codec.info.last_session
         if self._before and ended not in (self._before, *self._asked_for):
             self.found_reset = True
         self.complete = True

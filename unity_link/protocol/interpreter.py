@@ -268,12 +268,19 @@ class Interpreter:
             case "i":
                 text = self._id(value)
             case "k" | "b":
-                text = f"session {value:0{info.session_digits}X}" if value else "no session"
+                text = self._session(value)
             case "s":
                 text = _MODES.get(value, f"mode {value:02X}")
             case _:
                 text = str(value)
         return text
+
+    def _session(self, asked: int) -> str:
+        info = self._codec.info
+        if not asked:
+            return "no session"
+        form = " in compact form" if asked & info.asks_compact else ""
+        return f"session {asked & info.last_session:0{info.session_digits}X}{form}"
 
     def _id(self, number: int | None) -> str:
         return f"{number:0{self._codec.info.id_digits}X}"

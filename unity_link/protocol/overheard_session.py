@@ -26,6 +26,8 @@ class OverheardSession:
         self.number = NO_SESSION
         """Number of the session, 0 for none or one that has not been found yet."""
         self._framing = framing
+        self._last = (1 << 4 * min(framing.crc.digits, 4) - 1) - 1
+        """Highest number of a session: the bit above asks for the compact form."""
         self._guess = NO_SESSION
 
     def open(self, line: bytes, *, from_gateway: bool) -> bytes:
@@ -50,7 +52,7 @@ class OverheardSession:
     def hear(self, response: DecodedResponse) -> None:
         """Take it from an answer to `K` which session is under way."""
         if response.command == "K":
-            self.number, self._guess = response.fields["k"], NO_SESSION
+            self.number, self._guess = response.fields["k"] & self._last, NO_SESSION
 
     def _without_session(self, line: bytes) -> bytes:
         """Return the body of a frame as it is without a session, empty if it is none: after a reset there is none."""

@@ -46,6 +46,7 @@ from unity_link.protocol.window import Window
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
+    from unity_link.protocol.compact import Packer, Unpacker
     from unity_link.protocol.host_codec import HostCodec
     from unity_link.protocol.messages import GroupFlag
 
@@ -96,9 +97,12 @@ class Session:
         node: number of the gateway on a medium that several share, None for a medium of its own.
         choose: returns any number from 0 on, by which the number of a session and its first ID are chosen.
         resumes: whether requests that change nothing are sent again in a new session; otherwise they end with the old.
+        compact: whether frames are in the compact form where the gateway has it.
     """
 
-    def __init__(self, node: int | None, choose: Callable[[], int], *, resumes: bool = False) -> None:
+    def __init__(
+        self, node: int | None, choose: Callable[[], int], *, resumes: bool = False, compact: bool = False
+    ) -> None:
         self.counters = Counters()
         self.closed: LinkLostError | None = None
         """Why there will be no session any more."""
@@ -109,6 +113,10 @@ class Session:
         self._resumes = resumes
         self._now = 0.0
         self._rest = b""
+        self._wants_compact = compact
+        self._packer: Packer | None = None
+        self._unpacker: Unpacker | None = None
+        """The two directions of the compact form, from the first session on that asked for it."""
         self.echoes = False
         """True if an adapter gives back what is sent."""
         self.output: list[bytes] = []
@@ -197,7 +205,7 @@ class Session:
         elif self._handshake is not None and self._handshake.asks:
             self.output.append(self._handshake.take_turn(now))
         # What came between two turns is no part of an answer.
-        self._rest = b""
+        self._drop_rest()
         return events
 
     @property
@@ -214,7 +222,7 @@ class Session:
         out = self.output
         if self.window.allowance.loses and out and self._exchange is not None:
             self._exchange.end_output()
-        data = b"".join(out)
+        data = b"".join(out if self._packer is None else map(self._packer.pack, out))
         out.clear()
         return data
 
@@ -246,7 +254,7 @@ class Session:
         self._shortest_timeout = max(shortest_timeout, ANSWER_PATIENCE) if takes_turns else shortest_timeout
         self._takes_turns, self._byte_time, self._longest_try = takes_turns, byte_time, longest_try
         self._blocked = False
-        self._rest = b""
+        self._drop_rest()
         self.output.clear()
         self._begin(now, again=self.epoch >= 0)
 
@@ -260,6 +268,7 @@ class Session:
             before=before,
             wire_time=wire_time,
             longest_try=self._longest_try,
+            compact=self._wants_compact,
         )
         if not self._takes_turns:
             self.output.append(self._handshake.take_output())
@@ -356,7 +365,10 @@ class Session:
             The frame, to be sent at once; nothing where other things are under way: then `submit` it.
         """
         exchange = self._exchange
-        return b"" if exchange is None or self.output else exchange.submit_alone(request, now)
+        if exchange is None or self.output:
+            return b""
+        frame = exchange.submit_alone(request, now)
+        return frame if self._packer is None else self._packer.pack(frame)
 
     # Groups
 
@@ -419,6 +431,8 @@ class Session:
             The request; None where something else has come, or more: then `receive` it.
         """
         exchange = self._exchange
+        if self._unpacker is not None:
+            data = self._unpacker.unpack_whole(data)
         return None if exchange is None or self._rest else exchange.receive_alone(data, now)
 
     def receive(self, data: bytes, now: float) -> Events:
@@ -428,6 +442,9 @@ class Session:
         """
         events: Events = []
         self._now = now
+        if self._unpacker is not None:
+            data = self._unpacker.unpack(data)
+            self.window.signs.heard |= self._unpacker.begins_answer
         if self._rest:
             data = self._rest + data
             self._rest = b""
@@ -549,6 +566,7 @@ class Session:
             self._fail_handshake(UnsupportedError(message), events)
             return
         self._codec.begin(handshake.session)
+        self._use_form(compact=handshake.compact)
         credit = None if Feature.FLOW_CONTROL in info.features else info.receive_fifo_bytes
         self.window = Window(
             codec.ring,
@@ -578,6 +596,22 @@ class Session:
         events.append(Opened(info))
         self._exchange.admit(now, events)
         self._groups.start(self._codec, events)
+
+    def _drop_rest(self) -> None:
+        """Forget the beginning of a frame."""
+        self._rest = b""
+        if self._unpacker is not None:
+            self._unpacker.reset()
+
+    def _use_form(self, *, compact: bool) -> None:
+        if compact == (self._packer is not None):
+            return
+        self._packer = self._unpacker = None
+        if compact:
+            from unity_link.protocol.compact import CompactForm, Packer, Unpacker
+
+            forms = [CompactForm.of(self.codec.info, from_gateway=side) for side in (False, True)]
+            self._packer, self._unpacker = Packer(forms[0]), Unpacker(forms[1])
 
     def _fail_handshake(self, error: UnityLinkError, events: Events) -> None:
         self._handshake = None

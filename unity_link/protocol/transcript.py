@@ -10,16 +10,18 @@ import re
 from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.errors import UnsupportedError
-from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.compact import text_of
+from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.frames import LONGEST_FRAME
 from unity_link.protocol.interpreter import FrameKind, Interpreter, Meaning
 from unity_link.protocol.messages import Codec
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
 _SENT = re.compile(rb"[^\r\n]*[\r\n]")
 _RECEIVED = re.compile(rb"[^\n]*\n")
+_UNKNOWN = GatewayInfo(features=GatewayInfo().features | Feature.COMPACT)
 QUESTION = re.compile(rb"(?:Z([0-9A-Fa-f]{2}))?Q\r")
 """A `Q`; its group is the number of the node, if it is addressed."""
 CONFIGURATION = re.compile(rb"(?:Z[0-9A-F]{2})?Q([0-9A-F]+)\r\n")
@@ -50,13 +52,19 @@ class FrameCutter:
     """
 
     def __init__(self, *, sent: bool) -> None:
+        self._sent = sent
         self._form = _SENT if sent else _RECEIVED
+        self._text_of: Callable[[bytes], bytes] = bytes
         self.rest = b""
         """The beginning of a frame whose end has not come."""
 
+    def use(self, info: GatewayInfo) -> None:
+        """Make text of frames in compact form, if a gateway has that."""
+        self._text_of = text_of(info, from_gateway=not self._sent)
+
     def cut(self, data: bytes) -> list[bytes]:
-        """Take bytes, and return the frames that are whole now, with their ends; empty ones are left out."""
-        data = self.rest + data
+        """Take bytes, and return the frames that are whole now, as text with its ends; empty ones are left out."""
+        data = self.rest + self._text_of(data)
         frames = self._form.findall(data)
         rest = data[sum(map(len, frames)) :]
         if len(rest) > LONGEST_FRAME:
@@ -71,10 +79,11 @@ class Transcript:
     """Frames of one connection with their meanings."""
 
     def __init__(self) -> None:
-        self.codec = Codec(GatewayInfo())
+        self.codec = Codec(_UNKNOWN)
         self._node: int | None = None
         self._interpreter = Interpreter(self.codec)
         self._cutters = {True: FrameCutter(sent=True), False: FrameCutter(sent=False)}
+        self._use_forms()
         self._next: int | None = None
         self._sent_at: dict[int, float | None] = {}
 
@@ -129,3 +138,8 @@ class Transcript:
         if (info, codec.framing.prefix) != (self.codec.info, self.codec.framing.prefix):
             self.codec = codec
             self._interpreter = Interpreter(codec)
+            self._use_forms()
+
+    def _use_forms(self) -> None:
+        for cutter in self._cutters.values():
+            cutter.use(self.codec.info)

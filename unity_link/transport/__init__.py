@@ -50,7 +50,7 @@ _STAND_INS: dict[str, str] = {}
 _DEVICE_NAMES = frozenset({"ftdi", "ftdi-async"})
 """Schemes whose URLs have a device in a form of its own, such as ``ftdi:232h:SERIAL``, where others have host and port.
 """
-COMMON_OPTIONS = frozenset({"node", "snoop", "map"})
+COMMON_OPTIONS = frozenset({"node", "snoop", "map", "compact"})
 SNOOP_VARIABLE = "UNITY_LINK_SNOOP"
 """Environment variable with the path of the snoop of all connections whose URL names none."""
 _OPENING_TIMEOUT = 5.0
@@ -378,6 +378,11 @@ def node_of(target: DriverUrl | Medium) -> int | None:
     """Return the number of the node on a medium that several share, None on one of our own."""
     node: int | None = getattr(target, "node", None)
     return node
+
+
+def takes_compact_form(target: DriverUrl | Medium) -> bool:
+    """Return whether frames may be in compact form on a medium."""
+    return not isinstance(target, DriverUrl) or target.compact
 
 
 async def prepare(url: DriverUrl) -> None:

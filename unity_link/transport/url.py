@@ -45,13 +45,13 @@ class DriverUrl(msgspec.Struct, frozen=True):
         except ValueError:
             raise ArgumentError(f"{option}={text} in {self.text} is not a number") from None
 
-    def flag(self, option: str) -> bool:
-        """Return an option that is 0 or 1; 0 where it is not given.
+    def flag(self, option: str, *, default: bool = False) -> bool:
+        """Return an option that is 0 or 1, `default` where it is not given.
 
         Raises:
             ArgumentError: where it is something else.
         """
-        text = self.options.get(option, "0")
+        text = self.options.get(option, str(int(default)))
         if text not in ("0", "1"):
             raise ArgumentError(f"{option}={text} in {self.text} is neither 0 nor 1")
         return text == "1"
@@ -78,6 +78,11 @@ class DriverUrl(msgspec.Struct, frozen=True):
         if chosen not in (None, "any"):
             raise ArgumentError(f"map={chosen} in {self.text} is not any")
         return chosen is not None
+
+    @property
+    def compact(self) -> bool:
+        """Return whether frames may be in compact form (docs/protocol.md, "The compact form")."""
+        return self.flag("compact", default=True)
 
     @property
     def snoop(self) -> str | None:

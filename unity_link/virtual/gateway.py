@@ -23,6 +23,7 @@ from typing import TYPE_CHECKING, Protocol, runtime_checkable
 import msgspec
 
 from unity_link.errors import ArgumentError
+from unity_link.protocol.compact import CompactForm, Packer, Unpacker
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.frames import in_session
 from unity_link.protocol.gateway_session import Answer, GatewaySession
@@ -125,6 +126,9 @@ class VirtualGateway(BareGateway):
         self._waiting = self.groups.ring.waiting
         self._commands = CommandSet(self.info, self.bus, self.groups)
         self._session = GatewaySession(self._codec)
+        self._takes_compact = Feature.COMPACT in self.info.features
+        self._unpacker = Unpacker(CompactForm.of(self.info, from_gateway=False))
+        self._packer = Packer(CompactForm.of(self.info, from_gateway=True))
         self._sequence = self._session.sequence
         self._prepare_quick_ways()
         self.reset()
@@ -132,6 +136,7 @@ class VirtualGateway(BareGateway):
     def reset(self) -> None:
         """Go back to the state after power-up. What is behind the bus stays as it is."""
         self._session.reset()
+        self._unpacker.reset()
         self._tail = b""
         self._bytes_lost = False
         self.groups.reset()
@@ -226,6 +231,8 @@ class VirtualGateway(BareGateway):
         """Take bytes at the time `now` (seconds), and return what is sent at once."""
         # What waits was told that there is no room, by `advance`.
         replies = [self.advance(now, 0 if self._waiting else None)]
+        if self._takes_compact:
+            data = self._unpacker.unpack(data)
         lines = (self._tail + data).split(b"\n")
         tail = lines.pop()
         if self._bytes_lost or b"\r" in data:
@@ -254,6 +261,8 @@ class VirtualGateway(BareGateway):
                 reply = self._quick_way(line, 2, self._quick_post)
             if reply is None:
                 reply = self._answer(line, now, plain=False)
+            elif self._session.state.compact:
+                reply = self._packer.pack(reply)
             replies.append(reply)
             if waiting and reply:
                 replies.append(self._turn_of_a_sample())
@@ -275,7 +284,9 @@ class VirtualGateway(BareGateway):
     def _frame(self, body: bytes, plain: bool) -> bytes:  # noqa: FBT001  (the form of a frame, everywhere)
         if plain:
             return self._framing.plain_reply(body)
-        return self._framing.checked(body, self._session.state.seeds[1] if in_session(body[0]) else 0)
+        state = self._session.state
+        frame = self._framing.checked(body, state.seeds[1] if in_session(body[0]) else 0)
+        return self._packer.pack_one(frame) if state.compact else frame
 
     def _answer(self, line: bytes, now: float, *, plain: bool) -> bytes:
         """Return the reply to what stood before an end, behind the samples that come before it."""
@@ -336,7 +347,7 @@ class VirtualGateway(BareGateway):
 
     def _start_or_tell_session(self, request: DecodedRequest) -> bytes:
         if not request.values:
-            return self._codec.response(request, self._session.state.number)
+            return self._codec.response(request, self._session.asked)
         self._commands.start_session(for_program=self._session.state.for_program)
         return self._codec.response(request, self._session.ended)
 

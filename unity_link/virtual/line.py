@@ -10,20 +10,18 @@ FIFO; a frame of the gateway arrives at the host when the line has carried its l
 from __future__ import annotations
 
 import math
-import re
 from collections import deque
 from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError
 from unity_link.protocol.configuration import Feature
+from unity_link.protocol.frames import end_of_first
 from unity_link.virtual.gateway import Gateway
 
 if TYPE_CHECKING:
     from collections.abc import Callable, MutableMapping
 
     from unity_link.virtual.gateway import BareGateway
-
-_TO_END = re.compile(rb"[^\r\n]*[\r\n]?")
 
 
 class SlowLine(Gateway):
@@ -133,8 +131,7 @@ class SlowLine(Gateway):
     def _look_at_requests(self, now: float) -> None:
         """Hand on requests until a response fills the transmit FIFO."""
         while self._fifo and now >= self._free_at:
-            match = _TO_END.match(self._fifo)
-            size = match.end() if match else len(self._fifo)
+            size = end_of_first(self._fifo) or len(self._fifo)
             if self._lost_at and self._lost_at[0] < size:
                 self._gateway.overflow()
             self._lost_at = [place - size for place in self._lost_at if place >= size]

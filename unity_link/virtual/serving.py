@@ -25,6 +25,7 @@ from unity_link.errors import ConnectError
 from unity_link.protocol import finding
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.datagrams import NO_SESSION, GatewayDatagrams
+from unity_link.protocol.frames import end_of_last
 from unity_link.protocol.messages import Codec
 from unity_link.transport.listening import LOOPBACK, checked_host, listen_tcp, listen_unix, port_error, serving, url_of
 from unity_link.virtual.transport import GatewayTransport
@@ -251,7 +252,7 @@ class _DatagramClients(asyncio.DatagramProtocol, asyncio.Transport):
     def write(self, data: bytes | bytearray | memoryview) -> None:
         """Send whole frames; the beginning of one waits for its end."""
         data = self._rest + data
-        end = data.rfind(b"\n") + 1
+        end = end_of_last(data)
         self._rest = data[end:] if len(data) - end <= _LONGEST_REST else b""
         self._datagrams.put(data[:end])
 

@@ -283,7 +283,8 @@ class SharedLink(Connection):
         if self.leases is not None:
             self._check_map(self.leases.interface)
         if self.codec is None:
-            features = codec.info.features & ~(Feature.ADDRESSED | Feature.HALF_DUPLEX) | Feature.FLOW_CONTROL
+            left = Feature.ADDRESSED | Feature.HALF_DUPLEX | Feature.COMPACT
+            features = codec.info.features & ~left | Feature.FLOW_CONTROL
             self.codec = Codec(msgspec.structs.replace(codec.info, features=features))
             self.slots = Slots(self._session.groups, codec.info.groups)
 

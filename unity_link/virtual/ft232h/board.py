@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections import deque
 from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
+from unity_link.protocol.frames import end_of_first
 from unity_link.virtual.ft232h.port import Mode
 from unity_link.virtual.gateway import VirtualGateway
 from unity_link.virtual.simulating import SimulatedGateway
@@ -160,9 +161,7 @@ class GatewayBoard:
         size = gateway.info.transmit_fifo_bytes
         mode = _OFF if self._sends_immediately is None else self._sends_immediately.send_immediate
         while received and len(self._sent) <= size:
-            end = received.find(b"\n") + 1
-            plain_end = received.find(b"\r", 0, end or None) + 1
-            count = plain_end or end or len(received)
+            count = end_of_first(received) or len(received)
             answer = gateway.receive(bytes(received[:count]), now)
             del received[:count]
             if answer:
