@@ -4,6 +4,7 @@ rtl/base/ul_math_pkg.vhd
 rtl/base/ul_reset_synchroniser.vhd
 rtl/base/ul_stream_register.vhd
 rtl/base/ul_synchroniser.vhd
+rtl/datalink/ul_compact_pkg.vhd
 rtl/datalink/ul_crc_pkg.vhd
 rtl/physical/ul_crc32_pkg.vhd
 rtl/physical/ul_ethernet_pkg.vhd
@@ -28,6 +29,8 @@ rtl/base/ul_word_ring.vhd
 rtl/bus/ul_axi4_lite_master.vhd
 rtl/bus/ul_bus_master.vhd
 rtl/bus/ul_wishbone_master.vhd
+rtl/datalink/ul_compact_rx.vhd
+rtl/datalink/ul_compact_tx.vhd
 rtl/datalink/ul_datalink_rx.vhd
 rtl/datalink/ul_datalink_tx.vhd
 rtl/datalink/ul_plain_rx.vhd

@@ -63,6 +63,8 @@ entity unity_link is
     masked_write : boolean := true;
     -- Whether RQ and WQ are there, for FIFOs at one address.
     queue_commands : boolean := true;
+    -- Whether frames of a session may be in the compact form; words then have an even number of hex digits.
+    compact : boolean := false;
     -- Whether samples may bear the time; else that flag is answered with error 06.
     timestamps : boolean := true;
     -- Whether edges of trigger make groups due; else that flag is answered with error 06.
@@ -348,6 +350,7 @@ begin
       bus_pipelined             => bus_standard = "wishbone" and wb_pipelined,
       masked_write              => masked_write,
       queue_commands            => queue_commands,
+      compact                   => compact,
       timestamps                => timestamps,
       triggers                  => triggers,
       send_immediate            => send_immediate,

@@ -67,6 +67,8 @@ entity unity_link_core is
     masked_write : boolean := true;
     -- Whether RQ and WQ are there, for FIFOs at one address.
     queue_commands : boolean := true;
+    -- Whether frames of a session may be in the compact form; words then have an even number of hex digits.
+    compact : boolean := false;
     -- Whether samples may bear the time; else that flag is answered with error 06.
     timestamps : boolean := true;
     -- Whether edges of trigger make groups due; else that flag is answered with error 06.
@@ -175,10 +177,11 @@ architecture rtl of unity_link_core is
   function features return std_logic_vector is
   begin
 
-    return "00000" & to_std_logic(description) & to_std_logic(half_duplex) & to_std_logic(fingerprint)
-           & to_std_logic(node >= 0) & to_std_logic(queue_commands) & to_std_logic(masked_write)
-           & to_std_logic(flow_control) & to_std_logic(send_immediate) & to_std_logic(timestamps and has_groups)
-           & to_std_logic(triggers and has_groups) & to_std_logic(has_groups);
+    return "0000" & to_std_logic(compact) & to_std_logic(description) & to_std_logic(half_duplex)
+           & to_std_logic(fingerprint) & to_std_logic(node >= 0) & to_std_logic(queue_commands)
+           & to_std_logic(masked_write) & to_std_logic(flow_control) & to_std_logic(send_immediate)
+           & to_std_logic(timestamps and has_groups) & to_std_logic(triggers and has_groups)
+           & to_std_logic(has_groups);
 
   end function features;
 
@@ -326,6 +329,8 @@ architecture rtl of unity_link_core is
   signal sent_ready   : std_logic;
   signal tx_entry     : std_logic_vector(9 downto 0);
   signal tx_in        : std_logic_vector(9 downto 0);
+  signal tx_in_valid  : std_logic;
+  signal tx_in_ready  : std_logic;
   signal tx_waits     : std_logic;
   signal tx_leaves    : std_logic;
 
@@ -333,6 +338,7 @@ architecture rtl of unity_link_core is
   signal decoder_busy  : std_logic;
   signal writer_busy   : std_logic;
   signal sending_busy  : std_logic;
+  signal packing_busy  : std_logic;
   signal is_active     : std_logic;
 
 begin
@@ -353,6 +359,11 @@ begin
          or (unsigned(crc_polynomial) /= 0 and shift_right(unsigned(crc_polynomial), crc_bits) = 0)
     report "unity_link: crc_polynomial is 0 or has more than the " & integer'image(crc_bits)
            & " bits of crc_bits, expected that of a CRC of so many bits, such as 00000007, 00001021 or 04C11DB7"
+    severity failure;
+
+  assert not compact or (checked_frames and digits_of(data_bits) mod 2 = 0)
+    report "unity_link: compact needs checked frames and data_bits with an even number of hex digits, not "
+           & integer'image(data_bits)
     severity failure;
 
   -- The answer to Q has four digits for each.
@@ -405,20 +416,47 @@ begin
       level     => open
     );
 
-  rx_register_inst : entity work.ul_stream_register
-    generic map (
-      width => 9
-    )
-    port map (
-      clk       => clk,
-      rst       => rst,
-      in_data   => fifo_out,
-      in_valid  => fifo_out_valid,
-      in_ready  => fifo_out_ready,
-      out_data  => character_in,
-      out_valid => character_valid,
-      out_ready => character_ready
-    );
+  with_compact_rx : if compact generate
+
+    compact_rx_inst : entity work.ul_compact_rx
+      generic map (
+        id_digits      => id_digits,
+        address_digits => digits_of(address_bits),
+        node           => node
+      )
+      port map (
+        clk       => clk,
+        rst       => rst,
+        in_data   => fifo_out(7 downto 0),
+        in_lost   => fifo_out(8),
+        in_valid  => fifo_out_valid,
+        in_ready  => fifo_out_ready,
+        out_data  => character_in(7 downto 0),
+        out_lost  => character_in(8),
+        out_valid => character_valid,
+        out_ready => character_ready
+      );
+
+  end generate with_compact_rx;
+
+  without_compact_rx : if not compact generate
+
+    rx_register_inst : entity work.ul_stream_register
+      generic map (
+        width => 9
+      )
+      port map (
+        clk       => clk,
+        rst       => rst,
+        in_data   => fifo_out,
+        in_valid  => fifo_out_valid,
+        in_ready  => fifo_out_ready,
+        out_data  => character_in,
+        out_valid => character_valid,
+        out_ready => character_ready
+      );
+
+  end generate without_compact_rx;
 
   with_datalink_rx : if checked_frames generate
 
@@ -488,6 +526,7 @@ begin
       group_words    => group_words,
       masked_write   => masked_write,
       queue_commands => queue_commands,
+      compact        => compact,
       timestamps     => timestamps,
       triggers       => triggers,
       send_immediate => send_immediate,
@@ -886,7 +925,45 @@ begin
 
   end generate without_datalink_tx;
 
-  tx_in <= sent_mark & sent_data;
+  with_compact_tx : if compact generate
+
+    signal asked : std_logic;
+
+  begin
+
+    -- The rest of a frame whose first character is looked at stands at the writer.
+    asked <= session(session'high) and not no_session and not writer_plain;
+
+    compact_tx_inst : entity work.ul_compact_tx
+      generic map (
+        id_digits => id_digits,
+        node      => node
+      )
+      port map (
+        clk       => clk,
+        rst       => rst,
+        compact   => asked,
+        in_data   => sent_data,
+        in_mark   => sent_mark,
+        in_valid  => sent_valid,
+        in_ready  => sent_ready,
+        out_data  => tx_in(7 downto 0),
+        out_mark  => tx_in(9 downto 8),
+        out_valid => tx_in_valid,
+        out_ready => tx_in_ready,
+        busy      => packing_busy
+      );
+
+  end generate with_compact_tx;
+
+  without_compact_tx : if not compact generate
+
+    tx_in        <= sent_mark & sent_data;
+    tx_in_valid  <= sent_valid;
+    sent_ready   <= tx_in_ready;
+    packing_busy <= '0';
+
+  end generate without_compact_tx;
 
   tx_fifo_inst : entity work.ul_fifo_sync
     generic map (
@@ -897,8 +974,8 @@ begin
       clk       => clk,
       rst       => rst,
       in_data   => tx_in,
-      in_valid  => sent_valid,
-      in_ready  => sent_ready,
+      in_valid  => tx_in_valid,
+      in_ready  => tx_in_ready,
       out_data  => tx_entry,
       out_valid => tx_waits,
       out_ready => tx_ready,
@@ -909,7 +986,7 @@ begin
   tx_valid  <= tx_waits;
   tx_leaves <= tx_waits and tx_ready;
   is_active <= fifo_out_valid or character_valid or datalink_busy or decoder_busy or hold or writer_busy or sending_busy
-               or tx_waits;
+               or packing_busy or tx_waits;
   active    <= is_active;
 
   with_send_immediate : if send_immediate generate

@@ -45,6 +45,8 @@ entity unity_link_fifo is
     -- Features: what is switched off costs nothing and is answered with error 02 (a command) or 06 (a flag).
     masked_write   : boolean := true;
     queue_commands : boolean := true;
+    -- Whether frames of a session may be in the compact form; words then have an even number of hex digits.
+    compact        : boolean := false;
     timestamps     : boolean := true;
     triggers       : boolean := true;
     send_immediate : boolean := true;
@@ -119,6 +121,7 @@ begin
       bus_timeout               => bus_timeout,
       masked_write              => masked_write,
       queue_commands            => queue_commands,
+      compact                   => compact,
       timestamps                => timestamps,
       triggers                  => triggers,
       send_immediate            => send_immediate,

@@ -28,19 +28,21 @@ _CLOCK = {"clock_hz": 500_000, "base_frequency_millihertz": 10_000_000}
 _SLOW_CLOCK = {"clock_hz": 50_000, "base_frequency_millihertz": 1_000_000, "groups": 4}
 _CRC_8 = {"crc_bits": 8, "crc_polynomial": 0x07}
 _CRC_32 = {"crc_bits": 32, "crc_polynomial": 0x04C11DB7}
+_FT232H = {
+    **_CRC_8,
+    "clock_hz": 50_000_000,
+    "base_frequency_millihertz": 1_000_000_000,
+    "group_words": 255,
+    "sample_depth": 1024,
+}
 CONFIGURATIONS: dict[str, dict[str, int]] = {
     "default": {**_CLOCK, "sample_depth": 1024},
     # The widths of the paper's gateway.
     "short": {**_CLOCK, "id_digits": 2, **_CRC_8},
     # What the experiment of the paper measures: an FT232H at its true clock, because its time is modelled, with the
     # CRC of the paper, and IDs for a window that fills the medium. A fine base tick finds the limit of publishing.
-    "ft232h": {
-        **_CRC_8,
-        "clock_hz": 50_000_000,
-        "base_frequency_millihertz": 1_000_000_000,
-        "group_words": 255,
-        "sample_depth": 1024,
-    },
+    "ft232h": _FT232H,
+    "ft232h_compact": {**_FT232H, "compact": True},
     # The widest of everything.
     "wide": {
         **_CLOCK,
@@ -74,6 +76,7 @@ CONFIGURATIONS: dict[str, dict[str, int]] = {
     # One of several on a medium.
     "node": {**_CLOCK, "node": 5},
     "slow": _SLOW_CLOCK,
+    "compact": {**_SLOW_CLOCK, **_CRC_32, "compact": True},
     "crc_32": {**_SLOW_CLOCK, **_CRC_32},
     "short_ids": {**_SLOW_CLOCK, **_CRC_32, "id_digits": 2},
     # Behind a UART of three wires, which stops nobody.

@@ -164,6 +164,7 @@ _MINIMAL: dict[str, object] = {
 _SHORT: dict[str, object] = {"id_digits": 2, "crc_bits": 8, "crc_polynomial": f"{0x07:032b}"}
 CONFIGURATIONS = {
     "default": Configuration("unity_link_fifo"),
+    "compact": Configuration("unity_link_fifo", {"compact": True}),
     "minimal": Configuration("unity_link_fifo", _MINIMAL),
     "minimal_short": Configuration("unity_link_fifo", {**_MINIMAL, **_SHORT}),
     "uart": Configuration("unity_link", {"physical": "uart"}),

@@ -16,6 +16,7 @@ import msgspec
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
+from unity_link.protocol.compact import END, ESCAPE, START, STUFFED, CompactForm, Packer, cut, is_sample
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.crc import seed_of
 from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
 FOLDER = Path(__file__).resolve().parent
 BUS_ERROR_AT, BUS_TIMEOUT_AT = 0xE0, 0xE8
 RANDOM_FRAMES = 300
+COMPACT = GatewayInfo().features | Feature.COMPACT
 
 CONFIGURATIONS: dict[str, tuple[GatewayInfo, int | None]] = {
     "default": (GatewayInfo(), None),
@@ -53,6 +55,22 @@ CONFIGURATIONS: dict[str, tuple[GatewayInfo, int | None]] = {
         None,
     ),
     "bare": (GatewayInfo(features=Feature(0), groups=0, group_words=0, block_words=8), None),
+    "compact": (GatewayInfo(block_words=16, groups=4, group_words=8, features=COMPACT), None),
+    # With IDs, a CRC and addresses of which the digits are to be filled up otherwise.
+    "compact_addressed": (
+        GatewayInfo(
+            id_digits=2,
+            crc_bits=8,
+            crc_polynomial=0x07,
+            address_bits=10,
+            data_bits=16,
+            block_words=16,
+            groups=4,
+            group_words=8,
+            features=COMPACT,
+        ),
+        0xB5,
+    ),
     "addressed": (GatewayInfo(block_words=16, groups=4, group_words=8), 0x1A),
 }
 
@@ -70,6 +88,10 @@ class Script:
         self.sessions = 0
         """Number of the last session begun."""
         self.records: list[dict[str, Any]] = []
+        self.asks_compact = self.info.asks_compact if Feature.COMPACT in self.info.features else 0
+        """Bit beside the number of a session that asks for the compact form."""
+        self.packer = Packer(CompactForm.of(self.info, from_gateway=False))
+        self._forms = random.Random(1)
 
     def header(self) -> dict[str, Any]:
         """Return the first line of the file."""
@@ -83,15 +105,25 @@ class Script:
 
     def send(self, about: str, data: bytes) -> None:
         """Send bytes as they are."""
-        frames = self.gateway.receive(data, 0.0).splitlines(keepends=True)
-        publish = self.codec.framing.prefix + b"P"
-        publishes = b"".join(frame for frame in frames if frame.startswith(publish))
-        answers = b"".join(frame for frame in frames if not frame.startswith(publish))
+        self.send_as_it_is(about, self.formed(data))
+
+    def send_as_it_is(self, about: str, data: bytes) -> None:
+        """Send bytes in the form that they have."""
+        frames = cut(self.gateway.receive(data, 0.0))
+        publishes = b"".join(frame for frame in frames if is_sample(frame, self.codec.framing.prefix))
+        answers = b"".join(frame for frame in frames if not is_sample(frame, self.codec.framing.prefix))
         texts = {"send": data, "answers": answers, "publishes": publishes}
         record = {name: text.decode("latin-1") for name, text in texts.items()}
         if not publishes:
             del record["publishes"]
         self.records.append({"about": about, **record})
+
+    def formed(self, data: bytes) -> bytes:
+        """Return bytes in which about half of the frames that have a compact form are in it, if the gateway has it."""
+        if self.asks_compact:
+            lines = data.splitlines(keepends=True)
+            data = b"".join(line if self._forms.random() < 0.4 else self.packer.pack_one(line) for line in lines)
+        return data
 
     def checked(self, about: str, *bodies: bytes) -> None:
         """Send bodies in checked frames, one after the other."""
@@ -106,7 +138,9 @@ class Script:
     def begin(self, first: int, *, program: bool = False, about: str = "session") -> None:
         """Begin another session, of a person unless a program is said."""
         self.sessions = self.sessions * 5 % self.info.last_session + 1
-        (self.checked if program else self.plain)(about, self.codec.opening(first % self.codec.ring, self.sessions))
+        # Not in every fourth session.
+        asked = self.sessions | self.asks_compact * (self.sessions % 4 > 0)
+        (self.checked if program else self.plain)(about, self.codec.opening(first % self.codec.ring, asked))
 
     def plain(self, about: str, *bodies: bytes) -> None:
         """Send bodies in plain frames, one after the other."""
@@ -402,9 +436,8 @@ def programs(script: Script) -> None:
     script.send("an echo", codec.framing.checked(read, seed_of(script.sessions, from_gateway=True)))
     script.both("the session under way again", codec.opening(0, script.sessions))
     last = script.info.last_session
-    script.both(
-        "a session out of range", codec.opening(0, 0), codec.opening(0, last + 1), codec.opening(0, 2 * last + 1)
-    )
+    beyond = [] if script.asks_compact else [codec.opening(0, 2 * last + 1)]
+    script.both("a session out of range", codec.opening(0, 0), codec.opening(0, last + 1), *beyond)
     if Feature.GROUPS in script.info.features:
         body = script.body("GS", 0, 0x20, 1, 1, [0x0A], number=number)
         script.checked("plain samples", body, body)
@@ -475,6 +508,44 @@ def _destructive(script: Script, number: int) -> int:
     return number
 
 
+def compact_form(script: Script) -> None:
+    """Send frames of the compact form that are cut, damaged, and among text and noise."""
+    script.both("which session is under way, and in which form?", b"K")
+    expected = script.gateway.expected
+    frame = script.frame(script.body("R", 0x0A, number=expected))
+    packed = script.packer.pack_one(frame)
+    other = script.packer.pack_one(script.frame(script.body("H", number=expected)))
+    pieces: dict[str, bytes] = {
+        "without its end": packed[:-1] + other,
+        "without its end, and text behind": packed[:-1] + frame,
+        "without its start": packed[1:] + other,
+        "cut by a line end": packed[:4] + b"\n" + other,
+        "cut by a CR": packed[:4] + b"\r" + other,
+        "an end behind it": packed + END + other,
+        "a start behind it": packed + START + b"\n" + other,
+        "a start in a line": frame[:5] + packed + other,
+        "nothing between start and end": START + END + other,
+        "an escape at its end": packed[:-1] + ESCAPE + END + other,
+        "escapes of what needs none": START + ESCAPE + bytes((packed[1] ^ STUFFED,)) + packed[2:],
+        "an escape of an escape": packed[:4] + ESCAPE + ESCAPE + packed[5:] + other,
+        "line ends around it": b"\n\r\n" + packed + b"\r\n" + other,
+        "longer than any": START + packed[1:-1] * (script.info.longest_request // 4) + END + other,
+    }
+    for about, data in pieces.items():
+        script.send_as_it_is(f"a compact frame: {about}", data)
+    source = random.Random(2)
+    for _ in range(RANDOM_FRAMES):
+        number = script.gateway.expected + source.choice((0, 0, 0, -1, 1))
+        command = source.choice([name for name in COMMANDS if name not in {"GN", "K", "Q", "GS"}])
+        body = script.body(command, *_random_values(script, command, source), number=number)
+        damaged = bytearray(script.packer.pack_one(script.frame(body)))
+        at = source.randrange(len(damaged))
+        flipped = bytes((damaged[at] ^ 1 << source.randrange(8),))
+        damaged[at : at + 1] = source.choice([b"", START, END, ESCAPE, b"\n", flipped])
+        script.send_as_it_is("a damaged compact frame", bytes(damaged))
+    script.send_as_it_is("the end of what was cut", b"\n")
+
+
 def random_frames(script: Script) -> None:
     """Send a seeded mixture of requests, good and damaged, near the expected ID."""
     source = random.Random(script.info.data_bits)
@@ -521,6 +592,9 @@ def generate(name: str) -> str:
         part(script)
     script.begin(0, program=True)
     random_frames(script)
+    for program in (True, False) if script.asks_compact else ():
+        script.begin(5, program=program)
+        compact_form(script)
     return "".join(json.dumps(record) + "\n" for record in [script.header(), *script.records])
 
 

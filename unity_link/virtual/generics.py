@@ -25,6 +25,7 @@ _DEFAULTS: dict[str, Any] = {
     "fingerprint": False,
     "description": False,
     "half_duplex": False,
+    "compact": False,
     "groups": 16,
     "group_words": 32,
     "rx_fifo_depth": 256,
@@ -57,6 +58,7 @@ def info_of(given: Mapping[str, int]) -> GatewayInfo:
     features |= Feature.FINGERPRINT if generics["fingerprint"] else Feature(0)
     features |= Feature.DESCRIPTION if generics["description"] else Feature(0)
     features |= Feature.HALF_DUPLEX if generics["half_duplex"] else Feature(0)
+    features |= Feature.COMPACT if generics["compact"] else Feature(0)
     fields = {field: generics[field] for field in GatewayInfo.__struct_fields__ if field in generics}
     return GatewayInfo(
         **{

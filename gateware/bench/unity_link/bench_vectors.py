@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import cocotb
 
 from gateware.bench.unity_link.gateway import Gateway
+from unity_link.protocol.compact import cut, is_sample
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
@@ -29,13 +30,13 @@ async def it_answers_the_vectors(dut: SimHandleBase) -> None:
     for step in steps:
         gateway.send(step["send"].encode("latin-1"))
     await gateway.quiet(1000)
-    frames = gateway.take().splitlines(keepends=True)
-    is_publish = [frame.startswith(prefix + b"P") for frame in frames]
+    frames = cut(gateway.take())
+    is_publish = [is_sample(frame, prefix) for frame in frames]
     answers = [frame for frame, publish in zip(frames, is_publish, strict=True) if not publish]
     publishes = [frame for frame, publish in zip(frames, is_publish, strict=True) if publish]
     for step in steps:
         for name, got in (("answers", answers), ("publishes", publishes)):
-            expected = step.get(name, "").encode("latin-1").splitlines(keepends=True)
+            expected = cut(step.get(name, "").encode("latin-1"))
             assert got[: len(expected)] == expected, f"{step}: {got[: len(expected) + 1]}"
             del got[: len(expected)]
     assert not answers

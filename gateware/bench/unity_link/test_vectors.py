@@ -38,13 +38,14 @@ def generics_of(configuration: dict[str, Any], node: int | None) -> dict[str, ob
         "flow_control": Feature.FLOW_CONTROL in features,
         "fingerprint": Feature.FINGERPRINT in features,
         "half_duplex": Feature.HALF_DUPLEX in features,
+        "compact": Feature.COMPACT in features,
         "description": Feature.DESCRIPTION in features,
         "node": -1 if node is None else node,
     }
 
 
 # Longest and shortest frames, addressed ones, and those without features; each word takes its time in GHDL.
-QUICK = ("default", "short", "addressed", "bare")
+QUICK = ("default", "short", "addressed", "bare", "compact", "compact_addressed")
 RUNS = [
     pytest.param(path, pause, marks=[] if path.stem in QUICK and pause else [pytest.mark.campaign])
     for path in sorted(VECTORS.glob("*.ndjson"))

@@ -114,6 +114,7 @@ entity unity_link_bench is
     bus_timeout               : positive := 64;
     masked_write              : boolean  := true;
     queue_commands            : boolean  := true;
+    compact                   : boolean  := false;
     timestamps                : boolean  := true;
     triggers                  : boolean  := true;
     send_immediate            : boolean  := true;
@@ -279,6 +280,7 @@ begin
       bus_timeout               => bus_timeout,
       masked_write              => masked_write,
       queue_commands            => queue_commands,
+      compact                   => compact,
       timestamps                => timestamps,
       triggers                  => triggers,
       send_immediate            => send_immediate,

@@ -29,6 +29,7 @@ entity ul_request_decoder is
     group_words    : natural  := 32;
     masked_write   : boolean  := true;
     queue_commands : boolean  := true;
+    compact        : boolean  := false;
     timestamps     : boolean  := true;
     triggers       : boolean  := true;
     send_immediate : boolean  := true;
@@ -639,7 +640,9 @@ begin
           return unsigned(r.group_number) > 2;
 
         when command_k =>
-          return r.field /= field_command and (r.some_number = '0' or r.number(4 * session_digits - 1) = '1');
+          return r.field /= field_command and
+                 (unsigned(r.number(4 * session_digits - 2 downto 0)) = 0 or
+                  (r.number(4 * session_digits - 1) = '1' and not compact));
 
         when others =>
           return false;

@@ -65,7 +65,8 @@ entity ul_request_executor is
     request_asks         : in    std_logic;
     request_number       : in    std_logic_vector(number_bits_of(crc_bits, groups) - 1 downto 0);
     number_shift         : out   std_logic;
-    -- The session under way, 0 for none; a checked frame began it. The number moves while a K is answered.
+    -- The session under way, 0 for none; a checked frame began it. The number moves while a K is answered. Its highest
+    -- bit asks for the compact form, and is in no check.
     session     : out   std_logic_vector(4 * session_digits_of(crc_bits) - 1 downto 0);
     in_session  : out   std_logic;
     for_program : out   std_logic;
@@ -738,7 +739,8 @@ begin
       v.is_expected := to_std_logic(distance = 0);
       v.is_ahead    := not half_ring(distance);
       v.enough_room := to_std_logic(ring_room >= unsigned(request_count));
-      v.is_same     := to_std_logic(request_number(session_t'range) = r.session);
+      v.is_same     := to_std_logic(request_number(4 * session_digits - 2 downto 0)
+                                    = r.session(4 * session_digits - 2 downto 0));
       v.fate        := fate;
       v.list_write  := '0';
 

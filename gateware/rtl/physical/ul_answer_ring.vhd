@@ -12,6 +12,7 @@ library ieee;
   use ieee.numeric_std.all;
 
 library work;
+  use work.ul_compact_pkg.all;
   use work.ul_math_pkg.all;
   use work.unity_link_pkg.all;
 
@@ -61,17 +62,18 @@ architecture rtl of ul_answer_ring is
   signal kept_for   : std_logic;
   signal for_asking : std_logic;
   signal for_nobody : std_logic;
-  signal is_lf      : std_logic;
+  signal is_end     : std_logic;
   signal waits      : std_logic;
   signal take       : std_logic;
   signal write      : std_logic;
 
 begin
 
-  is_lf      <= to_std_logic(in_data = character_lf);
-  for_asking <= asking and not (has_session and to_std_logic(in_data = x"50"));
+  is_end <= to_std_logic(in_data = character_lf or in_data = compact_end);
+  -- Answers to what is outside of every session are text.
+  for_asking <= asking and not (has_session and to_std_logic(in_data = x"50" or in_data = compact_start));
   for_nobody <= not for_asking and not has_session;
-  waits      <= full or (is_lf and too_many)
+  waits      <= full or (is_end and too_many)
                 or (line_start and not for_nobody and has_whole and (for_asking xor kept_for));
   take       <= in_valid and not waits;
   in_ready   <= not waits;
@@ -108,14 +110,14 @@ begin
         if line_start = '1' then
           kept_for <= for_asking;
         end if;
-        if is_lf = '1' then
+        if is_end = '1' then
           end_at    <= written + 1;
           has_whole <= '1';
         end if;
       end if;
       if take = '1' then
-        line_start <= is_lf;
-        dropping   <= (dropping or (line_start and for_nobody)) and not is_lf;
+        line_start <= is_end;
+        dropping   <= (dropping or (line_start and for_nobody)) and not is_end;
       end if;
 
       -- A cycle late, so by a byte too early.

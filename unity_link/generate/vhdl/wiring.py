@@ -35,6 +35,7 @@ _DESIGN_NAMES = (
     *("clk", "rst", "clk_ready", "not_ready", "physical", "baud", "flow_control", "clock_hz", "id_digits", "groups"),
     *("checked_frames", "crc_bits", "crc_polynomial", "block_words", "group_words", "sample_depth", "node", "build_id"),
     *("base_frequency_millihertz", "rx_fifo_depth", "tx_fifo_depth", "bus_timeout", "masked_write", "queue_commands"),
+    "compact",
     *("timestamps", "triggers", "send_immediate", "half_duplex", "driver_lead", "driver_tail", "stream_wait"),
     *("offer_cycles", "trigger", "triggers_now", "offered", "offered_for", "base_tick", "timestamp", "sample_strobe"),
     *("sample_access", "chain_clk", "chain_load_n", "chain_out", "chain_in", "chain_half_period", "from_chain"),

@@ -133,6 +133,7 @@ class Retrace(RtlGateway):
         self._words: dict[int, int] = {}
         """Words read from and written to addresses last."""
         self._cutter = FrameCutter(sent=False)
+        self._cutter.use(self.info)
         self._settings: dict[int, SnoopedGroup] = {}
         self._place: dict[int, int] = dict.fromkeys(snooped.groups, -1)
         """Index of each group's present settings."""

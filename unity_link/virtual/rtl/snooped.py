@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import msgspec
 
 from unity_link.errors import ArgumentError, UnsupportedError
+from unity_link.protocol.compact import text_of
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.frames import CR, LF
 from unity_link.protocol.gateway_session import Answer, GatewaySession
@@ -200,6 +201,8 @@ class _Reader:
         """Begin a connection: what was under way on the one before is lost."""
         self._rest = b""
         self._received = FrameCutter(sent=False)
+        self._received.use(self._codec.info)
+        self._text_of = text_of(self._codec.info, from_gateway=False)
         self._unanswered: deque[SnoopedFrame] = deque()
 
     def take(self, data: bytes, time: float, *, sent: bool) -> None:
@@ -208,7 +211,7 @@ class _Reader:
             for frame in self._received.cut(data):
                 self._take_received(frame, time)
             return
-        data = self._rest + data
+        data = self._rest + self._text_of(data)
         end = 0
         for match in _SENT.finditer(data):
             self._take_sent(match[0], time)

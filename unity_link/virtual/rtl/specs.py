@@ -58,6 +58,7 @@ _KINDS = {
     "fingerprint": Feature.FINGERPRINT,
     "half_duplex": Feature.HALF_DUPLEX,
     "description": Feature.DESCRIPTION,
+    "compact": Feature.COMPACT,
 }
 _OF_THE_BANK = frozenset({"address_bits", "data_bits", "wb_pipelined", "fingerprint"})
 """Generics that the gateway of a spec has of itself."""

@@ -1,0 +1,52 @@
+"""Inside the simulator: text becomes the bytes that the host makes of it."""
+
+from __future__ import annotations
+
+import random
+from typing import TYPE_CHECKING
+
+import cocotb
+
+from gateware.bench.compact.cases import frames
+from gateware.bench.streams import Sink, Source, start
+from unity_link.protocol.compact import CompactForm, Unpacker
+
+if TYPE_CHECKING:
+    from cocotb.handle import SimHandleBase
+
+
+def form_of(dut: SimHandleBase) -> CompactForm:
+    """Return the form that the entity was built for."""
+    return CompactForm(int(dut.id_digits.value), 4, 0, from_gateway=True, has_node=dut.node.value.to_signed() >= 0)
+
+
+async def _pass(dut: SimHandleBase, text: bytes, *, compact: bool, pause: float) -> bytes:
+    dut.in_mark.value = 0
+    dut.compact.value = int(compact)
+    await start(dut.clk, dut.rst)
+    source = Source(dut.clk, dut.in_data, dut.in_valid, dut.in_ready, pause=pause)
+    sink = Sink(dut.clk, dut.out_data, dut.out_valid, dut.out_ready, pause=pause)
+    await source.send([*text])
+    await sink.wait_for(1)
+    while dut.busy.value == 1:
+        await cocotb.triggers.RisingEdge(dut.clk)
+    return bytes(int(entry) for entry in sink.received)  # type: ignore[arg-type]
+
+
+@cocotb.test
+async def what_leaves_has_the_text_that_came_and_is_shorter(dut: SimHandleBase) -> None:
+    form = form_of(dut)
+    for pause in (0.0, 0.4):
+        # No plain frame is put into the form.
+        text = frames(form, random.Random(1), 300).replace(b"\r", b"")
+        packed = await _pass(dut, text, compact=True, pause=pause)
+        # On a shared medium a line end stands behind each frame, for nodes without the form.
+        assert Unpacker(form).unpack(packed).replace(b"\n\n", b"\n") == text
+        assert len(packed) < 0.8 * len(text)
+
+
+@cocotb.test
+async def text_passes_where_the_session_has_asked_for_nothing_else(dut: SimHandleBase) -> None:
+    form = form_of(dut)
+    text = frames(form, random.Random(2), 100)
+    assert await _pass(dut, text, compact=False, pause=0.2) == text

@@ -1,0 +1,41 @@
+"""Frames and bytes for the benches of the compact form."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from unity_link.protocol.compact import COMMANDS, CompactForm
+
+if TYPE_CHECKING:
+    import random
+
+_RESERVED = b"\xb5\xca\xd3\n\r"
+
+
+def frames(form: CompactForm, rng: random.Random, count: int) -> bytes:
+    """Return frames of every command with digits of any number that it may have, and others among them."""
+    text = ""
+    for _ in range(count):
+        prefix = "ZB5" if form.has_node else ""
+        command = rng.choice([*COMMANDS, "gs", "K", "Q", "X", "R", "WM"])
+        odd = command not in COMMANDS or not form.is_filled(command)
+        digits = 8 + odd + 2 * rng.randrange(12)
+        end = "\r\n" if rng.random() < 0.1 else "\n"
+        text += prefix + command + "".join(rng.choices("0123456789ABCDEF0AD", k=digits)) + end
+    return text.encode()
+
+
+def damaged(data: bytes, rng: random.Random) -> bytes:
+    """Return bytes with some of them lost, changed or added."""
+    found = bytearray()
+    for byte in data:
+        chance = rng.random()
+        if chance < 0.02:
+            continue
+        if chance < 0.04:
+            found.append(rng.choice(_RESERVED))
+        elif chance < 0.06:
+            found.append(byte ^ 1 << rng.randrange(8))
+            continue
+        found.append(byte)
+    return bytes(found)
