@@ -394,7 +394,7 @@ def test_what_no_gateway_could_do_is_refused_before_it_is_sent(client: Driven) -
         (
             "tcp://localhost:1?baud=9600",
             BAD_ARGUMENT,
-            "'baud=9600' is no option of this URL: node=NUMBER, echo=1 or map=",
+            "'baud=9600' is no option of this URL: node=NUMBER, echo=1, compact=0 or map=",
         ),
         ("tcp://localhost:1?map=all", BAD_ARGUMENT, "'map=all' is no option of this URL: map=any was expected"),
         ("tcp://localhost:1?map=anything", BAD_ARGUMENT, "'map=anything' is no option of this URL: map=any was"),
@@ -803,17 +803,20 @@ SPOILED = [
 ]
 TWO_DIGITS = GatewayInfo(id_digits=2)
 """With which half the ring is as many requests as the client has places for."""
+COMPACT = GatewayInfo(id_digits=2, features=GatewayInfo().features | Feature.COMPACT)
+BOTH_FORMS = pytest.mark.parametrize("info", [TWO_DIGITS, COMPACT], ids=["text", "compact"])
 OUTCOMES = {None: 0, Outcome.UNKNOWN: 32, Outcome.EXECUTED: 33, Outcome.NOT_EXECUTED: 34}
 
 
 @pytest.mark.parametrize("together", [False, True], ids=["one by one", "together"])
 @pytest.mark.parametrize("chances", SPOILED, ids=str)
+@BOTH_FORMS
 def test_it_sends_the_same_bytes_at_the_same_times_as_the_host_in_python(
-    driver: Path, chances: dict[str, float], *, together: bool
+    driver: Path, chances: dict[str, float], info: GatewayInfo, *, together: bool
 ) -> None:
     count = 200
     for seed in range(2):
-        line, reference = (LineOfASession(VirtualGateway(TWO_DIGITS), seed, **chances) for _ in range(2))
+        line, reference = (LineOfASession(VirtualGateway(info), seed, **chances) for _ in range(2))
         with Simulated(driver, line.receive) as client:
             client.words(f"connect test:{QUICK_TIMEOUT} 5")
             if together:
@@ -838,10 +841,11 @@ def test_it_sends_the_same_bytes_at_the_same_times_as_the_host_in_python(
         assert counted[2:5] == [counters.repetitions, counters.timeouts, counters.damaged]
 
 
-def test_what_it_tells_of_requests_at_a_reset_is_what_the_host_in_python_tells(driver: Path) -> None:
+@BOTH_FORMS
+def test_what_it_tells_of_requests_at_a_reset_is_what_the_host_in_python_tells(driver: Path, info: GatewayInfo) -> None:
     for seed in range(24):
         chances = {"flip": 0.004 * (seed % 3), "loss": 0.002 * (seed % 4)}
-        gateway, other = ObservedGateway(TWO_DIGITS), ObservedGateway(TWO_DIGITS)
+        gateway, other = ObservedGateway(info), ObservedGateway(info)
         line, reference = LineOfASession(gateway, seed, **chances), LineOfASession(other, seed, **chances)
         with Simulated(driver, line.receive) as client:
             client.words(f"connect test:{QUICK_TIMEOUT} 5")

@@ -9,6 +9,7 @@ from collections import deque
 from typing import TYPE_CHECKING, Any
 
 from unity_link.errors import Outcome, UnansweredError
+from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.requests import Request
 from unity_link.protocol.session import Session
 from unity_link.virtual.faults import Noise, NoisyLine
@@ -43,7 +44,7 @@ class LineOfASession:
                 self.sent.append((now, data))
             return self._noisy.receive(data, now)
         if begun := re.search(rb"K([0-9A-F]{2,3})([0-9A-F]{4})[0-9A-F]{4}\n", data):
-            self.chosen = int(begun[1], 16), int(begun[2], 16)
+            self.chosen = int(begun[1], 16), int(begun[2], 16) & GatewayInfo().last_session
         return self._clean.receive(data, now)
 
 
@@ -63,7 +64,7 @@ class SimulatedHost:
         first, number = chosen
         # A number is counted from 1.
         draws = itertools.chain([first], itertools.count(number - 1))
-        self.session = Session(None, lambda: next(draws))
+        self.session = Session(None, lambda: next(draws), compact=True)
         self._gateway = gateway
         self._under_way: deque[tuple[float, bytes]] = deque()
         self._events: Events = []

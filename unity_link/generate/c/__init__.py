@@ -16,6 +16,7 @@ from unity_link.generate import GeneratedFile
 from unity_link.generate.c.layout import Layout
 from unity_link.generate.c.names import number
 from unity_link.generate.c.signals import decoding, describe, examples, initializer, schedule
+from unity_link.protocol import compact
 from unity_link.protocol.constants import TABLE
 from unity_link.protocol.frames import LARGEST_DATAGRAM
 from unity_link.transport.polling import REMEMBERED_WAITS, SPIN
@@ -42,6 +43,13 @@ RUNTIME_VALUES = {
     "REMEMBERED_WAITS": REMEMBERED_WAITS,
     "LARGEST_DATAGRAM": LARGEST_DATAGRAM,
     "RECEIVE_BUFFER": RECEIVE_BUFFER,
+    "COMPACT": {
+        "START": compact.START[0],
+        "END": compact.END[0],
+        "ESCAPE": compact.ESCAPE[0],
+        "STUFFED": compact.STUFFED,
+        "COMMANDS": compact.COMMANDS,
+    },
 }
 """Constants that the runtime has in common with the host in Python."""
 

@@ -94,7 +94,7 @@ static size_t piece_of(text frames, size_t room)
 {
     size_t end = 0;
     for (size_t index = 0; index < frames.size && (index < room || end == 0); index++)
-        if (frames.at[index] == CHECKED_END || frames.at[index] == PLAIN_END) end = index + 1;
+        if (frames.at[index] == CHECKED_END || frames.at[index] == PLAIN_END || frames.at[index] == (char)COMPACT_END) end = index + 1;
     return end == 0 ? frames.size : end;
 }
 

@@ -165,9 +165,11 @@ static void flush(ul_link *link)
 /* Put a request behind those that are to be sent, and leave room for an empty frame. */
 static void send_request(ul_link *link, const ul_request *request, uint32_t id)
 {
-    if (link->send_size + request_size(link, request) >= sizeof link->send) flush(link);
-    char *start = link->send + link->send_size;
-    link->send_size += (size_t)(put_request(link, start, request, id) - start);
+    size_t room = link->compact ? COMPACT_ROOM : 0;
+    if (link->send_size + request_size(link, request) + room >= sizeof link->send) flush(link);
+    char *start = link->send + link->send_size, *frame = start + room, *end = put_request(link, frame, request, id);
+    if (link->compact) end = put_compact(link, start, (text){frame, (size_t)(end - frame)});
+    link->send_size += (size_t)(end - start);
 }
 
 static void send_fence(ul_link *link)
@@ -346,15 +348,6 @@ static void note_error(ul_link *link, text code, uint32_t id, double now)
     note_told(link, id, now);
 }
 
-/* Take the command with which a message begins, of one letter or two; what stands behind it. */
-static text take_command(text body, char command[3])
-{
-    size_t letters = body.size > 1 && body.at[1] >= 'g' ? 2 : 1;
-    memcpy(command, body.at, letters);
-    command[letters] = '\0';
-    return without_first(body, letters);
-}
-
 /* A message with an ID. */
 static void take_response(ul_link *link, text body, double now)
 {
@@ -411,6 +404,7 @@ static void take_session(ul_link *link, text fields)
     uint64_t session;
     bool is_answer = take_number(&fields, session_digits(link), &session) && fields.size == 0;
     if (!is_answer) return;
+    session &= ones(4 * session_digits(link) - 1);
     link->heard = true;
     link->asked = false;
     if (session != link->session) lose(link, session == 0 ? RESET : TAKEN);
@@ -583,7 +577,7 @@ static size_t take_endless(ul_link *link, text rest)
 
 static text unread(const ul_link *link)
 {
-    return (text){link->receive + link->receive_start, link->receive_size - link->receive_start};
+    return (text){link->receive + link->receive_start, link->shown_size - link->receive_start};
 }
 
 /* Give the next whole line of what was received, without its end; false where there is none. */
@@ -622,18 +616,28 @@ static bool fill(ul_link *link)
 {
     size_t rest = link->receive_size - link->receive_start;
     memmove(link->receive, link->receive + link->receive_start, rest);
-    if (rest == sizeof link->receive) {
-        rest = 0;
+    link->shown_size -= link->receive_start;
+    /* A byte of the compact form becomes two characters, and those around a frame one more. */
+    size_t room = (sizeof link->receive - rest) / (link->compact ? 2 : 1);
+    if (room <= (link->compact ? COMPACT_ROOM : 0)) {
+        rest = link->shown_size = 0;
+        link->in_compact = false;
         link->unasked += FEWEST_OF_A_FLOOD;
+        room = sizeof link->receive / (link->compact ? 2 : 1);
     }
     link->receive_start = 0;
     link->receive_size = rest;
-    size_t room = sizeof link->receive - rest;
-    ptrdiff_t come = link->transport.receive(link->transport.context, link->receive + rest, room);
+    char *to = link->receive + rest, *at = link->compact ? link->receive + sizeof link->receive - (room -= COMPACT_ROOM) : to;
+    ptrdiff_t come = link->transport.receive(link->transport.context, at, room);
     if (come < 0) lose(link, LINE_GONE);
     if (come <= 0) return false;
-    if (link->transport.datagrams) come = (ptrdiff_t)take_datagram(link, link->receive + rest, (size_t)come);
-    link->receive_size += (size_t)come;
+    size_t size = link->transport.datagrams ? take_datagram(link, at, (size_t)come) : (size_t)come;
+    if (link->compact) {
+        link->receive_size += expand(link, to, at, size);
+    } else {
+        link->receive_size += size;
+        link->shown_size = link->receive_size;
+    }
     return true;
 }
 
@@ -642,7 +646,7 @@ static void receive_bytes(ul_link *link)
     /* Not for ever, where samples come as fast as they are taken. */
     for (int reads = 0; reads < MOST_READS && !link->gone && fill(link); reads++) {
         while (!link->gone && take_frame(link)) continue;
-        text rest = unread(link);
+        text rest = {link->receive + link->receive_start, link->receive_size - link->receive_start};
         /* Perhaps the beginning of a long answer on a slow line. */
         if (rest.size > 0 && !is_sample(link, rest) && !link->transport.echoes) link->heard = true;
     }

@@ -22,6 +22,7 @@ typedef struct opening {
     uint32_t first;                     /* ID of the session */
     bool believes;                      /* the gateway has said what it is */
     bool hears_echo;
+    bool is_compact;                    /* the session was asked for in compact form */
     bool is_alone, is_loop;             /* nothing but the question was heard, and for so long that nothing else will be */
     double alone_since;
     char asked_text[LONGEST_QUESTION];  /* as it was sent, without the line end of a checked one */
@@ -76,11 +77,20 @@ static bool is_answer(text line, const char *question, size_t fields)
         && (fields == 0 ? line.size > strlen(question) : line.size == strlen(question) + fields);
 }
 
+/* What stands in a line behind samples of a session before, which in compact form end without a line end. */
+static text behind_compact(text line)
+{
+    size_t size = line.size;
+    while (size > 0 && line.at[size - 1] != (char)COMPACT_END) size--;
+    return without_first(line, size);
+}
+
 /* Look for the answer in what has come. False where there is none; a line that is none may be one that was damaged. */
 static bool find_answer(opening *opens, const char *question, bool plain, size_t fields, bool *damaged)
 {
     text line;
     while (next_line(opens->link, &line)) {
+        line = behind_compact(line);
         if (take_echo(opens, &line) && line.size == 0) continue;
         bool is_frame = take_line_body(opens, plain, &line);
         if (!is_frame || !is_answer(line, question, fields)) {
@@ -125,7 +135,10 @@ static void choose_session(opening *opens, char *question)
     uint32_t before = link->session;
     do link->session = draw(opens, session_digits(link)) & (uint32_t)ones(4 * session_digits(link) - 1);
     while (link->session == 0 || link->session == before || link->session == (session_digits(link) == 2 ? 0x10 : 0x1000));
-    *put_number(put_number(put_text(question, "K"), link->info.id_digits, opens->first), session_digits(link), link->session) = '\0';
+    opens->is_compact = link->info.features & UL_FEATURE_COMPACT && !opens->hears_echo && !link->transport.echoes
+        && !link->transport.text_only;
+    uint32_t asked = link->session | (opens->is_compact ? (uint32_t)1 << (4 * session_digits(link) - 1) : 0);
+    *put_number(put_number(put_text(question, "K"), link->info.id_digits, opens->first), session_digits(link), asked) = '\0';
 }
 
 /* Ask until an answer comes, about so many times; it is left in `answer`. NULL asks for the session. */
@@ -313,6 +326,7 @@ static ul_status start_session(opening *opens)
     if (!ask(opens, NULL, false, FOR_EVER)) return fail_to_open(opens);
     double round_trip = now_of(link) - opens->asked;
     link->transport.echoes |= opens->hears_echo;
+    link->compact = opens->is_compact;
     start_window(link, opens->first, round_trip / (double)(strlen(opens->asked_text) + 1), round_trip);
     return UL_OK;
 }

@@ -51,6 +51,15 @@ static text without_first(text line, size_t size)
     return (text){line.at + size, line.size - size};
 }
 
+/* Take the command with which a message begins, of one letter or two; what stands behind it. */
+static text take_command(text body, char command[3])
+{
+    size_t letters = body.size > 1 && is_lower_command(body.at[1]) ? 2 : 1;
+    memcpy(command, body.at, letters);
+    command[letters] = '\0';
+    return without_first(body, letters);
+}
+
 /* The check: CRC of 8, 16 or 32 bits, not reflected, initial value 0, no final xor. */
 static void prepare_check(ul_link *link, unsigned bits, uint32_t polynomial)
 {
