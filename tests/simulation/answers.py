@@ -6,6 +6,7 @@ import re
 from typing import TYPE_CHECKING
 
 from simulation.oracle import WorldError
+from unity_link.protocol.compact import text_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -25,7 +26,7 @@ class Answers:
 
     def __init__(self, line: str, info: GatewayInfo) -> None:
         digits = info.id_digits
-        self._line = line
+        self._line, self._info = line, info
         self._under_way_size = 1 + info.session_digits + info.crc_bits // 4
         """Characters of the answer to the question which session is under way."""
         # Where there is no session, requests are refused in any order.
@@ -37,6 +38,7 @@ class Answers:
     def begin(self) -> None:
         """Begin on a new connection."""
         self._rest = self._rest_asked = b""
+        self._text_of, self._text_asked = (text_of(self._info, from_gateway=side) for side in (True, False))
         self._begin_session()
 
     def _begin_session(self) -> None:
@@ -52,7 +54,7 @@ class Answers:
         Raises:
             WorldError: where an answer comes behind one to a later request, and was not given before.
         """
-        *lines, self._rest = (self._rest + data).split(b"\n")
+        *lines, self._rest = (self._rest + self._text_of(data)).split(b"\n")
         for line in lines:
             if line.startswith(b"K") and len(line) != self._under_way_size:
                 self._begin_session()
@@ -64,7 +66,7 @@ class Answers:
 
         A posted write that is repeated asks the same, be it behind what is not answered yet.
         """
-        *lines, self._rest_asked = (self._rest_asked + data).split(b"\n")
+        *lines, self._rest_asked = (self._rest_asked + self._text_asked(data)).split(b"\n")
         for line in lines:
             question = self._question.match(line)
             if question is None:

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 from simulation.plan import ADDRESS_SHIFT, BURST, BURSTS, FAILING, LIVE, QUEUE_OUT
 from unity_link import BusError, BusTimeoutError
 from unity_link.errors import Outcome, UnansweredError
+from unity_link.protocol.compact import text_of
 from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual.bus import AccessError
 from unity_link.virtual.gateway import Gateway
@@ -198,6 +199,10 @@ class Tap:
         """The beginning of a frame that is being sent."""
         self.openings = 0
         """Number of sessions that were begun."""
+        self._begin_forms()
+
+    def _begin_forms(self) -> None:
+        self._text_in, self._text_out = (text_of(self.info, from_gateway=side) for side in (False, True))
 
     @property
     def memory(self) -> MutableMapping[int, int]:
@@ -221,6 +226,7 @@ class Tap:
     def reset(self) -> None:
         """Reset the gateway."""
         self._before = self._after = b""
+        self._begin_forms()
         self.gateway.reset()
 
     def overflow(self) -> None:
@@ -228,7 +234,7 @@ class Tap:
 
     def receive(self, data: bytes, now: float) -> bytes:
         before = len(self._before)
-        seen = self._before + data
+        seen = self._before + self._text_in(data)
         place = seen.find(self._set_up)
         while place >= 0:
             group = place + self._after_id
@@ -248,7 +254,7 @@ class Tap:
             self.recorder.at = self._clock()
 
     def _note(self, data: bytes) -> bytes:
-        sent = self._after + data
+        sent = self._after + self._text_out(data)
         end = sent.rfind(b"\n") + 1
         self._after = sent[end:]
         if b"P" in sent or b"gs" in sent or b"K" in sent:

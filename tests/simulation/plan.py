@@ -270,8 +270,12 @@ class Draw:
             features &= ~Feature.FLOW_CONTROL
         if self._nodes:
             features |= Feature.HALF_DUPLEX | Feature.ADDRESSED
+        data_bits = draw.choice((32, 32, 36))
+        # Drawn apart: all else is the same in a world of text.
+        if data_bits % 8 == 0 and random.Random(f"form {self._seed}").random() < _COMPACT:
+            features |= Feature.COMPACT
         info = GatewayInfo(
-            data_bits=draw.choice((32, 32, 36)),
+            data_bits=data_bits,
             id_digits=2 if draw.random() < 0.93 else 3,
             crc_bits=crc_bits,
             crc_polynomial=_POLYNOMIALS[crc_bits],
@@ -492,6 +496,8 @@ _OPENED = 500
 """Bytes behind which a host has begun a session, whatever its line has lost before."""
 _ECHOES, _TALKERS, _SECOND_HOSTS = 0.1, 0.5, 0.3
 """Probabilities that a gateway's line echoes, that something talks on it, and that another host does."""
+_COMPACT = 0.6
+"""Probability that a gateway has the compact form, where its words allow that."""
 _BAD_WIRES = 0.7
 """Probabilities of faults of nodes, or of their line."""
 _WIRE_FAULTS = ("lose", "lose", "flip", "flip", "double")

@@ -28,7 +28,7 @@ SEEDS = 600
 CAMPAIGN_SEEDS = 10_000
 FOUND_SEEDS = 2_000
 """Seeds within which each known bug must be found."""
-BUILDS = ("default", "crc_32", "short", "short_ids", "slow")
+BUILDS = ("default", "crc_32", "short", "short_ids", "slow", "compact")
 """The gateware, compiled, with as many features as a model has."""
 BUILD_SEEDS = 50
 """Seeds that are run on it, in a campaign four times as many."""
