@@ -8,7 +8,7 @@ import pytest
 from unity_link.spec import compile_text
 from unity_link.spec.arguments import ACCESS, GATEWAY, GROUP
 from unity_link.spec.entity import CLOCK, ENTITY_WORD, LIMIT_WORDS, PORT_WORDS, WANTS
-from unity_link.spec.model import Way
+from unity_link.spec.model import Effect, Way
 from unity_link.spec.modules import MODULES
 from unity_link.spec.signals import PLAIN_KINDS
 
@@ -26,11 +26,13 @@ def test_an_example_is_valid(block: str) -> None:
 
 
 def test_there_are_examples() -> None:
-    assert len(SPECS) == 15
+    assert len(SPECS) == 16
 
 
 OF_CORES = (ENTITY_WORD, CLOCK, *LIMIT_WORDS, *PORT_WORDS, *WANTS, *Way)
-WORDS = dict.fromkeys([*MODULES, *(slot.name for slot in (*ACCESS, *GATEWAY, *GROUP)), *PLAIN_KINDS, *OF_CORES])
+WORDS = dict.fromkeys(
+    [*MODULES, *(slot.name for slot in (*ACCESS, *GATEWAY, *GROUP)), *PLAIN_KINDS, *OF_CORES, *Effect]
+)
 
 
 @pytest.mark.parametrize("name", WORDS)

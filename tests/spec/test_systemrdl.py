@@ -11,7 +11,7 @@ from hypothesis import HealthCheck, given, settings
 from support.searching import examples
 from support.spec_examples import interface_of, specs
 from unity_link.errors import UnsupportedError
-from unity_link.spec import Interface, SpecError, compile_file, compile_text
+from unity_link.spec import Effect, Interface, SpecError, compile_file, compile_text
 from unity_link.spec.printer import print_file
 from unity_link.spec.syntax import File
 from unity_link.spec.systemrdl import export_text, import_file
@@ -49,7 +49,7 @@ def seen(interface: Interface) -> dict[int, list[Any]]:
         words.setdefault(signal.address, []).append((
             signal.lowest_bit, name, kind.name, kind.width, kind.fraction, kind.scale, kind.offset, encoded,
             signal.access, signal.fifo, signal.fifo_words, signal.unit, signal.minimum, signal.maximum, signal.group,
-            signal.groups, signal.poll_hz, signal.doc, signal.is_field,
+            signal.groups, signal.poll_hz, signal.doc, signal.is_field, signal.effect, signal.reset,
             signal.id if signal.id != signal.path else None,
         ))  # fmt: skip
     return {address: sorted(signals, key=repr) for address, signals in words.items()}
@@ -421,7 +421,7 @@ def test_properties_of_peakrdl_need_no_declaration(tmp_path: Path) -> None:
 
 READING = ("rclr", "rset", "onread = ruser")
 WRITING = ("woset", "woclr", *(f"onwrite = {one}" for one in ("wclr", "wset", "wot", "wzs", "wzc", "wzt", "wuser")))
-OTHERS = ("singlepulse", "sw = rw1", "sw = w1", "swacc", "swmod", "sw = w")
+OTHERS = ("sw = rw1", "sw = w1", "swacc", "swmod", "sw = w")
 
 
 @pytest.mark.parametrize("effect", [*READING, *WRITING, *OTHERS])
@@ -433,6 +433,62 @@ def test_a_side_effect_is_warned_about_with_its_line(effect: str, tmp_path: Path
     assert effect.rsplit(maxsplit=1)[-1] in said
     assert "a write of other writes back" in said or effect not in WRITING
     assert "given.rdl:3:" not in said
+
+
+EFFECTS = {
+    "sw = r; rclr": ("READ", Effect.CLEAR_ON_READ),
+    "sw = rw; woclr": ("READWRITE", Effect.WRITE_1_TO_CLEAR),
+    "sw = w; singlepulse": ("WRITE", Effect.PULSE),
+    "sw = rw; singlepulse": ("READWRITE", Effect.PULSE),
+}
+
+
+@pytest.mark.parametrize("properties", EFFECTS)
+def test_the_effects_of_specs_come_in_without_a_warning_and_go_out_in_the_words_of_systemrdl(
+    properties: str, tmp_path: Path
+) -> None:
+    chip, said = imported(tmp_path, f"addrmap chip {{ reg {{ field {{ {properties}; }} flag[3:3] = 0; }} q; }};")
+    (flag,) = chip.signals.values()
+    assert (said, flag.access, flag.effect, flag.doc) == ("", *EFFECTS[properties], "")
+    word = properties.rpartition(" ")[2]
+    written = re.sub(r"\s+ul_\w+ = [^;]*;", "", export_text(chip))
+    assert word in re.findall(r"\w+", written)
+    # What others make of it says the same, without the words of ours.
+    back, _ = imported(tmp_path, re.sub(r"property ul_[^\n]*\n", "", written))
+    assert (back.signals["q"].access, back.signals["q"].effect) == (flag.access, flag.effect)
+
+
+def test_fields_that_only_ones_change_share_a_register(tmp_path: Path) -> None:
+    fields = "field { woclr; } a[0:0] = 1; field { woclr; } b[7:4] = 2; field { sw = w; singlepulse; } c[8:8] = 0;"
+    chip, said = imported(tmp_path, f"addrmap chip {{ reg {{ {fields} }} q; }};")
+    assert said == ""
+    assert [(one.effect, one.reset, one.is_field) for one in chip.signals.values()] == [
+        (Effect.WRITE_1_TO_CLEAR, 1, False),
+        (Effect.WRITE_1_TO_CLEAR, 2, False),
+        (Effect.PULSE, 0, False),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("fields", "word"),
+    [
+        ("field { sw = r; rclr; } a[0:0]; field { sw = r; } b[1:1];", "rclr"),
+        ("field { sw = r; rclr; } a[0:0]; field { sw = r; rclr; } b[1:1];", "rclr"),
+        ("field { sw = r; rclr; } a[0:0]; field { sw = w; } b[1:1];", "rclr"),
+        ("field { sw = rw; rclr; } a[0:0];", "rclr"),
+        ("field { sw = r; rclr; is_signed; } a[7:0];", "rclr"),
+        ("field { woclr; } a[0:0]; field {} b[1:1];", "woclr"),
+        ("field { sw = w; woclr; } a[0:0];", "woclr"),
+        ("field { woclr; rclr; } a[0:0];", "woclr"),
+        ("field { woclr; intwidth = 4; fracwidth = 4; } a[7:0];", "woclr"),
+    ],
+)
+def test_an_effect_that_no_signal_can_have_in_its_word_is_warned_about_as_ever(
+    fields: str, word: str, tmp_path: Path
+) -> None:
+    chip, said = imported(tmp_path, f"addrmap chip {{ external reg {{ default hw = na; {fields} }} q; }};")
+    assert f"({word})" in said
+    assert all(signal.effect is None for signal in chip.signals.values())
 
 
 def test_plain_fields_are_not_warned_about(tmp_path: Path) -> None:

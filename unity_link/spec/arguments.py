@@ -20,7 +20,7 @@ from unity_link.spec.expressions import (
     ScheduleReference,
     describe,
 )
-from unity_link.spec.model import ParameterReference
+from unity_link.spec.model import Effect, ParameterReference
 from unity_link.spec.syntax import Argument, Call, Expression, Name
 
 if TYPE_CHECKING:
@@ -40,6 +40,7 @@ class Shape(enum.StrEnum):
     CLAUSE = "a clause"
     VALUE = "a value of the signal"
     WORD = "IN, OUT or INOUT"
+    EFFECT = listed(Effect)
     LEASE = "the name of a LEASE of the interface"
     SCHEDULE = "the name of a SCHEDULE of the interface"
 
@@ -75,6 +76,7 @@ ACCESS = (
     ArgumentSlot("POLL", Shape.CLAUSE, clause=(ArgumentSlot("RATE", Shape.NUMBER, *RATE, required=True),)),
     ArgumentSlot("GROUP", Shape.CLAUSE, clause=(ArgumentSlot("GROUP", Shape.GROUP, *GROUP_NUMBER, required=True),)),
     ArgumentSlot("FIFO", Shape.CLAUSE, clause=(ArgumentSlot("WORDS", Shape.WHOLE, 1, 1 << 32),)),
+    ArgumentSlot("EFFECT", Shape.EFFECT),
     ArgumentSlot("SCALE", Shape.NUMBER),
     ArgumentSlot("OFFSET", Shape.NUMBER),
     ArgumentSlot("UNIT", Shape.TEXT),
@@ -245,7 +247,7 @@ class Binder:
             return self._clause(argument, slot)
         if slot.shape is Shape.FLAG:
             return self._flag(argument, slot, known)
-        if slot.shape in {Shape.SIGNAL, Shape.WORD}:
+        if slot.shape in {Shape.SIGNAL, Shape.WORD, Shape.EFFECT}:
             if isinstance(argument.value, Name):
                 return LEFT_OUT if self._scope.get(argument.value.name) is LEFT_OUT else str(argument.value.name)
             self._evaluator.fault(argument.value.place, "bad-argument", f"{slot.name} is {slot.shape.value}")

@@ -147,6 +147,7 @@ class Builder:
             access=parts.access,
             fifo=fifo is not None,
             fifo_words=fifo.get("WORDS") if fifo is not None else None,
+            effect=parts.effect,
             unit=bound.get("UNIT", ""),
             minimum=bound.get("MIN"),
             maximum=bound.get("MAX"),

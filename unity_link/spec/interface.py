@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import msgspec
 
-from unity_link.spec.model import GroupSpec, Joint, ModuleSpec, Signal
+from unity_link.spec.model import Effect, GroupSpec, Joint, ModuleSpec, Signal
 from unity_link.spec.rates import base_millihertz, out_of_reach, published_hz
 
 if TYPE_CHECKING:
@@ -103,6 +103,7 @@ class InterfaceDraft:
         self._check_modules()
         self._check_addresses()
         self._check_overlaps()
+        self._check_memories()
         self._check_ids()
         self._number_groups()
         groups = {draft.name: self._group(draft) for draft in self.groups.values() if draft.signals}
@@ -219,8 +220,11 @@ class InterfaceDraft:
     def _check_word(self, address: int, sharing: list[Placed]) -> None:
         """Check one address at which several signals stand."""
         self._check_leases(address, sharing)
-        writers = [placed.signal for placed in sharing if placed.signal.access.writes]
-        self._check_timed_word(address, [placed for placed in sharing if placed.signal.access.writes])
+        written = [placed for placed in sharing if placed.signal.access.writes]
+        self._check_timed_word(address, written)
+        self._check_cleared_word(address, written)
+        # A 0 changes neither what is cleared by a 1 nor a pulse: a word of such alone needs no masked write.
+        is_masked = len(written) > 1 and any(placed.signal.effect is None for placed in written)
         taken: dict[str, list[Placed]] = {"reads": [], "writes": []}
         for placed in sharing:
             signal = placed.signal
@@ -234,8 +238,9 @@ class InterfaceDraft:
                     self._report_overlap(address, clash, placed)
                     break
             else:
-                self._check_sharing(address, placed, sharing, writers)
-            if signal.access.writes and len(writers) > 1:
+                if signal.access.writes and len(written) > 1:
+                    self._check_sharing(address, placed, sharing, is_masked=is_masked)
+            if signal.access.writes and is_masked:
                 # Only now, with all signals known, can this be told; the model is not handed out yet.
                 msgspec.structs.force_setattr(signal, "is_field", True)  # noqa: FBT003
 
@@ -263,6 +268,32 @@ class InterfaceDraft:
             )
             self._error(timed.timed, "bad-timed", message, "give each its own address")
 
+    def _check_cleared_word(self, address: int, written: list[Placed]) -> None:
+        """Check that nothing is cleared by a masked write of another signal, which puts back the ones that it read."""
+        cleared = next((placed for placed in written if placed.signal.effect is Effect.WRITE_1_TO_CLEAR), None)
+        plain = next((placed for placed in written if placed.signal.effect is None), None)
+        if cleared is not None and plain is not None:
+            message = (
+                f"a write of {plain.signal.path} would clear {cleared.signal.path}, which is written in the same word, "
+                f"at address {address:#x}"
+            )
+            advice = "fields of one word are written by reading it first, ones included: give each its own address"
+            self._error(cleared.address, "bad-effect", message, advice)
+
+    def _check_memories(self) -> None:
+        """Check that no signal of a network has an effect: the words of its memory are written again and again."""
+        for placed in self.signals:
+            index = placed.signal.module
+            while index is not None and placed.signal.effect is not None:
+                module = self.modules[index][0]
+                if module.type.startswith("TOSNET"):
+                    message = (
+                        f"{placed.signal.path} stands in the memory of a {module.type}, where nothing has an EFFECT"
+                    )
+                    self._error(placed.address, "bad-effect", message)
+                    break
+                index = module.parent
+
     def _report_overlap(self, address: int, first: Placed, second: Placed) -> None:
         message = (
             f"{second.signal.path} takes {_bits(second.signal)} at address {address:#x}, "
@@ -270,25 +301,29 @@ class InterfaceDraft:
         )
         self._error(second.address, "overlap", message, other=(first.address, f"{first.signal.path} stands here"))
 
-    def _check_sharing(self, address: int, placed: Placed, sharing: list[Placed], writers: list[Signal]) -> None:
+    def _check_sharing(self, address: int, placed: Placed, sharing: list[Placed], *, is_masked: bool) -> None:
+        """Check a signal that is not the only one written at an address."""
         signal = placed.signal
-        if signal.words > 1 and signal.access.writes and len(writers) > 1:
+        if signal.words > 1:
             message = f"{signal.path} has several words, so that no other signal can be written at address {address:#x}"
             self._error(placed.address, "overlap", message)
         # A masked write reads the word first, and must read what was written.
         masks = _taken(signal, address)
-        if signal.access.writes and len(writers) > 1:
+        if is_masked:
             other = next(
                 (one for one in sharing if not one.signal.access.writes and _taken(one.signal, address) & masks),
                 None,
             )
             if other is not None:
-                does = "takes a word from" if other.signal.fifo else "gives"
+                name = other.signal.path
+                does = f"takes a word from {name} instead" if other.signal.fifo else f"gives {name} instead"
+                if other.signal.effect is not None:
+                    does = f"clears {name}"
                 message = (
-                    f"{signal.path} is one of several fields written at address {address:#x}, where reading {does} "
-                    f"{other.signal.path} instead"
+                    f"{signal.path} is one of several fields written at address {address:#x}, where reading {does}"
                 )
-                advice = "move it to another address" if other.signal.fifo else "make the field READWRITE, or move it"
+                takes = other.signal.read_takes
+                advice = "move it to another address" if takes else "make the field READWRITE, or move it"
                 advice = f"fields of one word are written by reading it first: {advice}"
                 self._error(placed.address, "overlap", message, advice)
 
@@ -431,12 +466,14 @@ def _hex(address: int) -> str:
 
 
 def _taken(signal: Signal, address: int) -> int:
-    """Return the bits that a signal takes of the word at an address: all, where an access to any moves a FIFO."""
-    return (1 << signal.word_bits) - 1 if signal.fifo else signal.mask_at(address)
+    """Return the bits that a signal takes of the word at an address: all, where an access to any has an effect."""
+    return (1 << signal.word_bits) - 1 if signal.fifo or signal.read_takes else signal.mask_at(address)
 
 
 def _bits(signal: Signal) -> str:
     if signal.fifo:
         return "the whole word, as a FIFO port"
+    if signal.read_takes:
+        return "the whole word, which each read clears"
     high = signal.lowest_bit + signal.width - 1
     return f"bit {high}" if signal.width == 1 else f"bits {high}:{signal.lowest_bit}"

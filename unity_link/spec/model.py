@@ -67,6 +67,17 @@ class Access(enum.StrEnum):
         return self is not Access.READ
 
 
+class Effect(enum.StrEnum):
+    """Effect of accesses on the bits of a signal, beside reading them or keeping what is written."""
+
+    CLEAR_ON_READ = "CLEAR_ON_READ"
+    """Hardware sets bits, and each read takes them: they are 0 behind it."""
+    WRITE_1_TO_CLEAR = "WRITE_1_TO_CLEAR"
+    """Hardware sets bits, and a write clears those that are 1 in it."""
+    PULSE = "PULSE"
+    """A 1 that is written lasts for one cycle of the gateway's clock; it reads as 0."""
+
+
 class ParameterReference(msgspec.Struct, frozen=True, tag="parameter"):
     """An argument that is given when the interface is opened: the interface's parameter of that name."""
 
@@ -176,8 +187,11 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
     """True if the address is the port of a queue: each read takes a word from it, each write appends one."""
     fifo_words: int | None = None
     """Depth of that queue, where the spec tells it."""
+    effect: Effect | None = None
+    """Effect of reading or writing it; None for one that is read as it is and keeps what is written."""
     is_field: bool = False
-    """True if other signals are written in the same word, so that this one needs a masked write."""
+    """True if a write of its word would change other signals, so that it needs a masked write: not where a 0 changes
+    none of them."""
     unit: str = ""
     minimum: int | float | None = None
     maximum: int | float | None = None
@@ -205,6 +219,21 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
     def label(self) -> str:
         """Its name in its component, with its place in a row: ``acc[1]``."""
         return self.name if self.index is None else f"{self.name}[{self.index}]"
+
+    @property
+    def read_takes(self) -> bool:
+        """Return whether a read takes what it gives, for good: a word of a queue, or bits that it clears."""
+        return (self.fifo and self.access.reads) or self.effect is Effect.CLEAR_ON_READ
+
+    @property
+    def has_events(self) -> bool:
+        """Return whether its bits are set by hardware, and cleared by accesses."""
+        return self.effect in {Effect.CLEAR_ON_READ, Effect.WRITE_1_TO_CLEAR}
+
+    @property
+    def is_given(self) -> bool:
+        """Return whether its bits come from hardware, and not from what is written."""
+        return self.access is Access.READ or self.has_events
 
     @property
     def width(self) -> int:
@@ -305,6 +334,7 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
                 TIMED=None if self.timed is None else f"{self.timed}, place {place}",
                 PUBLISH=self.group,
                 FIFO=queue if self.fifo else None,
+                EFFECT=self.effect,
                 values=None if kind.enumeration is None else kind.enumeration.names,
                 module=module,
             ),

@@ -11,7 +11,7 @@ from unity_link.spec.arguments import ACCESS, Binder, Bound
 from unity_link.spec.diagnostics import did_you_mean, listed
 from unity_link.spec.expressions import LEFT_OUT, Evaluator, GroupReference, LeftOut, Result, describe, parse_number
 from unity_link.spec.kinds import FLOAT_BITS, MOST_BITS, WITHOUT_SCALE, Enumeration, Kind, KindName
-from unity_link.spec.model import Access, Safe
+from unity_link.spec.model import Access, Effect, Safe
 from unity_link.spec.syntax import Name, Number
 
 if TYPE_CHECKING:
@@ -23,6 +23,17 @@ if TYPE_CHECKING:
 PLAIN_KINDS = [name.value for name in KindName if name is not KindName.ENUM]
 HOLD = "HOLD"
 """The word for what has no safe number, in SAFE."""
+_NOT_WITH = {
+    Effect.CLEAR_ON_READ: ("FIFO", "PUBLISH", "POLL", "GROUP"),
+    Effect.WRITE_1_TO_CLEAR: ("FIFO", "SAFE", "TIMED", "MIN", "MAX"),
+    Effect.PULSE: ("FIFO", "RESET", "TIMED", "MIN", "MAX"),
+}
+"""Arguments that no signal with an effect has."""
+_ACCESS_OF = {
+    Effect.CLEAR_ON_READ: (Access.READ,),
+    Effect.WRITE_1_TO_CLEAR: (Access.READWRITE,),
+    Effect.PULSE: (Access.WRITE, Access.READWRITE),
+}
 _FIXED = re.compile(r"(\d+)\.(\d+)")
 
 
@@ -53,6 +64,7 @@ class SignalParts(NamedTuple):
     safe: Safe | None
     timed: str | None
     """Path of the schedule that can write it."""
+    effect: Effect | None
     places: Mapping[str, tuple[int, int]]
 
 
@@ -86,7 +98,10 @@ class SignalReader:
         if safe is None and "RESET" not in arguments:
             start = self._unguarded(kind, access, arguments, binder)
         timed = self._timed(access, arguments, binder)
-        return SignalParts(kind, lowest, access, arguments, publishing, start, safe, timed, binder.places)
+        effect = self._effect(kind, lowest, access, arguments, binder)
+        if effect is Effect.PULSE and start:
+            self._fault(binder.places["SAFE"], "bad-effect", "a pulse is 0 while its lease is not armed, too")
+        return SignalParts(kind, lowest, access, arguments, publishing, start, safe, timed, effect, binder.places)
 
     def _bits(self, node: SignalDeclaration, scope: Mapping[str, Result]) -> BitRange | None:
         if node.bits is None:
@@ -306,6 +321,36 @@ class SignalReader:
             return None
         schedule: str = clause["SCHEDULE"].name
         return schedule
+
+    def _effect(self, kind: Kind, lowest: int, access: Access, arguments: Bound, binder: Binder) -> Effect | None:
+        """Return the effect of a signal; None where it has none, or one that it cannot have."""
+        word: str | None = arguments.get("EFFECT")
+        if word is None:
+            return None
+        place = binder.places["EFFECT"]
+        if word not in Effect.__members__:
+            message = f"there is no effect '{word}'"
+            advice = did_you_mean(word, Effect.__members__) or f"it is {listed(Effect)}"
+            self._fault(place, "bad-effect", message, advice)
+            return None
+        effect = Effect[word]
+        are_bits = kind.name is KindName.BOOL or (kind.name is KindName.UNSIGNED and not kind.is_scaled)
+        refused = next((other for other in _NOT_WITH[effect] if other in arguments), None)
+        if access not in _ACCESS_OF[effect]:
+            self._fault(place, "bad-effect", f"a signal with {effect} is {listed(_ACCESS_OF[effect])}, not {access}")
+        elif effect is Effect.PULSE and kind.name is not KindName.BOOL:
+            message = f"a signal with {effect} is a bool, not {kind}"
+            self._fault(place, "bad-effect", message, "several in a row are @name[8] = address[i]: bool")
+        elif not are_bits:
+            self._fault(place, "bad-effect", f"a signal with {effect} is bool or unsigned without SCALE, not {kind}")
+        elif lowest + kind.width > self._data_bits:
+            self._fault(place, "bad-effect", f"a signal with {effect} stands in one word of {self._data_bits} bits")
+        elif refused is not None:
+            advice = "each read clears it, that of a sample too" if effect is Effect.CLEAR_ON_READ else "leave it out"
+            self._fault(binder.places[refused], "bad-effect", f"no signal with {effect} has {refused}", advice)
+        else:
+            return effect
+        return None
 
     def _initial(
         self, word: str, value: Value | str | None, kind: Kind, access: Access, arguments: Bound, binder: Binder

@@ -6,11 +6,20 @@ from typing import TYPE_CHECKING
 
 from unity_link.quoting import vhdl_literal
 from unity_link.spec.kinds import KindName
+from unity_link.spec.model import Effect
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from unity_link.spec.model import Core, Pin, Signal, Trigger
+
+
+EFFECTS = {
+    Effect.CLEAR_ON_READ: "cleared by each read",
+    Effect.WRITE_1_TO_CLEAR: "cleared by writing 1",
+    Effect.PULSE: "a pulse of one clock cycle",
+}
+"""Effects of accesses, as people read them."""
 
 
 def entity(core: Core) -> str:
@@ -32,7 +41,9 @@ def triggered(trigger: Trigger) -> str:
 
 
 def at_hardware(signal: Signal) -> Iterator[str]:
-    """Return what hardware has of a register beside its bits: its value after a reset, its schedule, its pins."""
+    """Return what hardware has of a register beside its bits: its effect, value after a reset, schedule and pins."""
+    if signal.effect is not None:
+        yield EFFECTS[signal.effect]
     if signal.reset:
         value = signal.kind.decode(signal.reset)
         yield f"{str(value).lower() if isinstance(value, bool) else value} after a reset"

@@ -7,7 +7,8 @@ import re
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from unity_link.spec.diagnostics import SpecError
-from unity_link.spec.model import Access
+from unity_link.spec.model import Access, Effect
+from unity_link.spec.systemrdl.effects import effect_of
 from unity_link.spec.systemrdl.numbers import number_of
 from unity_link.spec.systemrdl.places import about, flat_path, spec_path
 
@@ -32,6 +33,7 @@ class _Seen(NamedTuple):
     """Numbers of its enumeration."""
     reset: int = 0
     """Bits after a reset, of what is written."""
+    effect: Effect | None = None
 
 
 def compare(text: str, top: Any, names: Mapping[str, str]) -> list[Diagnostic]:
@@ -91,7 +93,8 @@ def _expected(node: Any, bits: int, *, whole: bool) -> _Seen:
     values = () if encode is None else tuple(sorted(member.value for member in encode))
     given = node.get_property("reset")
     reset = given if isinstance(given, int) and access.writes else 0
-    return _Seen(address, low, access, node.width, number.signed, math.ldexp(1, -(number.fraction or 0)), values, reset)
+    step = math.ldexp(1, -(number.fraction or 0))
+    return _Seen(address, low, access, node.width, number.signed, step, values, reset, effect_of(node, bits))
 
 
 def _seen(signal: Signal, *, whole: bool) -> _Seen:
@@ -99,9 +102,8 @@ def _seen(signal: Signal, *, whole: bool) -> _Seen:
         return _Seen(signal.address, signal.lowest_bit, signal.access)
     kind = signal.kind
     values = () if kind.enumeration is None else tuple(sorted(one.value for one in kind.enumeration.values))
-    return _Seen(
-        signal.address, signal.lowest_bit, signal.access, signal.width, kind.is_signed, kind.step, values, signal.reset
-    )
+    place = signal.address, signal.lowest_bit, signal.access, signal.width
+    return _Seen(*place, kind.is_signed, kind.step, values, signal.reset, signal.effect)
 
 
 def _differing_memories(interface: Interface, top: Any) -> list[Diagnostic]:

@@ -1,9 +1,11 @@
-"""Warnings: side effects of accesses, which SystemRDL has words for and UL-spec has not."""
+"""Side effects of accesses: those that UL-spec has words for, and warnings of all others that SystemRDL has."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from unity_link.spec.model import Effect
+from unity_link.spec.systemrdl.numbers import are_bits
 from unity_link.spec.systemrdl.places import about, flat_path
 
 if TYPE_CHECKING:
@@ -25,35 +27,68 @@ _WRITING = {
 }
 
 
-def effects(node: Any) -> Iterator[str]:
-    """Return a doc string's sentences on what reading or writing a field does besides."""
+def effect_of(node: Any, bits: int) -> Effect | None:
+    """Return the effect that a field has as a signal; None where it has none, or one that no signal has in its word.
+
+    Args:
+        node: the field.
+        bits: those of a word.
+    """
+    if node.low // bits != node.high // bits or not are_bits(node):
+        return None
+    effect = _word_of(node)
+    same = [one for one in node.parent.fields() if one.low // bits <= node.low // bits <= one.high // bits]
+    beside = [one for one in same if one.inst_name != node.inst_name]
+    if effect is Effect.CLEAR_ON_READ:
+        return None if any(one.is_sw_readable or one.is_sw_writable for one in beside) else effect
+    if effect is Effect.WRITE_1_TO_CLEAR:
+        written = [one for one in beside if one.is_sw_writable]
+        return effect if all(_word_of(one) is not None and are_bits(one) for one in written) else None
+    return effect
+
+
+def _word_of(node: Any) -> Effect | None:
+    """Return the one effect that accesses to a field have, where UL-spec has a word for it."""
+    onread, onwrite, sw = (node.get_property(name) for name in ("onread", "onwrite", "sw"))
+    has_pulse = node.get_property("singlepulse")
+    words = {
+        ("r", "rclr", None, False): Effect.CLEAR_ON_READ,
+        ("rw", None, "woclr", False): Effect.WRITE_1_TO_CLEAR,
+        ("w", None, None, True): Effect.PULSE,
+        ("rw", None, None, True): Effect.PULSE,
+    }
+    return words.get((sw.name, onread and onread.name, onwrite and onwrite.name, has_pulse))
+
+
+def effects(node: Any, effect: Effect | None) -> Iterator[str]:
+    """Return a doc string's sentences on what reading or writing a field does beside the effect that its signal has."""
     for word, name in (("Reading", "onread"), ("Writing", "onwrite")):
-        effect = node.get_property(name)
-        if effect is not None:
-            yield f"{word} it has an effect: {effect.name}."
+        other = node.get_property(name)
+        if other is not None and effect is None:
+            yield f"{word} it has an effect: {other.name}."
 
 
-def warnings(node: Any) -> Iterator[Diagnostic]:
-    """Return a warning for each side effect of a field that an access by its signal has too."""
-    for code, message in _messages(node):
+def warnings(node: Any, effect: Effect | None) -> Iterator[Diagnostic]:
+    """Return a warning for each side effect of a field that an access by its signal has too, but for its `effect`."""
+    for code, message in _messages(node, effect):
         yield about("warning", code, f"{flat_path(node)}: {message}", node)
 
 
-def _messages(node: Any) -> Iterator[tuple[str, str]]:
+def _messages(node: Any, effect: Effect | None) -> Iterator[tuple[str, str]]:
     onread, onwrite, sw = node.get_property("onread"), node.get_property("onwrite"), node.get_property("sw").name
-    if onread is not None:
+    if onread is not None and effect is None:
         lost = "a read that is repeated on a noisy line, or by a sample or a page, loses what the first one took"
         yield "side-effect-read", f"reading {_READING[onread.name]} ({onread.name}): {lost}"
-    if onwrite is not None:
+    if onwrite is not None and effect is None:
         yield "side-effect-write", f"{_WRITING[onwrite.name]} ({onwrite.name}), {_neighbours(node)}"
-    if node.get_property("singlepulse"):
+    if node.get_property("singlepulse") and effect is None:
         yield "side-effect-write", f"1 lasts for one cycle of the clock (singlepulse), {_neighbours(node)}"
     if sw in {"rw1", "w1"}:
         yield "side-effect-write", f"only the first write after a reset counts ({sw}), {_neighbours(node)}"
     for name in ("swacc", "swmod"):
         if node.get_property(name):
             yield "side-effect", f"the hardware sees each access ({name}), those to other fields of its word too"
-    if node.is_sw_writable and not node.is_sw_readable and _written_beside(node):
+    if node.is_sw_writable and not node.is_sw_readable and effect is None and _written_beside(node):
         message = "it cannot be read back, so that a write of another field of its register writes what is read there"
         yield "write-only-field", message
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from unity_link.errors import UnsupportedError
 from unity_link.files import MARK
-from unity_link.spec.model import Access, GroupSpec, Interface, Joint, ModuleSpec, Signal
+from unity_link.spec.model import Access, Effect, GroupSpec, Interface, Joint, ModuleSpec, Signal
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -17,6 +17,11 @@ if TYPE_CHECKING:
 from unity_link.spec.systemrdl.naming import doc_lines, unique_name, values_text
 
 _FIELD_PROPERTIES = ("id", "kind", "values", "unit", "arguments")
+_EFFECTS = {
+    Effect.CLEAR_ON_READ: ("stickybit", "onread = rclr"),
+    Effect.WRITE_1_TO_CLEAR: ("stickybit", "onwrite = woclr"),
+    Effect.PULSE: ("singlepulse", "reset = 0"),
+}
 _SW = {Access.READ: ("r", "w"), Access.WRITE: ("w", "r"), Access.READWRITE: ("rw", "r")}
 _KEYWORDS = frozenset(
     """abstract accesstype addressingtype addrmap alias all alternate bit boolean bothedge byte compact component
@@ -130,7 +135,9 @@ def _register(
         high = min(signal.lowest_bit + signal.width - part * bits, bits) - 1
         software, hardware = _SW[signal.access]
         yield "    field {"
-        yield f"      sw = {software}; hw = {hardware};"
+        yield f"      sw = {software}; hw = {'w' if signal.has_events else hardware};"
+        if signal.effect is not None:
+            yield from (f"      {name};" for name in _EFFECTS[signal.effect])
         if reset := signal.reset >> max(part * bits - signal.lowest_bit, 0) & (1 << high - low + 1) - 1:
             yield f"      reset = {reset:#x};"
         yield from (f"      {name} = {value};" for name, value in _properties(signal, part))
@@ -178,6 +185,8 @@ def _arguments(signal: Signal) -> Iterator[str]:
         yield f"RESET={_value(signal)}"
     if signal.fifo:
         yield "FIFO" if signal.fifo_words is None else f"FIFO({signal.fifo_words})"
+    if signal.effect is not None:
+        yield f"EFFECT={signal.effect}"
     if signal.poll_hz is not None:
         yield f"POLL({_number(signal.poll_hz)})"
     if signal.group is not None:

@@ -16,7 +16,7 @@ from unity_link.spec.model import Access
 from unity_link.spec.modules import MODULES
 from unity_link.spec.placing import GATEWAY_WORD, MOST_ITEMS
 from unity_link.spec.systemrdl.comparing import compare
-from unity_link.spec.systemrdl.effects import effects, warnings
+from unity_link.spec.systemrdl.effects import effect_of, effects, warnings
 from unity_link.spec.systemrdl.naming import doc_lines, unique_name, values_text
 from unity_link.spec.systemrdl.numbers import PEAKRDL, declare, number_of, reset_of
 from unity_link.spec.systemrdl.perl import first_perl
@@ -266,7 +266,7 @@ class _Importer:
         inner = _Part(node.type_name or node.inst_name, doc=_desc(node))
         kept = [one for one in node.fields() if one.is_sw_readable or one.is_sw_writable]
         for one in kept:
-            self.warnings += warnings(one)
+            self.warnings += warnings(one, effect_of(one, self._bits))
             found = self._field(one)
             if found is not None:
                 inner.members.append(found)
@@ -320,9 +320,11 @@ class _Importer:
             return None
         if writes and (reset := reset_of(node)):
             arguments = [*arguments, f"RESET={reset}"]
+        if effect := effect_of(node, self._bits):
+            arguments = [*arguments, f"EFFECT={effect}"]
         whole = low == 0 and node.width >= self._bits
         bits = "" if whole else f"[{low}]" if node.width == 1 else f"[{low + node.width - 1}:{low}]"
-        doc = "\n".join(filter(None, (_desc(node), *effects(node))))
+        doc = "\n".join(filter(None, (_desc(node), *effects(node, effect))))
         return _Field(node.inst_name, address, bits, kind, access, arguments, doc)
 
     def _kind(self, node: Any) -> tuple[str, list[str]]:
@@ -396,7 +398,7 @@ class _Importer:
             found.bits = ""
         identity, unit = self._ours(node, "id"), self._ours(node, "unit")
         # The same stands among our own arguments, for values of several words too.
-        found.arguments = [one for one in found.arguments if not one.startswith("RESET=")]
+        found.arguments = [one for one in found.arguments if not one.startswith(("RESET=", "EFFECT="))]
         if identity is not None and identity != path:
             found.arguments.append(f"ID={_quoted(identity)}")
         found.arguments += filter(None, [arguments])

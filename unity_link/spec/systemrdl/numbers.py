@@ -37,6 +37,14 @@ def number_of(node: Any) -> Number:
     return Number(bool(signed), node.width - whole if fraction is None and whole is not None else fraction)
 
 
+def are_bits(node: Any) -> bool:
+    """Return whether a field has no other meaning than that of its bits."""
+    try:
+        return number_of(node) == Number(signed=False, fraction=None) and node.get_property("encode") is None
+    except ValueError:
+        return False
+
+
 def reset_of(node: Any) -> str:
     """Return the value of a field after a reset, as a spec writes it; empty for 0, and where no number says it.
 
