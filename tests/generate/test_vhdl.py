@@ -147,6 +147,32 @@ public robot() {
   module: MEMORY(BASE=0x20, SIZE=2);
 }
 """
+EFFECTS = """\
+group state(1, 100);
+public robot() {
+  @seen = 0x10[7:0]: READ(EFFECT=CLEAR_ON_READ);
+  @hit = 0x11[3]: bool READ(EFFECT=CLEAR_ON_READ);
+  @go[2] = 0x11[i + 4]: bool WRITE(EFFECT=PULSE);
+  @alarm[3] = 0x12[i]: bool READWRITE(EFFECT=WRITE_1_TO_CLEAR, PUBLISH(state));
+  @lost = 0x12[15:8]: unsigned READWRITE(EFFECT=WRITE_1_TO_CLEAR, RESET=0x81);
+  @level = 0x12[31:16]: unsigned READ();
+  @again = 0x12[7]: bool WRITE(EFFECT=PULSE);
+  @mode = 0x13[3:0]: READWRITE();
+  @start = 0x13[8]: bool READWRITE(EFFECT=PULSE);
+  @whole = 0x14: READWRITE(EFFECT=WRITE_1_TO_CLEAR);
+  @button = 0x15[0]: bool READ(EFFECT=CLEAR_ON_READ, PIN="btn0");
+  @knock[2] = 0x16[i]: bool READWRITE(EFFECT=WRITE_1_TO_CLEAR, PIN="btn" + (i + 1));
+  @flash = 0x17[0]: bool WRITE(EFFECT=PULSE, PIN="led0");
+  drive: LEASE() @(0xC0, enable=none, estop=none);
+  @fire = 0x18[0]: bool WRITE(EFFECT=PULSE, SAFE(false, drive));
+  parts[2]: part() @(0x20 + 4 * i);
+}
+part(): @(at) {
+  @x = at: READ(EFFECT=CLEAR_ON_READ);
+  @y = at + 1: bool WRITE(EFFECT=PULSE);
+}
+"""
+"""Bits that accesses clear, and pulses: alone, in a row, in one word, at pins and in components."""
 SPECS = {
     "figure 1": compile_text(FIGURE_1, "figure_1.ul"),
     "scara": compile_file(ROOT / "examples" / "scara.ul"),
@@ -155,6 +181,7 @@ SPECS = {
     "reserved names": compile_text(RESERVED_NAMES, "library.ul"),
     "hidden names": compile_text(HIDDEN_NAMES, "robot.ul"),
     "cores": compile_file(Path(__file__).with_name("cores.ul")),
+    "effects": compile_text(EFFECTS, "robot.ul"),
     **{f"every kind in words of {bits}": every_kind(bits) for bits in WORD_BITS},
 }
 
@@ -280,14 +307,35 @@ OF_CORES = {
     "a place that another one has": (r'x"0001"( =>\n +line_0_goal_s)', r'x"000A"\1'),
 }
 """Faults of the bank of a spec with cores."""
+OF_EFFECTS = {
+    "an event that is lost in the cycle of a read": (
+        r"(wb_we = '0' then\n +seen_bits +<= )std_logic_vector\(from_hardware.seen\);",
+        r'\1x"00";',
+    ),
+    "an event that is lost in the cycle of a write": (r"(and not wb_dat_i\(15 downto 8\)\)) or \S+;", r"\1;"),
+    "an event that another one takes away": (r"lost_bits or (std_logic_vector)", r"\1"),
+    "a read that clears nothing": (r"wb_we = '0'( then\n +seen_bits)", r"wb_we = '1'\1"),
+    "a read that clears what a write does": (r"if wb_we = '1'( then\n +whole_bits)", r"if true\1"),
+    "a 0 that clears": (r"whole_bits and not wb_dat_i", "whole_bits and wb_dat_i"),
+    "a write that clears a neighbour": (r"(alarm_1_bits\(0\) and not wb_dat_i)\(1\)", r"\1(0)"),
+    "a write that clears nothing": (r"and not wb_dat_i\(2\)", "and '1'"),
+    "a sample of two instants of events": (r"if sample_access = '0' then\n( +alarm_0_s)", r"if true then\n\1"),
+    "events that are read a cycle late": (r"lost_seen +<= lost_sampled when [^;]*;", "lost_seen <= lost_sampled;"),
+    "events with another value after reset": (r'lost_bits( +)<= x"81"', r'lost_bits\1<= x"80"'),
+    "a pulse that lasts": (r" +start_bits +<= \"0\";\n", ""),
+    "a pulse that does not come": (r"again_bits +<= wb_dat_i\(7 downto 7\);", "null;"),
+    "a pulse without its lease": (r"(fire_bits +<= )wb_dat_i\(0 downto 0\)", r'\1"1"'),
+}
+"""Faults of the bank of a spec with effects."""
 
 
 @rtl
-@pytest.mark.parametrize("name", [*FAULTS, *OF_CORES])
+@pytest.mark.parametrize("name", [*FAULTS, *OF_CORES, *OF_EFFECTS])
 def test_the_bench_finds_a_fault(name: str, tmp_path: Path) -> None:
-    robot = analyse(tmp_path, SPECS["cores" if name in OF_CORES else "everything"])
+    spec = "cores" if name in OF_CORES else "effects" if name in OF_EFFECTS else "everything"
+    robot = analyse(tmp_path, SPECS[spec])
     registers = tmp_path / f"{robot}_registers.vhd"
-    pattern, replacement = (FAULTS | OF_CORES)[name]
+    pattern, replacement = (FAULTS | OF_CORES | OF_EFFECTS)[name]
     wrong, count = re.subn(pattern, replacement, registers.read_text())
     assert count >= 1, "the fault is nowhere to be put"
     registers.write_text(wrong)
@@ -303,7 +351,16 @@ def test_the_bench_finds_a_fault(name: str, tmp_path: Path) -> None:
 @rtl
 @pytest.mark.parametrize(
     "name",
-    ["figure 1", "walker", "everything", "reserved names", "hidden names", "cores", "every kind in words of 64"],
+    [
+        "figure 1",
+        "walker",
+        "everything",
+        "reserved names",
+        "hidden names",
+        "cores",
+        "effects",
+        "every kind in words of 64",
+    ],
 )
 def test_gateway_and_boards_elaborate_with_the_gateware(name: str, tmp_path: Path) -> None:
     paths = write(generate("vhdl", SPECS[name]), tmp_path)

@@ -15,7 +15,7 @@ from unity_link.generate.vhdl.records import Pins, Records
 from unity_link.generate.vhdl.types import bit_literal, enumeration_type, from_bits, to_bits
 from unity_link.generate.vhdl.wiring import STAGE_PORTS, Wiring
 from unity_link.protocol.description import PAGE_WORDS, page_address, words_of
-from unity_link.spec import STAGE_BITS, Access, KindName
+from unity_link.spec import STAGE_BITS, Access, Effect, KindName
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -118,7 +118,22 @@ class Register(NamedTuple):
     @property
     def is_sampled(self) -> bool:
         """Return whether its readable value is kept during a sample: that of hardware's signals but FIFO ports."""
-        return self.signal.access is Access.READ and not self.signal.fifo
+        return self.signal.access is Access.READ and not self.signal.fifo and not self.has_events
+
+    @property
+    def has_events(self) -> bool:
+        """Return whether it keeps what hardware sets until that is cleared."""
+        return self.signal.has_events
+
+    @property
+    def is_frozen(self) -> bool:
+        """Return whether it keeps what hardware sets, and is read from the instant of a sample."""
+        return self.signal.effect is Effect.WRITE_1_TO_CLEAR
+
+    @property
+    def is_pulse(self) -> bool:
+        """Return whether a 1 that is written lasts for a cycle."""
+        return self.signal.effect is Effect.PULSE
 
     @property
     def is_held(self) -> bool:
@@ -127,8 +142,8 @@ class Register(NamedTuple):
 
     @property
     def is_register(self) -> bool:
-        """Return whether it is written and stays."""
-        return self.signal.access.writes and not self.signal.fifo
+        """Return whether it has what is written: for good, or for the cycle of a pulse."""
+        return self.signal.access.writes and not self.signal.fifo and not self.has_events
 
     @property
     def is_gathered(self) -> bool:
@@ -155,7 +170,9 @@ class Register(NamedTuple):
         if self.signal.fifo:
             return self.given_bits
         part = slice_at(self.signal, address)
-        kept = "given" if self.is_held else "sampled" if self.is_sampled else "bits"
+        if self.is_pulse:
+            return bit_literal(0, self.signal.width)
+        kept = "seen" if self.is_frozen else "given" if self.is_held else "sampled" if self.is_sampled else "bits"
         return f"{self.name}_{kept}({part.last} downto {part.first})"
 
 
@@ -277,6 +294,7 @@ class Bank:
             "_offset",
             "_depth",
             "_bits",
+            "_seen",
             "_sampled",
             "_held",
             "_gathered",
@@ -349,7 +367,8 @@ class Bank:
     @property
     def chained_from(self) -> list[Register]:
         """Registers that hardware gives, each with its place on a chain of shift registers."""
-        return _chained(register for register in self.registers if register.is_sampled and not register.is_wired)
+        given = (register for register in self.registers if register.is_sampled or register.has_events)
+        return _chained(register for register in given if not register.is_wired)
 
     @property
     def wired(self) -> tuple[Register, ...]:
@@ -389,11 +408,25 @@ class Bank:
         return tuple(register for register in self.registers if register.signal.fifo)
 
     @property
+    def with_events(self) -> tuple[Register, ...]:
+        """The registers that keep what hardware sets."""
+        return tuple(register for register in self.registers if register.has_events)
+
+    @property
+    def pulses(self) -> tuple[Register, ...]:
+        """The registers of which a 1 lasts for a cycle."""
+        return tuple(register for register in self.registers if register.is_pulse)
+
+    @property
     def open_ends(self) -> list[str]:
-        """Name the FIFO ports and modules, behind which no generated file has hardware."""
+        """Name the FIFO ports, modules and pulses, behind which no generated file has hardware.
+
+        A pulse of one cycle is over before it is on a chain of shift registers.
+        """
         modules = (window.module for window in self.windows if window.module is not None)
         return [
             *(f"the FIFO port {register.signal.path}" for register in self.streams),
+            *(f"the pulse {register.signal.path}" for register in self.pulses if not register.is_wired),
             *(" ".join(filter(None, (module.type, module.path))) for module in modules),
         ]
 
@@ -450,7 +483,7 @@ def is_bool(register: Register) -> bool:
 
 def _wires(signal: Signal, name: str) -> Pins:
     """Return the ports of a signal of which a core or a pin has the hardware's side."""
-    if signal.access.writes:
+    if not signal.is_given:
         return Pins(got=f"{name}_to_core", written=f"{name}_written")
     return Pins(given=f"{name}_from_core")
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.generate.vhdl.names import Scope
 from unity_link.generate.vhdl.types import VhdlEnumeration, vhdl_type
-from unity_link.spec import Access, ComponentSpec, KindName
+from unity_link.spec import ComponentSpec, KindName
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -68,13 +68,13 @@ def elements_of(signal: Signal, name: str, type_: str) -> Iterator[tuple[Directi
         yield Direction.FROM, "given", value
         yield Direction.FROM, "given_valid", valid
         yield Direction.TO, "given_ready", ready
-    elif signal.access is Access.READ:
+    elif signal.is_given:
         yield Direction.FROM, "given", value
     if signal.fifo and signal.access.writes:
         yield Direction.TO, "got", value
         yield Direction.TO, "got_valid", valid
         yield Direction.FROM, "got_ready", ready
-    elif signal.access.writes:
+    elif signal.access.writes and not signal.is_given:
         yield Direction.TO, "got", value
         yield Direction.TO, "written", Element(f"{name}_written", "std_logic")
 

@@ -39,8 +39,12 @@ class Stimuli:
         self._data_bits = bank.interface.data_bits
         self._given: dict[str, int] = {}
         self._stored: dict[str, int] = {
-            register.signal.path: register.signal.reset for register in bank.registers if register.signal.access.writes
+            register.signal.path: register.signal.reset
+            for register in bank.registers
+            if register.signal.access.writes or register.has_events
         }
+        self._pulsed = dict.fromkeys((register.signal.path for register in bank.pulses), 0)
+        """Cycles in which pulses were '1', by the paths of the signals."""
         self._staged: dict[str, int] = {}
         """Values on the stages of schedules, by the paths of the signals."""
         self._gathered: dict[int, int] = {}
@@ -70,6 +74,8 @@ class Stimuli:
             ("Accesses in a row take a cycle each.", self._rows()),
             ("A value of several words is read from one instant.", self._instants()),
             ("A sample is read from one instant, also between the words of a block.", self._samples()),
+            ("What hardware sets stays until it is cleared, also what it sets in that very cycle.", self._events()),
+            ("A pulse lasts for one cycle, and reads as 0.", self._pulses()),
             ("A FIFO port moves each word once, and refuses what it cannot move.", self._streams()),
             ("A module gets the accesses to its addresses, counted from its base.", self._windows()),
             ("The description is read a page at a time.", self._description()),
@@ -92,7 +98,8 @@ class Stimuli:
 
     def _raw_of(self, register: Register) -> int:
         path = register.signal.path
-        return self._stored[path] if register.is_register else self._given.get(path, 0)
+        is_stored = register.is_register or register.has_events
+        return self._stored[path] if is_stored else self._given.get(path, 0)
 
     def _word(self, address: int) -> int:
         """Return what an address must read as."""
@@ -146,7 +153,14 @@ class Stimuli:
         struck = self._struck(word)
         for register in struck:
             part = register.signal.mask_at(word.address) & value
-            self._stored[register.signal.path] = _joined(register.signal, self._gathered, word.address, part)
+            raw = _joined(register.signal, self._gathered, word.address, part)
+            if register.is_pulse:
+                self._pulsed[register.signal.path] += raw
+                raw = 0
+            self._stored[register.signal.path] = raw
+        for register in word.written:
+            if register.has_events:
+                self._stored[register.signal.path] &= ~(value >> register.signal.lowest_bit)
         if not struck:
             self._gathered[word.address] = value
 
@@ -184,7 +198,7 @@ class Stimuli:
     def _reads(self, round_: int) -> Iterator[str]:
         given = [register for register in self._bank.registers if register.is_sampled]
         yield from (self._give(register, self._raw(register, round_)) for register in given)
-        if given:
+        if given or self._bank.with_events:
             yield "pass(2);"
             yield from (self._read(word.address) for word in self._readable())
 
@@ -347,6 +361,61 @@ class Stimuli:
         yield from ("cyc <= '0';", "pass(2);", f"cyc <= '{int(bool(block))}';", "pass(1);", "sample_access <= '0';")
         yield from (*of_block[1:], "pass(2);")
         yield from (self._read(word.address) for word in self._readable())
+
+    def _events(self) -> Iterator[str]:
+        for word in self._bank.words:
+            registers = [register for register in word.read if register.has_events]
+            if not registers:
+                continue
+            yield from (self._set(register, 1) for register in registers)
+            yield from ("pass(2);", *self._clear(word, registers, 2))
+            yield from self._clear(word, registers, 3)
+            if registers[0].is_frozen:
+                before = self._read(word.address, keep=True)
+                yield "sample_access <= '1';"
+                yield from (self._set(register, 1) for register in registers)
+                yield from ("pass(2);", before, "cyc <= '0';", "sample_access <= '0';")
+                yield from ("pass(2);", self._read(word.address))
+                every = (1 << self._data_bits) - 1
+                self._store(word, every)
+                # What is cleared is seen in the next cycle already.
+                yield f"go_on({self._at(word.address)}, '1', {self._data(every)});"
+                yield f"go_on({self._at(word.address)}, '0', {self._data(self._word(word.address))});"
+                yield "end_row;"
+            yield self._read(word.address)
+
+    def _set(self, register: Register, round_: int) -> str:
+        """Return a statement by which hardware sets bits for one cycle, at the next edge."""
+        raw = self._number(register.signal.width, round_, "events", register.signal.path)
+        self._stored[register.signal.path] |= raw
+        some, none = (self._literal(register, bits) for bits in (raw, 0))
+        return f"{register.pins.given} <= {some}, {none} after period + period / 4;"
+
+    def _clear(self, word: BankWord, registers: Sequence[Register], round_: int) -> Iterator[str]:
+        """See what is set, and clear bits in the cycle in which others are set, or the same anew."""
+        access = self._read(word.address)
+        if registers[0].is_frozen:
+            yield access
+            value = self._number(self._data_bits, round_, "clear", word.address)
+            self._store(word, value)
+            struck = len(self._struck(word))
+            access = (
+                f"write({self._at(word.address)}, {self._data(value)}, {self._first_strobe[word.address]}, {struck});"
+            )
+        else:
+            self._stored |= dict.fromkeys((register.signal.path for register in registers), 0)
+        yield from (self._set(register, round_) for register in registers)
+        yield from (access, self._read(word.address))
+        if not registers[0].is_frozen:
+            self._stored |= dict.fromkeys((register.signal.path for register in registers), 0)
+
+    def _pulses(self) -> Iterator[str]:
+        for index, register in enumerate(self._bank.pulses):
+            word = self._word_at[register.signal.address]
+            for value in (register.signal.mask, 0):
+                yield from self._write(word, value)
+                cycles = self._pulsed[register.signal.path]
+                yield f'check(pulsed({index}) = {cycles}, "{register.signal.path}: cycles of pulses");'
 
     def _streams(self) -> Iterator[str]:
         for index, register in enumerate(self._bank.streams):

@@ -170,7 +170,7 @@ class Wiring:
 
     def _pin_register(self, signal: Signal) -> None:
         single = signal.kind.name is KindName.BOOL
-        way = Way.OUT if signal.access.writes else Way.IN
+        way = Way.IN if signal.is_given else Way.OUT
         name = self._scope.unique(signal.path)
         port = PinPort(name, signal.path, way, 0 if single else signal.width, signal.pin)
         self.pins.append(port)
@@ -234,7 +234,7 @@ class Wiring:
         """Return the ports of a signal, or of a row of them: the first axis has the lowest bits, and all of its row."""
         signals = [signal for part in placements for signal in part.rows[row]]
         name, width = row.lower(), signals[0].width
-        if signals[0].access.writes:
+        if not signals[0].is_given:
             yield self._wire(label, name, width, [self._wires[one.path].got for one in signals], drives=True)
             written = [self._wires[one.path].written for one in signals]
             yield self._wire(label, f"{name}_written", 0, written, drives=True)
@@ -305,7 +305,7 @@ def _gathered(parts: Iterable[ComponentSpec]) -> list[list[ComponentSpec]]:
             core.entity,
             core.wants,
             tuple(sorted((name, value) for name, value in core.generics.items() if name not in core.per_axis)),
-            tuple((signal.name, signal.width, signal.access.writes) for signal in part.signals),
+            tuple((signal.name, signal.width, signal.is_given) for signal in part.signals),
             tuple((pin.name, pin.way) for pin in core.pins),
             tuple(trigger.name for trigger in core.triggers),
             part.path if core.stages else "",
