@@ -49,6 +49,11 @@ public everything() {
   @both = 0x16: READWRITE(FIFO(3));
   @events = 0x17: unsigned 8 READ(FIFO(2));
   @orders = 0x18: unsigned 9 WRITE(FIFO(2));
+  @seen = 0x19[7:0]: READ(EFFECT=CLEAR_ON_READ);
+  @alarms[2] = 0x1A[i]: bool READWRITE(EFFECT=WRITE_1_TO_CLEAR, RESET=true);
+  @fire = 0x1A[8]: bool WRITE(EFFECT=PULSE);
+  @gain = 0x1B[3:0]: READWRITE();
+  @tick = 0x1B[4]: bool READWRITE(EFFECT=PULSE);
   joints[2]: joint() @(0x20 + 4 * i);
   ram: MEMORY(BASE=0x100, SIZE=16);
   tube: FIFO(BASE=0x200, WORDS=2);
@@ -68,7 +73,8 @@ class Listening(SimulatedRobot):
         self.told: list[tuple[str, Any]] = []
 
     def written(self, path: str, value: Any) -> None:
-        self.told.append((path, self.cells[path].raw if self.cells[path].queue is None else value))
+        cell = self.cells[path]
+        self.told.append((path, value if cell.queue is not None else cell.signal.kind.encode(cell.written)))
 
 
 class Both(NamedTuple):
@@ -109,6 +115,9 @@ class Both(NamedTuple):
 
 
 def _seen(cell: Cell) -> Any:
+    if cell.signal.has_events:
+        # A model sets them, and the register has them.
+        return None
     if cell.queue is None:
         return cell.raw
     return list(cell.queue.to_program), list(cell.queue.from_program)
@@ -154,7 +163,7 @@ class Story:
             st.sampled_from(sorted(within)),
             st.sampled_from(sorted(address for address in near if 0 <= address <= self._last)),
         )
-        given = [one for one in signals if (one.access.reads and not one.access.writes) or one.fifo]
+        given = [one for one in signals if one.is_given or one.fifo]
         reads = st.one_of(
             st.tuples(st.just("R"), places),
             st.tuples(st.just("RM"), places, st.integers(1, 6)),

@@ -55,6 +55,11 @@ public awkward() {
   @class = 0x14: READWRITE();
   @step = 0x15: READWRITE();
   @queue = 0x16: READWRITE(FIFO(3));
+  @seen = 0x17: READ(EFFECT=CLEAR_ON_READ);
+  @alarm = 0x1A[0]: bool READWRITE(EFFECT=WRITE_1_TO_CLEAR);
+  @fire = 0x1A[1]: bool WRITE(EFFECT=PULSE);
+  @tick = 0x1B[0]: bool WRITE(EFFECT=PULSE);
+  @gain = 0x1B[4:1]: WRITE();
   @lambda[2] = (0x18 + i): READWRITE();
   ram: MEMORY(BASE=0x100, SIZE=16);
   tube: FIFO(BASE=0x200, WORDS=2);
@@ -231,6 +236,37 @@ class Counts(SimulatedRobot):
     def step(self, dt: float) -> None:
         self.steps.append(dt)
         self.step_ += 1
+
+
+class Events(SimulatedRobot):
+    step_seconds = None
+
+    def start(self) -> None:
+        self.alarm = True
+        self.told: list[tuple[str, Any]] = []
+
+    def written(self, path: str, value: Any) -> None:
+        self.told.append((path, value))
+        if path == "kick":
+            self.seen = 1 << value
+
+
+def test_a_model_sets_bits_that_a_program_clears_and_is_told_of_pulses_that_are_over() -> None:
+    robot = awkward(Events).robot
+    registers = robot._registers
+    for bit in (2, 3, 2):
+        for cell in registers.write(0x12, bit):
+            robot.tell_written(cell)
+    assert (robot.seen, registers.read(0x17), registers.read(0x17), robot.seen) == (0b1100, 0b1100, 0, 0)
+    robot.alarm = False
+    assert registers.read(0x1A) == registers.read(0x1A) == 1
+    robot.told.clear()
+    for word in (2, 1, 0):
+        for cell in registers.write(0x1A, word):
+            robot.tell_written(cell)
+    # What is cleared is no value that hardware gets.
+    assert robot.told == [("fire", True), ("fire", False), ("fire", False)]
+    assert (robot.alarm, robot.fire, registers.read(0x1A)) == (False, False, 0)
 
 
 def test_a_model_without_a_step_size_is_stepped_up_to_each_look_and_names_that_are_taken_get_an_underscore() -> None:

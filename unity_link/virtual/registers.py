@@ -2,7 +2,8 @@
 
 They do what the register bank does that `unity-link generate vhdl` makes: reads of what is only written, writes of what
 is only read, and accesses to addresses without a signal are bus errors; a value of several words is read from the
-instant of its first one, and is written with its last. A signal with SAFE refuses to be written while its lease is not
+instant of its first one, and is written with its last. What has an EFFECT is cleared by each read, or by a 1 that is
+written, or has that for an instant alone. A signal with SAFE refuses to be written while its lease is not
 armed, or is finishing. Beyond that, a write outside of MIN and MAX is a bus error too, which the log explains.
 Addresses of hardware modules are memory, those of FIFO ports are queues.
 """
@@ -16,7 +17,7 @@ from typing import TYPE_CHECKING, Literal, Protocol, get_args
 from unity_link.errors import ArgumentError
 from unity_link.protocol.description import PAGE_WORDS, page_address, words_of
 from unity_link.protocol.messages import ErrorCode
-from unity_link.spec import STAGE_BITS
+from unity_link.spec import STAGE_BITS, Effect
 from unity_link.virtual.bus import AccessError
 
 if TYPE_CHECKING:
@@ -102,13 +103,15 @@ class Cell:
 
     __slots__ = (
         *("_bounds", "_gathered", "_kept", "_next_part"),
-        *("fault", "frozen", "queue", "raw", "signal", "value", "wire"),
+        *("fault", "frozen", "queue", "raw", "signal", "value", "wire", "written"),
     )
 
     def __init__(self, signal: Signal, *, loops_back: bool) -> None:
         self.signal = signal
         self.raw = signal.reset
         self.value = signal.kind.decode(self.raw)
+        self.written = self.value
+        """The value that a program has written last; one with an effect does not keep that."""
         self.queue = Queue(signal, loops_back=loops_back and signal.access.reads) if signal.fifo else None
         self.fault: SignalFault | None = None
         self.frozen = 0
@@ -120,6 +123,8 @@ class Cell:
     def set(self, value: Value | str) -> None:
         """Set its value; the rest of a float between two values of the register is kept.
 
+        Of one that accesses clear, set the bits that are 1, and leave the others.
+
         Raises:
             ArgumentError: for a value that its kind cannot say, and in gateware for what hardware does not give.
         """
@@ -127,7 +132,17 @@ class Cell:
         if self.wire is not None:
             self.wire.drive(self, raw)
         kind = self.signal.kind
+        if self.signal.has_events:
+            self.take(self.raw | raw if self.wire is None else 0)
+            return
         self.raw, self.value = raw, float(value) if kind.is_float else kind.decode(raw)
+
+    def accept(self, raw: int) -> None:
+        """Take the bits that a program has written."""
+        self.written = self.signal.kind.decode(raw)
+        if self.signal.effect is Effect.WRITE_1_TO_CLEAR:
+            raw = self.raw & ~raw
+        self.take(0 if self.signal.effect is Effect.PULSE else raw)
 
     def take(self, raw: int) -> None:
         """Take the bits that stand on the bus."""
@@ -150,6 +165,8 @@ class Cell:
                 raise AccessError(ErrorCode.BUS_ERROR)
             return self.queue.to_program.popleft()
         raw = self.frozen if self.fault == "frozen" else self.raw
+        if self.signal.effect is Effect.CLEAR_ON_READ:
+            self.take(0)
         if self.signal.words > 1:
             # The other words follow the first in the same transaction.
             self._kept = self._kept if part and (part, now) == self._next_part else raw
@@ -176,15 +193,15 @@ class Cell:
                 raise AccessError(ErrorCode.BUS_ERROR)
 
     def write(self, part: int, word: int) -> bool:
-        """Take a word; return whether the signal has a new value."""
+        """Take a word; return whether hardware sees it: a new value, and not that bits were cleared."""
         if self.queue is not None:
             self.queue.from_program.append(word & self.signal.mask)
             return True
         if part < self.signal.words - 1:
             self._gathered[part] = word
             return False
-        self.take(self._raw_with(part, word))
-        return True
+        self.accept(self._raw_with(part, word))
+        return not self.signal.has_events
 
     def make_safe(self) -> None:
         """Take the safe value, but for one with HOLD, and forget the words of a value that is not whole."""
@@ -283,7 +300,7 @@ class Registers:
         return word
 
     def write(self, address: int, word: int) -> list[Cell]:
-        """Write the word at an address; return the signals that have got a value.
+        """Write the word at an address; return the signals of which hardware has got a value.
 
         Raises:
             AccessError: where it can't be written; nothing has changed then.
@@ -329,7 +346,7 @@ class Registers:
                 continue
             cell, low = found
             mask = ((1 << STAGE_BITS) - 1) << low & (1 << cell.signal.width) - 1
-            cell.take(cell.raw & ~mask | word << low & mask)
+            cell.accept(cell.raw & ~mask | word << low & mask)
             changed[cell.signal.path] = cell
         return list(changed.values())
 

@@ -181,7 +181,8 @@ class SimulatedRobot(Part):
     """The base of models, and itself the one of a robot whose registers are memory.
 
     A subclass overrides `start`, `step` and `written`. In all of them signals are attributes with the names of the spec
-    (one that Python or this class has taken gets ``_`` behind it), and have values in their units.
+    (one that Python or this class has taken gets ``_`` behind it), and have values in their units. Of one that accesses
+    clear, a model sets bits and a program clears them; a pulse is told to `written` alone.
 
     Args:
         interface: of a spec.
@@ -359,7 +360,7 @@ class SimulatedRobot(Part):
 
     def tell_written(self, cell: Cell) -> None:
         """Call `written` for a signal that has got a value of a program."""
-        self.written(cell.signal.path, cell.value if cell.queue is None else self._last_of(cell))
+        self.written(cell.signal.path, cell.written if cell.queue is None else self._last_of(cell))
 
     def wire_pins(self, pins: Mapping[str, PinsOfCore]) -> None:
         """Put the pins of compiled gateware in the place of those of the quick models.

@@ -13,6 +13,7 @@ from collections.abc import MutableMapping
 from typing import TYPE_CHECKING
 
 from unity_link.errors import ANY_ERROR, ArgumentError
+from unity_link.spec import Effect
 from unity_link.virtual.bus import AccessError
 
 if TYPE_CHECKING:
@@ -50,6 +51,45 @@ class Given:
         if fault is None:
             self._port.drive(cell.raw)
         elif fault != "frozen":
+            raise _impossible(cell, fault)
+
+
+class Events(Given):
+    """A signal of which hardware sets bits, in a register that keeps them until accesses clear them.
+
+    Args:
+        port: that sets them.
+        gateway: that has the register.
+    """
+
+    def __init__(self, port: Port, gateway: RtlGateway) -> None:
+        super().__init__(port)
+        self._gateway = gateway
+
+    def look(self, cell: Cell) -> None:
+        """Refuse a look.
+
+        Raises:
+            ArgumentError: always.
+        """
+        raise ArgumentError(
+            f"{cell.signal.path} has {cell.signal.effect}, and its bits are in a register of the gateware: a model "
+            "sets them and cannot look at them, or takes sim:"
+        )
+
+    def drive(self, cell: Cell, raw: int) -> None:
+        """Set bits, in one clock cycle at least."""
+        if cell.fault is None and raw:
+            self._port.drive(self._port.value | raw)
+            self._port.drive(0, self._gateway.cycles + 2)
+
+    def set_fault(self, cell: Cell, fault: SignalFault | None) -> None:
+        """Refuse a fault.
+
+        Raises:
+            ArgumentError: for one.
+        """
+        if fault is not None:
             raise _impossible(cell, fault)
 
 
@@ -243,6 +283,11 @@ class RobotPorts:
                     self._queues.append(cell.queue)
             elif "got" in pins:
                 self._join_got(cell, pins["got"], pins.get("written"))
+            elif cell.signal.has_events:
+                set_by_model = cell.raw & ~cell.signal.reset
+                cell.take(0)
+                cell.wire = Events(pins["given"], gateway)
+                cell.wire.drive(cell, set_by_model)
             else:
                 cell.wire = Given(pins["given"])
                 cell.wire.drive(cell, cell.raw)
@@ -259,7 +304,7 @@ class RobotPorts:
         """Pass what programs have written to signals at pins on to the model."""
         for cell, port in self._at_pins:
             if cell.raw != port.value:
-                cell.take(port.value)
+                cell.accept(port.value)
                 self._tell(cell)
 
     def _join_got(self, cell: Cell, got: Port, written: Port | None) -> None:
@@ -267,12 +312,15 @@ class RobotPorts:
         if cell.raw != cell.signal.reset:
             cell.wire.drive(cell, cell.raw)
         self._got.append((cell, got))
+        if written is None and cell.signal.effect is Effect.PULSE:
+            # At pins it is seen in its only cycle.
+            written = got
         if written is None:
             self._at_pins.append((cell, got))
             return
 
         def take() -> None:
-            cell.take(got.value)
+            cell.accept(got.value)
             self._tell(cell)
 
         self._gateway.watch(take, written)
