@@ -14,6 +14,7 @@ from unittest import mock
 
 import pytest
 
+from support.effects import TEXT
 from unity_link import cli
 from unity_link.cli import completion
 from unity_link.protocol.configuration import Feature, GatewayInfo
@@ -181,6 +182,27 @@ def test_commands_say_in_a_sentence_what_differs_from_the_spec_of_the_board(rove
     other.write_text(SPEC.replace("  @ticks", "  @more = 0x20: READ();\n  @ticks"))
     assert run("set", url, rover, "left=1").stdout == "left  1 m/s\n"
     assert "the gateway has all of rover alike" in run("doctor", url, rover).stdout
+
+
+def test_what_a_read_clears_is_read_when_it_is_named_alone_and_with_others(tmp_path: Path) -> None:
+    spec = tmp_path / "robot.ul"
+    spec.write_text(TEXT)
+    url = f"sim:{spec}"
+    every = run("get", url, str(spec)).stdout
+    assert "mode" in every
+    assert "seen" not in every
+    lines = run("get", url, str(spec), "mode", "seen", "hit").stdout.splitlines()
+    assert lines == ["mode  0", "seen  0", "hit   false"]
+    result = run("watch", url, str(spec), "seen", "--count", "1")
+    assert (result.returncode, result.stderr.count("\n")) == (2, 1)
+    assert "seen is cleared by each read" in result.stderr
+
+
+def test_what_was_written_is_shown_also_of_a_pulse(tmp_path: Path) -> None:
+    spec = tmp_path / "robot.ul"
+    spec.write_text(TEXT)
+    result = run("set", f"sim:{spec}", "alarm[0]=on", "shoot=true", "lost=3")
+    assert (result.returncode, result.stdout.splitlines()) == (0, ["alarm[0]  true", "shoot     true", "lost      3"])
 
 
 def test_the_command_line_is_a_module_too() -> None:

@@ -42,7 +42,7 @@ def sampled_groups(robot: Robot, poll_hz: float | None = None, *, is_needed: boo
         if not proxy.signal.access.reads:
             continue
         group = robot.publishing_group(proxy)
-        if group is None and proxy.signal.fifo:
+        if group is None and proxy.signal.read_takes:
             continue
         if group is None:
             rest.append(proxy)

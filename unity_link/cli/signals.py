@@ -44,7 +44,7 @@ def get(
         typer.Argument(
             metavar="[SPEC] [SIGNAL]...",
             help="A spec, such as robot.ul, and signals: j1.position, a part as j1, a pattern as '*.position'; "
-            "without one, all that can be read but queues.",
+            "without one, all that can be read but queues and what a read clears.",
             autocompletion=complete_signal,
         ),
     ] = None,
@@ -75,11 +75,15 @@ async def _get(
     from unity_link.data.describing import robot_behind
     from unity_link.data.groups import Group
     from unity_link.link.connecting import connect
+    from unity_link.spec.model import Effect
 
     chosen = choose(robot_type, names, "read")
     async with connect(url, timeout=timeout) as link:
         robot = await robot_behind(link, robot_type)
-        values = await Group(*(robot[path] for path in chosen)).get()
+        proxies: list[Any] = [robot[path] for path in chosen]
+        together = [proxy for proxy in proxies if proxy.signal.effect is not Effect.CLEAR_ON_READ]
+        read = await Group(*together).get() if together else {}
+        values = {proxy: read[proxy] if proxy in read else await proxy.get() for proxy in proxies}
     if json:
         found = {proxy.path: plain(value) for proxy, value in values.items()}
         print_json({"url": url, "values": found, "units": {proxy.path: proxy.unit for proxy in values if proxy.unit}})
@@ -130,18 +134,18 @@ async def _set(
     from unity_link.data.describing import robot_behind
     from unity_link.link.connecting import connect
 
-    written: list[Proxy[Any]] = []
+    written: dict[Proxy[Any], Any] = {}
     async with connect(url, timeout=timeout) as link:
         robot = await robot_behind(link, robot_type)
         for path, value in values:
             proxy: Any = robot[path]
             await proxy.set(value)
-            written.append(proxy)
+            written[proxy] = proxy.scalar(proxy.signal.decode(proxy.signal.encode(value)))
     if json:
-        print_json({"url": url, "values": {proxy.path: plain(proxy.value) for proxy in written}})
+        print_json({"url": url, "values": {proxy.path: plain(value) for proxy, value in written.items()}})
         return
-    for proxy in written:
-        print_value(proxy, proxy.value, max(len(proxy.path) for proxy in written))
+    for proxy, value in written.items():
+        print_value(proxy, value, max(len(proxy.path) for proxy in written))
 
 
 # What the commands with names have in common
@@ -188,17 +192,21 @@ def choose(robot_type: type[LoadedRobot], names: Sequence[str], what: str) -> li
 
     Args:
         robot_type: has them.
-        names: paths, IDs, parts or patterns; none at all for every signal that is no queue.
+        names: paths, IDs, parts or patterns; none at all for every signal that is no queue, and not cleared by a read.
         what: is to be done: ``"read"`` or ``"write"``.
 
     Raises:
         ArgumentError: for a name that stands for nothing, or for nothing of which that can be done.
     """
     able = {path: signal for path, signal in robot_type.interface.signals.items() if _can(signal, what)}
-    chosen = [path for path, signal in able.items() if not signal.fifo] if not names else []
+    chosen = [path for path, signal in able.items() if not (signal.fifo or signal.read_takes)] if not names else []
     for name in names:
         found = _stand_for(robot_type, name)
-        fitting = [path for path in found if path in able and (len(found) == 1 or not able[path].fifo)]
+        fitting = [
+            path
+            for path in found
+            if path in able and (len(found) == 1 or not (able[path].fifo or able[path].read_takes))
+        ]
         if not fitting:
             only = robot_type.interface.signals[found[0]].access
             raise ArgumentError(

@@ -361,7 +361,7 @@ def _readable(members: Sequence[Proxy[Any] | Part]) -> tuple[Proxy[Any], ...]:
         proxy
         for member in members
         for proxy in ((member,) if isinstance(member, Proxy) else member.signals)
-        if proxy is member or (proxy.signal.access.reads and not proxy.signal.fifo)
+        if proxy is member or (proxy.signal.access.reads and not proxy.signal.read_takes)
     )
 
 
@@ -370,6 +370,7 @@ def _source(
 ) -> SampleSource:
     """Return what samples one gateway."""
     info = layout.link.gateway
+    layout.check_sampled()
     if not plan.trigger or plan.divisor is not None or plan.rate_hz is not None or plan.on_change:
         # A sample takes a word of a queue, so that one must be there.
         layout.check_registers()

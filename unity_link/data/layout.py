@@ -8,6 +8,7 @@ import numpy as np
 
 from unity_link.errors import ArgumentError
 from unity_link.link.synchronisation import gather
+from unity_link.spec import Effect
 from unity_link.spec.columns import Columns
 
 if TYPE_CHECKING:
@@ -58,17 +59,28 @@ class GroupLayout:
         """Check that all can be read again and again.
 
         Raises:
-            ArgumentError: for the port of a queue.
+            ArgumentError: for the port of a queue, and for what a read clears.
         """
+        self.check_sampled()
         for proxy in self.proxies:
             if proxy.signal.fifo:
                 raise ArgumentError(f"{proxy.path} is the port of a queue, from which each read takes a word")
+
+    def check_sampled(self) -> None:
+        """Check that a sample takes nothing for good but words of queues.
+
+        Raises:
+            ArgumentError: for what a read clears.
+        """
+        for proxy in self.proxies:
+            if proxy.signal.effect is Effect.CLEAR_ON_READ:
+                raise ArgumentError(f"{proxy.path} is cleared by each read, and is read by its `get` alone")
 
     async def read(self) -> Words:
         """Read all words in one pipelined batch; shape (addresses,).
 
         Raises:
-            ArgumentError: for the port of a queue.
+            ArgumentError: as by `check_registers`.
         """
         self.check_registers()
         if not self._wide:

@@ -203,6 +203,11 @@ class Proxy(Sealed, Generic[T]):
             return cast("T", value)
         return cast("T", self._names.get(int(value), int(value)))
 
+    def see_written(self, words: Sequence[int]) -> None:
+        """Keep the value of words that were written as the last one, unless they are not what is read then."""
+        if self.signal.effect is None:
+            self.see(self.scalar(self.signal.decode(words)))
+
     def see(self, value: T, at: float | None = None) -> None:
         """Keep a value as the last one, and call the handlers that wait for another one.
 

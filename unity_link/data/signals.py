@@ -5,8 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Generic, Protocol, cast, overload
 
 from unity_link.data.proxies import BUFFER, Owner, Proxy, S, T, nothing_publishes, refusal
-from unity_link.errors import BusError, refusing
+from unity_link.errors import BusError, UnsupportedError, refusing
 from unity_link.link.subscription import check_buffer
+from unity_link.protocol.configuration import Feature
+from unity_link.spec import Effect
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable
@@ -78,10 +80,21 @@ class Readable(SampledSignal[T]):
     __slots__ = ()
 
     async def get(self) -> T:
-        """Read it from the gateway; one of several words in one bus transaction."""
+        """Read it from the gateway; one of several words in one bus transaction.
+
+        One that each read clears is read exactly once, whatever the line loses: no event is lost with an answer.
+
+        Raises:
+            UnsupportedError: for one that each read clears, where the gateway was built without queue commands.
+        """
         signal = self.signal
         words = signal.words
-        if words == 1:
+        if signal.effect is Effect.CLEAR_ON_READ:
+            if Feature.QUEUE_COMMANDS not in self.bus.gateway.features:
+                message = "is cleared by each read, which takes the queue commands that the gateway was built without"
+                raise UnsupportedError(f"{signal.path} {message}")
+            value = self.scalar(signal.decode(int((await self.bus.read_queue(signal.address, 1))[0])))
+        elif words == 1:
             value = self.scalar(signal.decode(await self.bus.read(signal.address)))
         else:
             block = await self.bus.read_block(signal.address, words)
@@ -102,7 +115,8 @@ class Writable(Proxy[T], Generic[T, S]):
     async def set(self, value: S, *, at: Instant | None = None) -> Done | None:
         """Write it; when this returns it is on the bus. With `at`, it is scheduled for an instant.
 
-        One of several words is written in one bus transaction, and a field leaves the other bits of its word alone.
+        One of several words is written in one bus transaction, and a field leaves the other bits of its word alone. Of
+        one that a 1 clears, the bits that are 1 are cleared.
 
         Args:
             value: in the signal's unit, it goes to the nearest one that there is; an enumeration takes names too.
@@ -128,7 +142,7 @@ class Writable(Proxy[T], Generic[T, S]):
             await self._write(words)
         except BusError as error:
             raise await refusal(error, [self]) from None
-        self.see(self.scalar(self.signal.decode(words)))
+        self.see_written(words)
         return None
 
     async def _write(self, words: tuple[int, ...]) -> None:
@@ -156,7 +170,7 @@ class Writable(Proxy[T], Generic[T, S]):
             return
         (word,) = signal.encode(cast("Any", value))
         await self.bus.post(signal.address, word)
-        self.see(self.scalar(signal.decode(word)))
+        self.see_written((word,))
 
     @property
     def limits(self) -> tuple[float, float]:

@@ -1,7 +1,8 @@
 """Many values written together: all are checked first, then all are sent at once.
 
-Fields that make up all that is written in a word go as one word; a field alone needs a masked write of its own, and a
-value of several words a bus transaction of its own. All are under way at the same time, in order.
+Fields that make up all that is written in a word go as one word, as those do that a 0 leaves alone; another field alone
+needs a masked write of its own, and a value of several words a bus transaction of its own. All are under way at the
+same time, in order.
 """
 
 from __future__ import annotations
@@ -44,7 +45,7 @@ async def write_values(values: Mapping[Proxy[Any], Any], *, posted: bool = False
     except BusError as error:
         raise await refusal(error, values) from None
     for proxy, words in encoded:
-        proxy.see(proxy.scalar(proxy.signal.decode(words)))
+        proxy.see_written(words)
 
 
 def _encode(proxy: Proxy[Any], value: Any) -> tuple[int, ...]:
@@ -72,6 +73,9 @@ def _writings(
                 # Two robots of one spec may stand on a link: of one field, the last value counts.
                 all_written = written | proxy.robot.interface.written_bits[address]
                 fields[address] = (value & ~own | word, mask | own, all_written)
+        elif signal.effect is not None:
+            # Several may stand in one word, where a 0 leaves the others alone.
+            whole[signal.address] = whole.get(signal.address, 0) | words[0]
         elif len(words) == 1:
             whole[signal.address] = words[0]
         else:
