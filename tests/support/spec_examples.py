@@ -131,6 +131,16 @@ def _resets(kind: KindSpecifier | None, enumerations: list[EnumDeclaration]) -> 
     return [Argument(Word("RESET"), values[word])] if word in values else []
 
 
+_EFFECTS = {
+    ("bool", "READ"): ["CLEAR_ON_READ"],
+    ("unsigned", "READ"): ["CLEAR_ON_READ"],
+    ("bool", "WRITE"): ["PULSE"],
+    ("bool", "READWRITE"): ["PULSE", "WRITE_1_TO_CLEAR"],
+    ("unsigned", "READWRITE"): ["WRITE_1_TO_CLEAR"],
+}
+"""Effects that signals of a kind and an access can have."""
+
+
 @st.composite
 def signals(
     draw: st.DrawFn, name: str, address: int, enumerations: list[EnumDeclaration], groups: list[str]
@@ -143,11 +153,17 @@ def signals(
     is_number = kind is None or kind.name in {"unsigned", "signed", "fixed", "ufixed"}
     access = draw(st.sampled_from(["READ", "WRITE", "READWRITE"]))
     arguments: list[Argument] = []
-    if draw(st.booleans()) and is_number:
+    effects = _EFFECTS.get(("unsigned" if kind is None else str(kind.name), access), [])
+    effect = draw(st.sampled_from([None, *effects]))
+    if effect is not None:
+        arguments.append(Argument(Word("EFFECT"), Name(Word(effect))))
+    elif draw(st.booleans()) and is_number:
         arguments.append(Argument(Word("SCALE"), draw(st.sampled_from([Number("0.1"), Number("2"), Number("1e-3")]))))
     if draw(st.booleans()):
         arguments.append(Argument(Word("UNIT"), Text(draw(texts))))
-    if access != "WRITE" and groups and draw(st.booleans()):
+    if effect is not None:
+        arguments += _resets(kind, enumerations) if effect == "WRITE_1_TO_CLEAR" and draw(st.booleans()) else []
+    elif access != "WRITE" and groups and draw(st.booleans()):
         group = Name(Word(draw(st.sampled_from(groups))))
         arguments.append(Argument(None, Call(Word("PUBLISH"), [Argument(None, group)])))
     elif access != "WRITE" and draw(st.booleans()):

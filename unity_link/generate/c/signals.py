@@ -9,7 +9,8 @@ from unity_link.generate.c.layout import brackets
 from unity_link.generate.c.names import number
 from unity_link.quoting import c_string
 from unity_link.spec.kinds import KindName
-from unity_link.spec.model import ComponentArray, ComponentSpec
+from unity_link.spec.model import ComponentArray, ComponentSpec, Effect
+from unity_link.spec.words import EFFECTS
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -111,6 +112,7 @@ def _properties(signal: Signal, layout: Layout, *, is_real: bool) -> str:
         "UL_LIMITED": _is_limited(signal),
         "UL_SHARED": signal.access.writes and signal.address in layout.shared and not signal.fifo,
         "UL_WHOLE": not is_real,
+        "UL_CLEARED": signal.effect is Effect.CLEAR_ON_READ,
     }
     return " | ".join(name for name, holds in properties.items() if holds)
 
@@ -138,6 +140,8 @@ def describe(member: SignalMember) -> str:
     what = {"READ": "read", "WRITE": "write", "READWRITE": "read, write"}[signal.access]
     if signal.fifo:
         what += ", queue"
+    if signal.effect is not None:
+        what += f", {EFFECTS[signal.effect]}"
     where = "" if member.varies else " ".join(part for part in (limits(signal), signal.unit) if part)
     text = f"{what}; {where}" if where else what
     return f"{signal.doc.rstrip('.')} ({text})" if signal.doc else text

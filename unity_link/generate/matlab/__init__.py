@@ -24,7 +24,7 @@ from unity_link.generate import GeneratedFile, c
 from unity_link.generate.matlab.names import FUNCTIONS, MEMBERS, identifiers
 from unity_link.network.memories import NetworkMemory, given_parameters, networks
 from unity_link.quoting import matlab_string, one_line
-from unity_link.spec import ComponentArray
+from unity_link.spec import ComponentArray, Effect
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
@@ -221,6 +221,7 @@ def _options(signal: Signal) -> list[tuple[str, str]]:
         ("maximum", number(signal.maximum or 0), signal.maximum is not None),
         ("is_field", "true", signal.is_field),
         ("fifo", "true", signal.fifo),
+        ("cleared", "true", signal.effect is Effect.CLEAR_ON_READ),
     ]
     if kind.enumeration is not None:
         values = kind.enumeration.values

@@ -130,7 +130,7 @@ def _table(interface: Interface) -> Iterator[str]:
     variables = {path: f"S{number}" for number, path in enumerate(interface.signals)}
     names = topic_names(interface)
     for path, signal in interface.signals.items():
-        if not signal.fifo:
+        if _has_topics(signal):
             yield f"{variables[path]} = Signal({', '.join(_signal(interface, signal, names[path]))})"
     yield ""
     listed = functools.partial(_listed, variables)
@@ -140,7 +140,7 @@ def _table(interface: Interface) -> Iterator[str]:
     yield from (f"    {_group(one, variables, names, several=several)}," for one in sampled)
     yield "]"
     taken = {signal.path for one in sampled for signal in one.signals}
-    signals = [signal for signal in interface.signals.values() if not signal.fifo]
+    signals = [signal for signal in interface.signals.values() if _has_topics(signal)]
     yield f"REST = {listed([one.path for one in signals if one.access.reads and one.path not in taken])}"
     yield f"WRITABLE = {listed([one.path for one in signals if one.access.writes])}"
     yield "JOINTS = ["
@@ -162,6 +162,11 @@ def _table(interface: Interface) -> Iterator[str]:
         group = f"Group(None, 0, None, None, {addresses!r}, {listed([signal.path for signal in told.values()])})"
         yield f"    Lease({lease!r}, {group}, {_numbers(told['state'])!r}, {_numbers(told['reason'])!r}),"
     yield "]"
+
+
+def _has_topics(signal: Signal) -> bool:
+    """Return whether it is published or written: not a queue, nor what a read clears, as who polls would take it."""
+    return not (signal.fifo or signal.read_takes)
 
 
 def _numbers(signal: Signal) -> dict[int, str]:

@@ -291,7 +291,12 @@ void ul_start_get(ul_link *link, ul_batch *batch, const ul_signal *signal, uint6
 {
     unsigned count = ul_words_of(signal);
     if (cannot(link, batch, signal, UL_READABLE)) return;
-    if (signal->properties & UL_QUEUE) ul_start_read_queue(link, batch, signal->address, words, 1);
+    if (signal->properties & UL_CLEARED && link->open && !(link->info.features & UL_FEATURE_QUEUES)) {
+        refuse(batch, UL_UNSUPPORTED, signal->path, signal->address,
+               "each read clears it, which takes the queue commands that the gateway was built without");
+        return;
+    }
+    if (signal->properties & (UL_QUEUE | UL_CLEARED)) ul_start_read_queue(link, batch, signal->address, words, 1);
     else if (count > 1) ul_start_read_block(link, batch, signal->address, words, count);
     else ul_start_read(link, batch, signal->address, words);
 }
