@@ -469,11 +469,26 @@ def test_fields_that_only_ones_change_share_a_register(tmp_path: Path) -> None:
     ]
 
 
+def test_a_register_of_which_a_read_clears_all_fields_is_one_signal_that_tells_where_they_are(tmp_path: Path) -> None:
+    fields = """field { sw = r; rclr; desc = "Too many."; } over[3:3]; field { sw = r; rclr; } codes[11:8];"""
+    text = f"""reg events {{ desc = "What has happened."; {fields} }};
+addrmap chip {{ events one; events many[2] @ 0x10; reg {{ field {{ sw = r; }} f[31:0]; }} last; }};"""
+    chip, said = imported(tmp_path, text)
+    signals = sorted(chip.signals.values(), key=lambda one: one.address)
+    assert [(one.path, one.address, one.lowest_bit, one.width, one.effect) for one in signals] == [
+        ("one", 0, 3, 9, Effect.CLEAR_ON_READ),
+        ("many[0].bits", 4, 3, 9, Effect.CLEAR_ON_READ),
+        ("many[1].bits", 5, 3, 9, Effect.CLEAR_ON_READ),
+        ("last", 6, 0, 32, None),
+    ]
+    assert chip.signals["one"].doc == "What has happened.\nbit 0: over. Too many.\nbits 8:5: codes."
+    assert said.count("a read clears all of its fields, which are one signal of the spec") == 2
+
+
 @pytest.mark.parametrize(
     ("fields", "word"),
     [
         ("field { sw = r; rclr; } a[0:0]; field { sw = r; } b[1:1];", "rclr"),
-        ("field { sw = r; rclr; } a[0:0]; field { sw = r; rclr; } b[1:1];", "rclr"),
         ("field { sw = r; rclr; } a[0:0]; field { sw = w; } b[1:1];", "rclr"),
         ("field { sw = rw; rclr; } a[0:0];", "rclr"),
         ("field { sw = r; rclr; is_signed; } a[7:0];", "rclr"),

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from unity_link.spec.diagnostics import SpecError
 from unity_link.spec.model import Access, Effect
-from unity_link.spec.systemrdl.effects import effect_of
+from unity_link.spec.systemrdl.effects import cleared_together, effect_of
 from unity_link.spec.systemrdl.numbers import number_of
 from unity_link.spec.systemrdl.places import about, flat_path, spec_path
 
@@ -71,8 +71,15 @@ def _differing_fields(interface: Interface, top: Any, names: Mapping[str, str]) 
         if ours is None and not names:
             # The second word of a signal that was exported from a spec.
             continue
+        together = [] if ours is not None else cleared_together(node.parent, interface.data_bits)
+        if together and node.inst_name != together[0].inst_name:
+            # One signal has all of them.
+            continue
         path = spec_path(node, names) if ours is None else re.sub(r"\[(\d+)\]", r"_\1", ours)
         expected = _expected(node, interface.data_bits, whole=ours is None)
+        if together:
+            low, high = min(one.low for one in together), max(one.high for one in together)
+            expected = expected._replace(lowest_bit=low % interface.data_bits, width=high - low + 1)
         signal = found.pop(path, None)
         seen = None if signal is None else _seen(signal, whole=ours is None)
         if seen != expected:

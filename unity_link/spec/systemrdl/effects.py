@@ -40,11 +40,24 @@ def effect_of(node: Any, bits: int) -> Effect | None:
     same = [one for one in node.parent.fields() if one.low // bits <= node.low // bits <= one.high // bits]
     beside = [one for one in same if one.inst_name != node.inst_name]
     if effect is Effect.CLEAR_ON_READ:
-        return None if any(one.is_sw_readable or one.is_sw_writable for one in beside) else effect
+        return effect if cleared_together(node.parent, bits) else None
     if effect is Effect.WRITE_1_TO_CLEAR:
         written = [one for one in beside if one.is_sw_writable]
         return effect if all(_word_of(one) is not None and are_bits(one) for one in written) else None
     return effect
+
+
+def cleared_together(register: Any, bits: int) -> list[Any]:
+    """Return the fields of a register that is nothing but bits of one word which a read clears; none of any other.
+
+    Args:
+        register: its node.
+        bits: those of a word.
+    """
+    fields = [one for one in register.fields() if one.is_sw_readable or one.is_sw_writable]
+    words = {place // bits for one in fields for place in (one.low, one.high)}
+    is_cleared = all(_word_of(one) is Effect.CLEAR_ON_READ and are_bits(one) for one in fields)
+    return fields if is_cleared and len(words) == 1 else []
 
 
 def _word_of(node: Any) -> Effect | None:

@@ -12,11 +12,11 @@ from unity_link.errors import UnsupportedError
 from unity_link.spec.arguments import ADDRESS_BITS, DATA_BITS
 from unity_link.spec.diagnostics import Diagnostic, Span, SpecError
 from unity_link.spec.kinds import MOST_BITS, KindName
-from unity_link.spec.model import Access
+from unity_link.spec.model import Access, Effect
 from unity_link.spec.modules import MODULES
 from unity_link.spec.placing import GATEWAY_WORD, MOST_ITEMS
 from unity_link.spec.systemrdl.comparing import compare
-from unity_link.spec.systemrdl.effects import effect_of, effects, warnings
+from unity_link.spec.systemrdl.effects import cleared_together, effect_of, effects, warnings
 from unity_link.spec.systemrdl.naming import doc_lines, unique_name, values_text
 from unity_link.spec.systemrdl.numbers import PEAKRDL, declare, number_of, reset_of
 from unity_link.spec.systemrdl.perl import first_perl
@@ -264,6 +264,9 @@ class _Importer:
         if not self._has_words(node):
             return
         inner = _Part(node.type_name or node.inst_name, doc=_desc(node))
+        if len(cleared_together(node, self._bits)) > 1:
+            self._add_cleared(part, inner, node)
+            return
         kept = [one for one in node.fields() if one.is_sw_readable or one.is_sw_writable]
         for one in kept:
             self.warnings += warnings(one, effect_of(one, self._bits))
@@ -280,6 +283,29 @@ class _Importer:
             only.name = self._call(node, part)
             only.address += self._word(node.raw_address_offset, node)
             only.doc = "\n".join(filter(None, (_desc(node), only.doc)))
+            part.members.append(only)
+
+    def _add_cleared(self, part: _Part, inner: _Part, node: Any) -> None:
+        """Add a register of several fields that each read clears, as one signal: a read of one would take the rest."""
+        fields = cleared_together(node, self._bits)
+        low, high = min(one.low for one in fields), max(one.high for one in fields)
+        first, width = low % self._bits, high - low + 1
+        bits = "" if width == self._bits else f"[{first + width - 1}:{first}]"
+        told = [f"{_bits_of(one, low)}: {one.inst_name}. {_desc(one)}".rstrip() for one in fields]
+        doc = "\n".join(filter(None, (_desc(node), *told)))
+        arguments = [f"EFFECT={Effect.CLEAR_ON_READ}"]
+        name = self._call(node, part)
+        for one in fields:
+            self.names[flat_path(one)] = "bits" if node.is_array else ""
+        only = _Field(name, low // self._bits, bits, f"unsigned {width}", Access.READ, arguments, doc)
+        message = f"{flat_path(node)}: a read clears all of its fields, which are one signal of the spec, {name}"
+        self.warnings.append(about("warning", "one-signal", message, node))
+        if node.is_array:
+            only.name = "bits"
+            inner.members.append(only)
+            part.members.append(self._placed(node, inner, name))
+        else:
+            only.address += self._word(node.raw_address_offset, node)
             part.members.append(only)
 
     def _has_words(self, node: Any) -> bool:
@@ -444,6 +470,12 @@ class _Importer:
             found = self._components[body] = unique_name(_name(part.type_name), self._names)
             self._docs[found] = part.doc
         return found
+
+
+def _bits_of(node: Any, lowest: int) -> str:
+    """Write where a field is in a signal, whose bits count from 0."""
+    high, low = node.high - lowest, node.low - lowest
+    return f"bit {low}" if high == low else f"bits {high}:{low}"
 
 
 def _part_at(whole: _Part, path: str) -> tuple[_Part, str]:
