@@ -12,7 +12,7 @@ import shutil
 import signal
 import socket
 import subprocess
-import sys
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree as ET
@@ -20,6 +20,9 @@ from xml.etree import ElementTree as ET
 import pytest
 import yaml
 
+from gateware.bench.network.tap import URL
+from generate.test_ros_packages import served
+from support.bridge_programs import wait_until
 from unity_link import blocking
 from unity_link.generate import generate, write
 from unity_link.generate.ros.topics import topic_names
@@ -28,9 +31,14 @@ from unity_link.spec import compile_file, compile_text
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+    from gateware.bench.network.tap import Plugged
+
 EXAMPLES = Path(__file__).parents[2] / "examples"
-PROGRAM = str(Path(sys.executable).parent / "unity-link")
 PATIENCE = 60
+J2_TO_HALF_A_RADIAN = ("/scara/joint_commands", "sensor_msgs/JointState", "{name: [j2], position: [0.5]}")
+HALF_A_RADIAN = round(0.5 * 180 / math.pi / (360 / 200_000))
+"""In counts of that joint."""
+pytest_plugins = ["gateware.bench.network.fixtures"]
 
 needs_ros = pytest.mark.skipif(
     shutil.which("roslaunch") is None or shutil.which("rostopic") is None,
@@ -62,49 +70,61 @@ def environment(tmp_path: Path, packages: dict[str, Path]) -> dict[str, str]:
     }
 
 
-@pytest.fixture
-def shared(tmp_path: Path) -> Iterator[str]:
-    with subprocess.Popen(
-        [PROGRAM, "serve", "sim:scara", "--unix", str(tmp_path / "gateway")], stdout=subprocess.PIPE, text=True
-    ) as server:
-        assert server.stdout is not None
-        yield server.stdout.readline().strip()
-        server.terminate()
-
-
 def rostopic(environment: dict[str, str], *arguments: str) -> str:
     command = ["rostopic", *arguments]
     done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=PATIENCE, check=True)
     return done.stdout
 
 
-@needs_ros
-@pytest.mark.slow
-def test_roslaunch_starts_the_node_of_a_generated_package(environment: dict[str, str], shared: str) -> None:
-    arguments = ["scara_unity_link", "scara.launch", f"link:={shared}", "frame_id:=base", "poll_hz:=10"]
+@contextmanager
+def launched(environment: dict[str, str], *arguments: str) -> Iterator[None]:
+    """Run the node of the package by roslaunch; its gateway has answered when the block begins."""
     with subprocess.Popen(
-        ["/usr/bin/python3", "-u", shutil.which("roslaunch") or "", *arguments],
+        ["/usr/bin/python3", "-u", shutil.which("roslaunch") or "", "scara_unity_link", "scara.launch", *arguments],
         env=environment,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.PIPE,
         text=True,
-    ) as launched:
+    ) as process:
         try:
-            assert launched.stderr is not None
-            assert any("the gateway answers at unix:" in line for line in launched.stderr)
-            wanted = "{name: [j2], position: [0.5]}"
-            told = rostopic(environment, "pub", "-1", "/scara/joint_commands", "sensor_msgs/JointState", wanted)
-            with blocking.connect(shared) as link:
-                while link.read(0x8D) != round(0.5 * 180 / math.pi / (360 / 200_000)):
-                    pass
-            said = rostopic(environment, "echo", "-n1", "/scara/joint_states")
-            polled = rostopic(environment, "echo", "-n1", "/scara/j2/pos_sp")
+            assert process.stderr is not None
+            assert any("the gateway answers at unix:" in line for line in process.stderr)
+            yield
         finally:
-            launched.send_signal(signal.SIGINT)
-            launched.communicate(timeout=PATIENCE)
+            process.send_signal(signal.SIGINT)
+            process.communicate(timeout=PATIENCE)
+
+
+@needs_ros
+@pytest.mark.slow
+def test_roslaunch_starts_the_node_of_a_generated_package(environment: dict[str, str], tmp_path: Path) -> None:
+    with (
+        served(tmp_path, "sim:scara") as url,
+        launched(environment, f"link:={url}", "frame_id:=base", "poll_hz:=10"),
+        blocking.connect(url) as link,
+    ):
+        told = rostopic(environment, "pub", "-1", *J2_TO_HALF_A_RADIAN)
+        wait_until(lambda: link.read(0x8D) == HALF_A_RADIAN)
+        said = rostopic(environment, "echo", "-n1", "/scara/joint_states")
+        polled = rostopic(environment, "echo", "-n1", "/scara/j2/pos_sp")
     assert "publishing" in told
     assert 'frame_id: "base"' in said
     assert polled.split()[1].startswith("28.6")
+
+
+@needs_ros
+@pytest.mark.slow
+def test_the_node_samples_and_moves_the_gateware_behind_rmii_whose_link_is_shared(
+    environment: dict[str, str], tmp_path: Path, gateway: Plugged
+) -> None:
+    gateway.call("poke", 0x89, HALF_A_RADIAN)
+    with served(tmp_path, URL) as url, launched(environment, f"link:={url}"):
+        rostopic(environment, "pub", "-1", *J2_TO_HALF_A_RADIAN)
+        wait_until(gateway.written)
+        said = rostopic(environment, "echo", "-n1", "/scara/joint_states")
+    assert gateway.written() == [(0x8D, HALF_A_RADIAN)]
+    (positions,) = [line for line in said.splitlines() if line.startswith("position:")]
+    assert [round(float(number), 4) for number in positions[len("position: [") : -1].split(",")] == [0, 0.5, 0, 0]
 
 
 def test_a_package_of_ros_1_says_what_catkin_must_know(packages: dict[str, Path]) -> None:

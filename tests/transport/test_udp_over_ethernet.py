@@ -1,7 +1,4 @@
-"""Links by `udp:` to the gateware itself: compiled, behind RMII or a W5500, at the kernel's own network stack.
-
-The names of the tests have the line that this machine gives: "tap", or "veth" where it has no TAP devices.
-"""
+"""Links by `udp:` to the gateware itself: compiled, behind RMII or a W5500, at the kernel's own network stack."""
 
 from __future__ import annotations
 
@@ -20,7 +17,7 @@ import trio
 import uvloop
 
 import unity_link
-from gateware.bench.network.tap import GATEWAY, INTERFACE, LINE, URL, own_network, plugged
+from gateware.bench.network.tap import GATEWAY, INTERFACE, URL, plugged
 from gateware.bench.network.wire import GATEWAY_PORT, Wire
 from generate.programs import CPP, HERE, C, Driven, compiled, generated, linked
 from support.behaviours import (
@@ -51,6 +48,7 @@ if TYPE_CHECKING:
     from gateware.bench.network.tap import Plugged
     from support.behaviours import Behaviour
 
+pytest_plugins = ["gateware.bench.network.fixtures"]
 pytestmark = pytest.mark.slow
 FACES = ("asyncio", "uvloop", "trio", "blocking", "C", "C++")
 PROGRAMS = {"C": (C, "driver.c"), "C++": (CPP, "driver.cc")}
@@ -119,20 +117,6 @@ class Line:
             gateway.call("refuse", REFUSING)
             gateway.call("refuse", SILENT, silent=True)
             yield Served(gateway)
-
-
-@pytest.fixture(params=[LINE])
-def network() -> Iterator[None]:
-    """Move this thread into a network namespace of its own."""
-    with own_network():
-        yield
-
-
-@pytest.fixture
-def gateway(network: None) -> Iterator[Plugged]:
-    """Return a gateway at the stack of the kernel."""
-    with plugged() as gateway:
-        yield gateway
 
 
 @pytest.fixture(scope="module")

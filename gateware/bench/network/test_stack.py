@@ -1,7 +1,4 @@
-"""The compiled gateway at the kernel's own network stack: its ARP, ICMP and UDP, and what other programs see there.
-
-The names of the tests have the line that this machine gives: "tap", or "veth" where it has no TAP devices.
-"""
+"""The compiled gateway at the kernel's own network stack: its ARP, ICMP and UDP, and what other programs see there."""
 
 from __future__ import annotations
 
@@ -18,7 +15,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from gateware.bench.network.host import checked
-from gateware.bench.network.tap import GATEWAY, HOST, INTERFACE, LINE, URL, own_network, plugged
+from gateware.bench.network.tap import GATEWAY, HOST, INTERFACE, URL, own_network, plugged
 from gateware.bench.network.wire import GATEWAY_MAC, GATEWAY_PORT
 from unity_link import blocking
 
@@ -27,15 +24,9 @@ if TYPE_CHECKING:
 
     from gateware.bench.network.tap import Plugged
 
+pytest_plugins = ["gateware.bench.network.fixtures"]
 pytestmark = pytest.mark.slow
 MAC = GATEWAY_MAC.hex(":")
-
-
-@pytest.fixture(params=[LINE])
-def gateway(request: pytest.FixtureRequest) -> Iterator[Plugged]:
-    """Return a gateway at the stack of the kernel, in whose namespace this thread is."""
-    with own_network(), plugged(kind=request.param) as gateway:
-        yield gateway
 
 
 def ran(*command: str) -> str:
