@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
+import collections
 import struct
+from typing import TYPE_CHECKING
 
 from gateware.bench.network.wire import GATEWAY_IP, GATEWAY_MAC, GATEWAY_PORT, Taken, Wire
 from unity_link.protocol.crc import Crc, seed_of
 from unity_link.protocol.frames import Framing, in_session
+
+if TYPE_CHECKING:
+    import random
+    from collections.abc import Callable, Mapping, Sequence
+
+    Put = Callable[[Wire, bytes, random.Random], None]
 
 HOST_MAC = bytes.fromhex("0200000000aa")
 HOST_IP = bytes((192, 168, 1, 5))
@@ -142,3 +150,72 @@ def carried(taken: Taken) -> bytes:
     assert int.from_bytes(body[34:36], "big") == GATEWAY_PORT
     assert size <= 1408
     return body[HEADERS : 14 + total]
+
+
+def write_over_a_bad_line(
+    wire: Wire,
+    frames: int,
+    rng: random.Random,
+    *,
+    put: Put,
+    spoilt: Mapping[str, Put],
+    foreign: Sequence[bytes],
+    patience: int,
+) -> collections.Counter[str]:
+    """Write numbers from 0 on in a session, each again until it is answered, while frames are lost, late and doubled.
+
+    Args:
+        wire: leads to the gateway.
+        frames: how many there are to be on the line, those that are lost among them.
+        rng: decides what becomes of each.
+        put: puts a frame on the line as it should be.
+        spoilt: what puts one on the line that the gateway must not take, by names.
+        foreign: frames that are not for it.
+        patience: cycles without an answer behind which the host sends again.
+
+    Returns:
+        How many frames there were of each kind.
+
+    Raises:
+        AssertionError: if a number was not written exactly once and in order, or the gateway does not answer any more.
+    """
+    host = Host(wire)
+    host.open(0)
+    counts: collections.Counter[str] = collections.Counter()
+    late: list[bytes] = []
+    done = 0
+    while counts.total() < frames:
+        frame = host.datagram(host.checked(b"w%03X0A%08X" % (done & 0xFFF, done)))
+        on_line: list[tuple[str, bytes, Put]] = []
+        chance = rng.random()
+        if chance < 0.08:
+            late.append(frame)
+        elif chance < 0.16:
+            counts["lost"] += 1
+        elif chance < 0.26:
+            on_line += [("doubled", frame, put)] * 2
+        elif chance < 0.38 and spoilt:
+            name = rng.choice([*spoilt])
+            on_line.append((name, frame, spoilt[name]))
+        else:
+            on_line.append(("sound", frame, put))
+        if rng.random() < 0.2:
+            on_line.insert(rng.randrange(len(on_line) + 1), ("foreign", rng.choice(foreign), put))
+        if late and rng.random() < 0.1:
+            on_line.append(("late", late.pop(rng.randrange(len(late))), put))
+        for kind, body, way in on_line:
+            counts[kind] += 1
+            way(wire, body, rng)
+        wire.run(patience + wire.waiting(), 1)
+        answers = b"".join(carried(taken)[22:] for taken in wire.take())
+        if host.answered(b"w%03X" % (done & 0xFFF)) in answers:
+            done += 1
+    # The last one may be under way.
+    wire.run(10 * patience)
+    wire.take()
+    writes = [word for _, word in wire.writes()]
+    assert writes in ([*range(done)], [*range(done + 1)])
+    assert done > frames // 4
+    fence = b"h%03X" % (len(writes) & 0xFFF)
+    assert host.ask(host.datagram(host.checked(fence))).endswith(host.answered(fence + b"000"))
+    return counts

@@ -24,6 +24,7 @@ from gateware.bench.network.host import (
     sum_of,
     to_all,
     udp,
+    write_over_a_bad_line,
 )
 from gateware.bench.network.wire import CLOCK_HZ, GATEWAY_IP, GATEWAY_MAC, GATEWAY_PORT, Wire, line_of
 from unity_link.protocol.crc import Crc, seed_of
@@ -351,42 +352,28 @@ def test_what_does_not_fit_is_dropped_whole_and_counted() -> None:
 # In a campaign
 
 
-@pytest.mark.parametrize("frames", [2000, pytest.param(1_000_000, marks=pytest.mark.campaign)])
-def test_nothing_wrong_reaches_the_core_and_all_is_done_once(frames: int) -> None:
-    wire, rng = Wire(), random.Random(frames)
-    host = Host(wire)
-    host.open(0)
-    late: list[bytes] = []
-    done = sent = 0
-    foreign = [*FOREIGN.values()]
-    while sent < frames:
-        frame = host.datagram(host.checked(b"w%03X0A%08X" % (done & 0xFFF, done)))
-        good = with_check(frame)
-        lines = []
-        chance = rng.random()
-        if chance < 0.08:
-            late.append(good)
-        elif chance < 0.2:
-            lines.append(LINES[rng.choice([*LINES])](good, rng))
-        elif chance < 0.3:
-            lines += [line_of(good)] * 2
-        elif chance >= 0.38:
-            lines.append(line_of(good, preamble=rng.randrange(2, 40), toggling=rng.randrange(6)))
-        if rng.random() < 0.2:
-            lines.insert(rng.randrange(len(lines) + 1), line_of(with_check(rng.choice(foreign))))
-        if late and rng.random() < 0.1:
-            lines.append(line_of(late.pop(rng.randrange(len(late)))))
-        for line in lines:
-            wire.put_line(line)
-        sent += max(len(lines), 1)
-        wire.run(wire.waiting() + 800)
-        answers = b"".join(carried(taken)[22:] for taken in wire.take())
-        if host.answered(b"w%03X" % (done & 0xFFF)) in answers:
-            done += 1
-    # The last one may be under way.
-    wire.run(5000)
-    writes = [word for _, word in wire.writes()]
-    assert writes in ([*range(done)], [*range(done + 1)])
-    assert done > frames // 4
-    fence = b"h%03X" % (len(writes) & 0xFFF)
-    assert host.ask(host.datagram(host.checked(fence))).endswith(host.answered(fence + b"000"))
+def _put_sound(wire: Wire, body: bytes, rng: random.Random) -> None:
+    wire.put_line(line_of(with_check(body), preamble=rng.randrange(2, 40), toggling=rng.randrange(6)))
+
+
+def _put(spoil: Callable[[bytes, random.Random], bytes]) -> Callable[[Wire, bytes, random.Random], None]:
+    return lambda wire, body, rng: wire.put_line(spoil(with_check(body), rng))
+
+
+@pytest.mark.parametrize(
+    ("frames", "seed"), [(2000, 0), *(pytest.param(250_000, seed, marks=pytest.mark.campaign) for seed in range(1, 5))]
+)
+def test_nothing_wrong_reaches_the_core_and_all_is_done_once(frames: int, seed: int) -> None:
+    wire = Wire()
+    counts = write_over_a_bad_line(
+        wire,
+        frames,
+        random.Random(seed),
+        put=_put_sound,
+        spoilt={name: _put(spoil) for name, spoil in LINES.items()},
+        foreign=[*FOREIGN.values()],
+        patience=800,
+    )
+    assert counts.keys() == {"sound", "lost", "late", "doubled", "foreign", *LINES}
+    assert min(counts.values()) > frames // 100
+    assert wire.dropped() == 0

@@ -7,7 +7,16 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from gateware.bench.network.host import HEADERS, Host, carried, checked, ping, question, to_all
+from gateware.bench.network.host import (
+    HEADERS,
+    Host,
+    carried,
+    checked,
+    ping,
+    question,
+    to_all,
+    write_over_a_bad_line,
+)
 from gateware.bench.network.wire import CLOCK_HZ, Wire
 from unity_link.protocol.finding import ask, read_answer
 
@@ -82,6 +91,23 @@ def test_a_host_reads_and_writes_in_a_session(wire: Wire) -> None:
         read = asked(host, b"r%03X%02X" % (2 * number + 1, address))
         assert read.endswith(checked(b"r%03X%08X" % (2 * number + 1, number), number=host.number, answers=True))
     assert wire.writes() == [(number % 250, number) for number in range(200)]
+
+
+@pytest.mark.parametrize(
+    ("frames", "seed"), [(200, 0), *(pytest.param(25_000, seed, marks=pytest.mark.campaign) for seed in range(1, 3))]
+)
+def test_over_a_bad_line_all_is_done_once(wire: Wire, frames: int, seed: int) -> None:
+    """The chip itself lets no frame in that is cut or damaged."""
+    counts = write_over_a_bad_line(
+        wire,
+        frames,
+        random.Random(seed),
+        put=lambda wire, body, _: wire.put(body),
+        spoilt={},
+        foreign=[to_all(b"R00\r"), question(to=bytes.fromhex("020000000001")), ping(b"", kind=0)],
+        patience=8000,
+    )
+    assert counts.keys() == {"sound", "lost", "late", "doubled", "foreign"}
 
 
 def test_a_word_is_read_in_less_than_a_tenth_of_a_millisecond(wire: Wire) -> None:
