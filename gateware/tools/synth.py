@@ -173,6 +173,8 @@ CONFIGURATIONS = {
     "rmii": Configuration("unity_link", {"physical": "rmii", "block_words": 160}, devices=("ecp5",)),
     "w5500": Configuration("unity_link", {"physical": "w5500", "block_words": 160}, devices=("ecp5",)),
     "minimal_uart": Configuration("unity_link", {"physical": "uart", **_MINIMAL}),
+    # With all that a gateway has by default it takes more RAM blocks than an HX8K has.
+    "minimal_rmii": Configuration("unity_link", {"physical": "rmii", **_MINIMAL}, devices=("ice40",)),
     "wide": Configuration(
         "unity_link_fifo",
         {"data_bits": 64, "groups": 8, "id_digits": 3, "crc_bits": 32, "crc_polynomial": f"{0x04C11DB7:032b}"},
