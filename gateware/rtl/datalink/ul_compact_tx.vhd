@@ -80,23 +80,27 @@ architecture rtl of ul_compact_tx is
 
   end function first_of_text;
 
-  -- Return the number of a command, of which there is one, or of none.
+  -- Return the number of a command, of which there is one; anything for none. Side by side, for one behind the other is
+  -- slow.
   function number_of (first, second : std_logic_vector(7 downto 0)) return std_logic_vector is
 
     variable letters : std_logic_vector(15 downto 0);
+    variable result  : std_logic_vector(3 downto 0);
 
   begin
+
+    result := "0000";
 
     for place in 0 to 15 loop
 
       letters := compact_letter(place, false) & compact_letter(place, true);
-      if letters(12 downto 8) = first(4 downto 0) and letters(4 downto 0) = second(4 downto 0) then
-        return std_logic_vector(to_unsigned(place, 4));
-      end if;
+      result  := result or (std_logic_vector(to_unsigned(place, 4))
+                            and (3 downto 0 => to_std_logic(letters(12 downto 8) = first(4 downto 0)
+                                                            and letters(4 downto 0) = second(4 downto 0))));
 
     end loop;
 
-    return "----";
+    return result;
 
   end function number_of;
 
