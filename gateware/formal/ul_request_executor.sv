@@ -90,7 +90,7 @@ module ul_request_executor_properties (
 		// `k` is no command.
 		assume (request_command != K || !request_has_id || request_error != 0);
 
-		same <= request_number[7:0] == session;
+		same <= request_number[6:0] == session[6:0];
 		if (opening && ends)
 			under_way <= 1;
 		if (taken)

@@ -11,7 +11,14 @@ import re
 from typing import TYPE_CHECKING, Final
 
 from unity_link.protocol.configuration import Feature
-from unity_link.protocol.frames import COMPACT_END, LONGEST_FRAME
+from unity_link.protocol.frames import (
+    COMPACT_END,
+    COMPACT_ESCAPE,
+    COMPACT_RESERVED,
+    COMPACT_START,
+    COMPACT_STUFFED,
+    LONGEST_FRAME,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -19,13 +26,11 @@ if TYPE_CHECKING:
 
     from unity_link.protocol.configuration import GatewayInfo
 
-START: Final = b"\xb5"
+START: Final = COMPACT_START
 END: Final = COMPACT_END
-ESCAPE: Final = b"\xd3"
-STUFFED: Final = 0x40
-"""Value that is xored into a byte behind `ESCAPE`."""
-RESERVED: Final = b"\n\r" + START + END + ESCAPE
-"""Bytes that stand between start and end behind an escape only."""
+ESCAPE: Final = COMPACT_ESCAPE
+STUFFED: Final = COMPACT_STUFFED
+RESERVED: Final = COMPACT_RESERVED
 COMMANDS: Final = ("r", "rm", "rq", "w", "wm", "wq", "wk", "ws", "h", "gn", "gx", "gp", "i", "n", "x", "P")
 """Commands that have this form, each at its number."""
 FEWEST_FRAMES: Final = 8

@@ -6,12 +6,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from unity_link.protocol.compact import END, ESCAPE, RESERVED, START, STUFFED
+from unity_link.protocol.frames import (
+    COMPACT_END,
+    COMPACT_ESCAPE,
+    COMPACT_RESERVED,
+    COMPACT_START,
+    COMPACT_STUFFED,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-_IS_RESERVED = np.isin(np.arange(256), np.frombuffer(RESERVED, np.uint8))
+_IS_RESERVED = np.isin(np.arange(256), np.frombuffer(COMPACT_RESERVED, np.uint8))
 _NO_DIGIT = 0x80
 _DIGITS = np.full(256, _NO_DIGIT, np.uint8)
 _DIGITS[np.frombuffer(b"0123456789ABCDEF", np.uint8)] = np.arange(16)
@@ -39,7 +45,7 @@ def pack(frames: bytes, count: int, at: int, head: str) -> bytes:
     if digits.max() == _NO_DIGIT:
         return b""
     packed = np.empty((count, size // 2 + 2), np.uint8)
-    packed[:, 0], packed[:, -1] = START[0], END[0]
+    packed[:, 0], packed[:, -1] = COMPACT_START[0], COMPACT_END[0]
     packed[:, 1:-1] = digits[:, ::2] << 4 | digits[:, 1::2]
     reserved = _IS_RESERVED[packed]
     reserved[:, 0] = reserved[:, -1] = False
@@ -48,8 +54,8 @@ def pack(frames: bytes, count: int, at: int, head: str) -> bytes:
         return packed.tobytes()
     stuffed = np.repeat(packed.ravel(), 1 + reserved.ravel())
     places += np.arange(len(places))
-    stuffed[places] = ESCAPE[0]
-    stuffed[places + 1] ^= STUFFED
+    stuffed[places] = COMPACT_ESCAPE[0]
+    stuffed[places + 1] ^= COMPACT_STUFFED
     return stuffed.tobytes()
 
 
@@ -62,17 +68,17 @@ def unpack(data: bytes, count: int, heads: Sequence[tuple[str, str]]) -> bytes:
         heads: for each number of a command its letters and the digit that fills up.
     """
     packed = np.frombuffer(data, np.uint8)
-    starts, ends = (packed == START[0]).nonzero()[0], (packed == END[0]).nonzero()[0]
+    starts, ends = (packed == COMPACT_START[0]).nonzero()[0], (packed == COMPACT_END[0]).nonzero()[0]
     if len(starts) != count or (starts[1:] != ends[:-1] + 1).any() or b"\n" in data or b"\r" in data:
         return b""
     sizes = ends - starts + 1
-    escapes = packed == ESCAPE[0]
+    escapes = packed == COMPACT_ESCAPE[0]
     places = escapes.nonzero()[0]
     if len(places):
-        if escapes[places + 1].any() or (packed[places + 1] == END[0]).any():
+        if escapes[places + 1].any() or (packed[places + 1] == COMPACT_END[0]).any():
             return b""
         packed = packed.copy()
-        packed[places + 1] ^= STUFFED
+        packed[places + 1] ^= COMPACT_STUFFED
         packed = packed[~escapes]
         sizes -= np.add.reduceat(escapes, starts, dtype=sizes.dtype)
     size = int(sizes[0])

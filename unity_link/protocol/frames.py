@@ -18,8 +18,12 @@ if TYPE_CHECKING:
 LF = b"\n"
 CR = b"\r"
 _CR_BYTE = CR[0]
-COMPACT_END = b"\xca"
-"""End of a frame in compact form (`unity_link.protocol.compact`)."""
+COMPACT_START, COMPACT_END, COMPACT_ESCAPE = b"\xb5", b"\xca", b"\xd3"
+"""Bytes around a frame in compact form, and before one that would be one of them (`unity_link.protocol.compact`)."""
+COMPACT_STUFFED = 0x40
+"""Value that is xored into a byte behind `COMPACT_ESCAPE`."""
+COMPACT_RESERVED = LF + CR + COMPACT_START + COMPACT_END + COMPACT_ESCAPE
+"""Bytes that stand between start and end behind an escape only."""
 TOKEN_LINE = b"token "
 """Beginning of the first line of a connection where a token is wanted; no command begins so."""
 LONGEST_FRAME = 16_384
