@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 FIRST, SECOND, ALARMS = events(seen=0xA5, hit=1), events(seen=1), events(alarm=3, lost=0xFF)
 EXPECTED = "165 1 0 0 1 0 1 255 0 1 240 0 1 240 1 0 6 1"
-"""What each program prints: see `C_PROGRAM`."""
+"""Output of each program: see `C_PROGRAM`."""
 REFUSED = "seen{where}: each read clears it, which takes the queue commands that the gateway was built without"
 
 C_PROGRAM = f"""\
@@ -146,7 +146,7 @@ attempt('sampled', @() group.subscribe());
 
 @contextlib.contextmanager
 def losing_line() -> Iterator[FaultyLine]:
-    """Give a line to the robot that loses the first answer to a read that clears, and check what was asked for."""
+    """Yield a line to the robot that loses the first answer to a read that clears; check the requests at the end."""
     with serve(effects_gateway()) as url, FaultyLine(url, "tcp", [lose(r"^rq")]) as line:
         yield line
     numbers = [frame[2:5] for frame in line.requests if frame.startswith("rq")]

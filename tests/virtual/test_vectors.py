@@ -70,7 +70,11 @@ def test_each_sample_comes_before_the_answer_to_the_request_that_took_it(path: P
     for step in steps:
         frames = cut(gateway.receive(step["send"].encode("latin-1"), 0.0))
         kinds = [bool(split(frame, node_of(path))[1]) for frame in frames]
-        assert all(kinds[at + 1 : at + 2] == [False] for at, is_one in enumerate(kinds) if is_one), step["about"]
+        if step["about"] == "a damaged compact frame":
+            # It may cut the one of the step before, of which an error tells beside.
+            assert all(kinds[at + 1 : at + 2] == [False] for at, is_one in enumerate(kinds) if is_one), step["about"]
+        else:
+            assert not any(kinds) or kinds == [True, False] * (len(kinds) // 2), step["about"]
 
 
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)

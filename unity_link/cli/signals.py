@@ -199,14 +199,10 @@ def choose(robot_type: type[LoadedRobot], names: Sequence[str], what: str) -> li
         ArgumentError: for a name that stands for nothing, or for nothing of which that can be done.
     """
     able = {path: signal for path, signal in robot_type.interface.signals.items() if _can(signal, what)}
-    chosen = [path for path, signal in able.items() if not (signal.fifo or signal.read_takes)] if not names else []
+    chosen = [path for path, signal in able.items() if not signal.access_moves] if not names else []
     for name in names:
         found = _stand_for(robot_type, name)
-        fitting = [
-            path
-            for path in found
-            if path in able and (len(found) == 1 or not (able[path].fifo or able[path].read_takes))
-        ]
+        fitting = [path for path in found if path in able and (len(found) == 1 or not able[path].access_moves)]
         if not fitting:
             only = robot_type.interface.signals[found[0]].access
             raise ArgumentError(

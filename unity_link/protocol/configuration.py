@@ -11,6 +11,7 @@ import enum
 import msgspec
 
 from unity_link.errors import UnsupportedError
+from unity_link.protocol.crc import last_session
 
 PROTOCOL_VERSION = 3
 _HEX_DIGITS = b"0123456789ABCDEFabcdef"
@@ -96,8 +97,8 @@ class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
 
     @property
     def last_session(self) -> int:
-        """Highest number of a session: with the direction it fits in the CRC, and in 16 bits."""
-        return (1 << 4 * self.session_digits - 1) - 1
+        """Highest number of a session."""
+        return last_session(self.crc_bits // 4)
 
     @property
     def asks_compact(self) -> int:

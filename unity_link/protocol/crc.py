@@ -39,6 +39,11 @@ def seed_of(session: int, *, from_gateway: bool) -> int:
     return 2 * session + from_gateway if session else 0
 
 
+def last_session(crc_digits: int) -> int:
+    """Return the highest number of a session: with the direction it fits in a CRC of so many digits, and in 16 bits."""
+    return (1 << 4 * min(crc_digits, 4) - 1) - 1
+
+
 class Crc:
     """CRC of one width and polynomial.
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from unity_link.protocol.crc import NO_SESSION, seed_of
+from unity_link.protocol.crc import NO_SESSION, last_session, seed_of
 from unity_link.protocol.frames import CheckError, Framing, in_session
 
 if TYPE_CHECKING:
@@ -26,8 +26,6 @@ class OverheardSession:
         self.number = NO_SESSION
         """Number of the session, 0 for none or one that has not been found yet."""
         self._framing = framing
-        self._last = (1 << 4 * min(framing.crc.digits, 4) - 1) - 1
-        """Highest number of a session: the bit above asks for the compact form."""
         self._guess = NO_SESSION
 
     def open(self, line: bytes, *, from_gateway: bool) -> bytes:
@@ -50,9 +48,9 @@ class OverheardSession:
             return self._framing.open(line, seed_of(self.number, from_gateway=from_gateway))
 
     def hear(self, response: DecodedResponse) -> None:
-        """Take it from an answer to `K` which session is under way."""
+        """Take it from an answer to `K` which session is under way; the bit above its number asks for a form."""
         if response.command == "K":
-            self.number, self._guess = response.fields["k"] & self._last, NO_SESSION
+            self.number, self._guess = response.fields["k"] & last_session(self._framing.crc.digits), NO_SESSION
 
     def _without_session(self, line: bytes) -> bytes:
         """Return the body of a frame as it is without a session, empty if it is none: after a reset there is none."""

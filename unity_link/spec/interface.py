@@ -467,7 +467,7 @@ def _hex(address: int) -> str:
 
 def _taken(signal: Signal, address: int) -> int:
     """Return the bits that a signal takes of the word at an address: all, where an access to any has an effect."""
-    return (1 << signal.word_bits) - 1 if signal.fifo or signal.read_takes else signal.mask_at(address)
+    return (1 << signal.word_bits) - 1 if signal.access_moves else signal.mask_at(address)
 
 
 def _bits(signal: Signal) -> str:

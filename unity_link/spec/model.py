@@ -226,6 +226,11 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
         return (self.fifo and self.access.reads) or self.effect is Effect.CLEAR_ON_READ
 
     @property
+    def access_moves(self) -> bool:
+        """Return whether an access moves what is there: words of a queue, or bits that a read clears."""
+        return self.fifo or self.read_takes
+
+    @property
     def has_events(self) -> bool:
         """Return whether its bits are set by hardware, and cleared by accesses."""
         return self.effect in {Effect.CLEAR_ON_READ, Effect.WRITE_1_TO_CLEAR}

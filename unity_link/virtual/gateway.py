@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING, Protocol, runtime_checkable
 import msgspec
 
 from unity_link.errors import ArgumentError
-from unity_link.protocol.compact import CompactForm, Packer, Unpacker
+from unity_link.protocol.compact import CompactForm, Packer, text_of
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.frames import in_session
 from unity_link.protocol.gateway_session import Answer, GatewaySession
@@ -126,8 +126,6 @@ class VirtualGateway(BareGateway):
         self._waiting = self.groups.ring.waiting
         self._commands = CommandSet(self.info, self.bus, self.groups)
         self._session = GatewaySession(self._codec)
-        self._takes_compact = Feature.COMPACT in self.info.features
-        self._unpacker = Unpacker(CompactForm.of(self.info, from_gateway=False))
         self._packer = Packer(CompactForm.of(self.info, from_gateway=True))
         self._sequence = self._session.sequence
         self._prepare_quick_ways()
@@ -136,7 +134,7 @@ class VirtualGateway(BareGateway):
     def reset(self) -> None:
         """Go back to the state after power-up. What is behind the bus stays as it is."""
         self._session.reset()
-        self._unpacker.reset()
+        self._text_of = text_of(self.info, from_gateway=False)
         self._tail = b""
         self._bytes_lost = False
         self.groups.reset()
@@ -231,8 +229,7 @@ class VirtualGateway(BareGateway):
         """Take bytes at the time `now` (seconds), and return what is sent at once."""
         # What waits was told that there is no room, by `advance`.
         replies = [self.advance(now, 0 if self._waiting else None)]
-        if self._takes_compact:
-            data = self._unpacker.unpack(data)
+        data = self._text_of(data)
         lines = (self._tail + data).split(b"\n")
         tail = lines.pop()
         if self._bytes_lost or b"\r" in data:
@@ -262,7 +259,7 @@ class VirtualGateway(BareGateway):
             if reply is None:
                 reply = self._answer(line, now, plain=False)
             elif self._session.state.compact:
-                reply = self._packer.pack(reply)
+                reply = self._packer.pack_one(reply)
             replies.append(reply)
             if waiting and reply:
                 replies.append(self._turn_of_a_sample())
@@ -397,7 +394,9 @@ class VirtualGateway(BareGateway):
             sequence.advance()
         elif ahead <= sequence.mask >> 1:
             told, sequence.gap_told = sequence.gap_told, True
-            return b"" if told else self._frame(self._codec.out_of_sequence(sequence.expected), plain=False)
+            if told:
+                return b""
+            return self._framing.checked(self._codec.out_of_sequence(sequence.expected), self._session.state.seeds[1])
         elif sequence.fate(number):
             return None
         body = self._word_form % (self._codec.id_text[number], self.bus.memory[address])

@@ -7,20 +7,12 @@ from typing import TYPE_CHECKING
 
 import cocotb
 
-from gateware.bench.compact.cases import damaged, frames
+from gateware.bench.compact.cases import damaged, form_of, frames
 from gateware.bench.streams import Sink, Source, start
-from unity_link.protocol.compact import CompactForm, Packer, Unpacker
+from unity_link.protocol.compact import Packer, Unpacker
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
-
-_LOST = 0x100
-
-
-def form_of(dut: SimHandleBase) -> CompactForm:
-    """Return the form that the entity was built for."""
-    widths = int(dut.id_digits.value), 4, int(dut.address_digits.value)
-    return CompactForm(*widths, from_gateway=False, has_node=dut.node.value.to_signed() >= 0)
 
 
 async def _pass(dut: SimHandleBase, data: list[int], text: bytes, pause: float) -> list[int]:
@@ -30,15 +22,16 @@ async def _pass(dut: SimHandleBase, data: list[int], text: bytes, pause: float) 
     sink = Sink(dut.clk, (dut.out_data, dut.out_lost), dut.out_valid, dut.out_ready, pause=pause)
     await source.send(data)
     await sink.wait_for(len(text))
-    found = bytes(int(entry[0]) for entry in sink.received)  # type: ignore[index]
+    entries = [entry for entry in sink.received if isinstance(entry, tuple)]
+    found = bytes(character for character, _ in entries)
     at = next((at for at, (one, other) in enumerate(zip(found, text, strict=True)) if one != other), len(text))
     assert (at, found[at - 20 : at + 20]) == (len(text), text[at - 20 : at + 20])
-    return [int(entry[1]) for entry in sink.received]
+    return [lost for _, lost in entries]
 
 
 @cocotb.test
 async def frames_in_both_forms_become_their_text(dut: SimHandleBase) -> None:
-    form, rng = form_of(dut), random.Random(1)
+    form, rng = form_of(dut, from_gateway=False), random.Random(1)
     for pause in (0.0, 0.4):
         packed = Packer(form).pack(frames(form, rng, 300))
         assert not any(await _pass(dut, [*packed], Unpacker(form).unpack(packed), pause))
@@ -46,6 +39,6 @@ async def frames_in_both_forms_become_their_text(dut: SimHandleBase) -> None:
 
 @cocotb.test
 async def damaged_bytes_become_what_they_are_to_the_host(dut: SimHandleBase) -> None:
-    form, rng = form_of(dut), random.Random(2)
+    form, rng = form_of(dut, from_gateway=False), random.Random(2)
     data = damaged(Packer(form).pack(frames(form, rng, 600)), rng) + b"\n"
     await _pass(dut, [*data], Unpacker(form).unpack(data), 0.0)

@@ -4,12 +4,19 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from unity_link.protocol.compact import COMMANDS, CompactForm
+from unity_link.protocol.compact import COMMANDS, RESERVED, CompactForm
 
 if TYPE_CHECKING:
     import random
 
-_RESERVED = b"\xb5\xca\xd3\n\r"
+    from cocotb.handle import SimHandleBase
+
+
+def form_of(dut: SimHandleBase, *, from_gateway: bool) -> CompactForm:
+    """Return the form that an entity was built for; one that sends has no digits of an address."""
+    address_digits = 0 if from_gateway else int(dut.address_digits.value)
+    has_node = dut.node.value.to_signed() >= 0
+    return CompactForm(int(dut.id_digits.value), 4, address_digits, from_gateway=from_gateway, has_node=has_node)
 
 
 def frames(form: CompactForm, rng: random.Random, count: int) -> bytes:
@@ -33,7 +40,7 @@ def damaged(data: bytes, rng: random.Random) -> bytes:
         if chance < 0.02:
             continue
         if chance < 0.04:
-            found.append(rng.choice(_RESERVED))
+            found.append(rng.choice(RESERVED))
         elif chance < 0.06:
             found.append(byte ^ 1 << rng.randrange(8))
             continue

@@ -166,7 +166,7 @@ def _table(interface: Interface) -> Iterator[str]:
 
 def _has_topics(signal: Signal) -> bool:
     """Return whether it is published or written: not a queue, nor what a read clears, as who polls would take it."""
-    return not (signal.fifo or signal.read_takes)
+    return not signal.access_moves
 
 
 def _numbers(signal: Signal) -> dict[int, str]:

@@ -3,7 +3,8 @@
  * What is above sees text. A frame that has begun is shown when it has ended.
  */
 
-enum { COMPACT_START = {{ COMPACT.START }}, COMPACT_END = {{ COMPACT.END }}, COMPACT_ESCAPE = {{ COMPACT.ESCAPE }}, COMPACT_STUFFED = {{ COMPACT.STUFFED }} };
+enum { COMPACT_START = {{ COMPACT.START }}, COMPACT_END = {{ COMPACT.END }} };
+enum { COMPACT_ESCAPE = {{ COMPACT.ESCAPE }}, COMPACT_STUFFED = {{ COMPACT.STUFFED }} };
 
 /* Commands that have this form, each at its number: those below FIRST_WITHOUT_ADDRESS name an address. */
 static const char COMPACT_COMMANDS[][3] = { {{ COMPACT.COMMANDS | map("tojson") | join(", ") }} };
@@ -22,7 +23,7 @@ static bool is_filled(const ul_link *link, unsigned command, unsigned sender)
 
 static char *put_compact_byte(char *at, unsigned byte)
 {
-    if (byte == COMPACT_START || byte == COMPACT_END || byte == COMPACT_ESCAPE || byte == CHECKED_END || byte == PLAIN_END) {
+    if (byte == COMPACT_START || byte == COMPACT_END || byte == COMPACT_ESCAPE || is_line_end((char)byte)) {
         *at++ = (char)COMPACT_ESCAPE;
         byte ^= COMPACT_STUFFED;
     }
@@ -82,7 +83,7 @@ static size_t expand(ul_link *link, char *to, const char *from, size_t size)
     char *at = to;
     for (size_t index = 0; index < size; index++) {
         unsigned byte = (unsigned char)from[index];
-        bool ends_line = byte == CHECKED_END || byte == PLAIN_END;
+        bool ends_line = is_line_end(from[index]);
         if (byte == COMPACT_START) {
             if (link->in_compact || link->in_line) *at++ = CHECKED_END;
             link->in_compact = true;

@@ -17,7 +17,7 @@ static size_t longest_frame(const ul_link *link)
 
 static text without_line_ends(text line)
 {
-    while (line.size > 0 && (*line.at == CHECKED_END || *line.at == PLAIN_END)) line = without_first(line, 1);
+    while (line.size > 0 && is_line_end(*line.at)) line = without_first(line, 1);
     return line;
 }
 
@@ -94,7 +94,7 @@ static size_t piece_of(text frames, size_t room)
 {
     size_t end = 0;
     for (size_t index = 0; index < frames.size && (index < room || end == 0); index++)
-        if (frames.at[index] == CHECKED_END || frames.at[index] == PLAIN_END || frames.at[index] == (char)COMPACT_END) end = index + 1;
+        if (is_line_end(frames.at[index]) || frames.at[index] == (char)COMPACT_END) end = index + 1;
     return end == 0 ? frames.size : end;
 }
 

@@ -20,6 +20,11 @@ static int digit_value(char digit)
     return -1;
 }
 
+static bool is_line_end(char character)
+{
+    return character == CHECKED_END || character == PLAIN_END;
+}
+
 static bool is_lower_command(char letter)
 {
     return letter >= 'g' && letter <= 'z';
