@@ -120,6 +120,13 @@ def test_a_chip_whose_siwu_is_not_wired() -> None:
         assert "event_char=10" in examined(CHIP)["no SIWU#"]["advice"]
 
 
+@pytest.mark.parametrize(("options", "character"), [("", 202), ("?compact=0", 10)])
+def test_the_event_character_is_the_last_one_of_the_frames(options: str, character: int) -> None:
+    gateway = gateway_of(features=GatewayInfo().features | Feature.COMPACT)
+    with plugged_in(GatewayBoard(gateway, siwu_wired=False)):
+        assert f"event_char={character} " in examined(f"{CHIP}{options}")["no SIWU#"]["advice"]
+
+
 def test_a_gateway_without_siwu_and_the_event_character_in_its_place() -> None:
     without = gateway_of(features=GatewayInfo().features & ~Feature.SEND_IMMEDIATE)
     with plugged_in(GatewayBoard(without)):

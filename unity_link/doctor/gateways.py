@@ -19,6 +19,7 @@ from unity_link.doctor.media import CHIP_SCHEMES
 from unity_link.errors import UnsupportedError
 from unity_link.link.connecting import connect
 from unity_link.protocol.configuration import PROTOCOL_VERSION, Feature
+from unity_link.protocol.frames import COMPACT_END, LF
 from unity_link.protocol.numbers import feature_names
 from unity_link.spec.comparing import compare
 
@@ -180,7 +181,8 @@ async def check_send_immediate(url: DriverUrl, info: GatewayInfo) -> Finding:
         url: of a chip whose pins are a FIFO, which nothing has open.
         info: what the gateway behind it says of itself.
     """
-    advice = "write event_char=10 in the URL: each line end then sends the packet; or wire SIWU# (ACBUS4)"
+    last = COMPACT_END if url.compact and Feature.COMPACT in info.features else LF
+    advice = f"write event_char={last[0]} in the URL: each frame's end then sends the packet; or wire SIWU# (ACBUS4)"
     if Feature.SEND_IMMEDIATE not in info.features:
         text = "the gateway was built without SIWU#: a lone answer waits for the latency timer"
         if "event_char" in url.options:

@@ -540,7 +540,7 @@ class Link(OfLink, Connection):
     async def send_immediate(self, mode: SendImmediate) -> None:
         """Choose when an FT232H sends a short packet at once (docs/protocol.md, "Send-immediate").
 
-        The gateway pulses SIWU# as the mode says, and the driver sets the chip's latency timer and event character.
+        The gateway pulses SIWU# as the mode says, and the driver sets the chip's latency timer.
 
         Args:
             mode: ``"off"``; ``"always"``, after every response; or ``"adaptive"``, when nothing more is waiting.

@@ -42,7 +42,6 @@ STATUS_SIZE = 2
 ERROR_BITS = 0x8E
 """Bits of the second status byte: overrun, parity, framing, error in the FIFO (as a 16550's line status)."""
 LATENCIES = range(1, 256)
-LINE_FEED = 0x0A
 DEFAULT_BAUD = 115_200
 CONTROL_TIMEOUT_MS = 1000
 """Milliseconds for requests to the chip; a chip that works takes less than one."""
@@ -78,21 +77,9 @@ def options_of(url: DriverUrl) -> frozenset[str]:
     return OPTIONS if stand_in is None else OPTIONS | stand_in.OPTIONS
 
 
-class Tuning(msgspec.Struct, frozen=True):
-    """Settings by which the chip decides when it sends a packet that is not full."""
-
-    latency: int
-    """ms."""
-    event_character: int | None
-
-
-TUNINGS: dict[SendImmediate, Tuning] = {
-    "off": Tuning(16, None),
-    "always": Tuning(1, LINE_FEED),
-    "adaptive": Tuning(1, None),
-}
-"""The driver's part of each mode of send-immediate. Off: full packets, for streams. Always: every line end is sent at
-once, with SIWU# wired or not. Adaptive: SIWU# sends what is urgent, and the latency timer soon after it the rest."""
+LATENCY: dict[SendImmediate, int] = {"off": 16, "always": 1, "adaptive": 1}
+"""The latency timer in ms for each mode of send-immediate: the driver's part, beside SIWU#. Off: full packets, for
+streams. Else the timer sends the rest soon after SIWU# has sent what is urgent."""
 
 
 class ChipSettings(msgspec.Struct, frozen=True):
@@ -102,14 +89,6 @@ class ChipSettings(msgspec.Struct, frozen=True):
     latency: int | None
     event_character: int | None
     baud: int
-
-    def tuning(self, mode: SendImmediate) -> Tuning:
-        """Return the driver's part of a mode of send-immediate, the URL's own wishes first."""
-        chosen = TUNINGS[mode]
-        return Tuning(
-            chosen.latency if self.latency is None else self.latency,
-            chosen.event_character if self.event_character is None else self.event_character,
-        )
 
 
 def settings_of(url: DriverUrl) -> ChipSettings:
@@ -194,16 +173,15 @@ class OpenChip:
             ftdi.set_bitmode(0xFF, Ftdi.BitMode.SYNCFF)
             # With this flow control, the chip itself obeys its FIFOs.
             ftdi.set_flowctrl("hw")
+        character = self.settings.event_character
+        ftdi.set_event_char(character or 0, character is not None)
         self.tune("adaptive")
         ftdi.purge_buffers()
 
     def tune(self, mode: SendImmediate) -> None:
-        """Choose the driver's part of a mode of send-immediate."""
-        tuning = self.settings.tuning(mode)
-        self.ftdi.set_latency_timer(tuning.latency)
-        character = tuning.event_character
-        self.ftdi.set_event_char(character or 0, character is not None)
-        self.latency = tuning.latency
+        """Choose the driver's part of a mode of send-immediate, as far as the URL leaves it open."""
+        self.latency = LATENCY[mode] if self.settings.latency is None else self.settings.latency
+        self.ftdi.set_latency_timer(self.latency)
 
     def close(self, *, gone: bool = False) -> None:
         """Let go of the port; of a chip that is `gone` nothing is asked."""
