@@ -93,7 +93,10 @@ BUS_ERROR, BUS_TIMEOUT = "4 ", "5 "
 LOST, LOST_EXECUTED, LOST_NOT_EXECUTED, UNANSWERED, NO_CONNECTION, UNSUPPORTED, BAD_ARGUMENT, NO_SAMPLE = (
     f"{number} " for number in range(32, 40)
 )
-SILENT = "the gateway does not answer any more; the request is"
+SILENT = (
+    "the gateway does not answer any more: is it powered and connected, or does another program read its answers?; "
+    "the request is"
+)
 EXAMPLES = HERE.parents[1] / "examples"
 DEFAULT_INFO = GatewayInfo()
 

@@ -353,7 +353,8 @@ def test_a_gateway_that_understands_nothing_is_one_error_and_then_gone(runtime: 
         CHECK(last == "read at 0x10: the gateway does not know the command");
     }
     THROWS(LinkLostError, link.write_block(0x10, {1, 2}));
-    CHECK(last == "block write at 0x10: the gateway does not answer any more; the request is perhaps executed");
+    CHECK(last == "block write at 0x10: the gateway does not answer any more: is it powered and connected, or does "
+                  "another program read its answers?; the request is perhaps executed");
     THROWS(LinkLostError, link.read(0x11));
     """
     unknown = Framing(Crc()).checked(b"J")

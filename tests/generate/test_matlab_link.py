@@ -625,7 +625,8 @@ attempt('write', @() link.write(1, 1));
         # So many time outs are five seconds.
         assert line.count("^w") < 20
     assert shown["write"] == (
-        "unity_link:linkLost the gateway does not answer any more; the request is perhaps executed"
+        "unity_link:linkLost the gateway does not answer any more: is it powered and connected, or does another "
+        "program read its answers?; the request is perhaps executed"
     )
 
 

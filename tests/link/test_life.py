@@ -462,7 +462,7 @@ async def test_a_gateway_that_falls_silent_ends_the_link_after_a_bounded_number_
     gateway = Valve(make_bare(**SLOW))
     async with unity_link.connect(gateway) as link:
         gateway.requests_pass = gateway.answers_pass = False
-        with pytest.raises(LinkLostError, match="does not answer any more; the request is perhaps executed"):
+        with pytest.raises(LinkLostError, match=r"does not answer any more: .*; the request is perhaps executed"):
             await link.read(0)
         assert now() < 60
         with pytest.raises(LinkLostError, match="known not to be executed"):

@@ -12,10 +12,13 @@ import numpy as np
 import pytest
 
 from unity_link.protocol.arrays import crc_rows
+from unity_link.protocol.compact import CompactForm, Packer, text_of
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.crc import Crc, seed_of
 from unity_link.protocol.messages import COMMANDS, Codec
-from unity_link.virtual import VirtualGateway
+from unity_link.virtual import BareGateway, VirtualGateway
+from unity_link.virtual.rtl import RtlGateway
+from unity_link.virtual.rtl.configurations import find
 
 CRC_8, CRC_16 = Crc(8, 0x07), Crc(16, 0x1021)
 SENT, READ = b"0123456789ABCDEF", b"0123456789ABCDEFabcdef"
@@ -151,3 +154,102 @@ def test_of_all_damages_to_one_character_only_an_early_lf_can_get_anything_execu
                 gateway = VirtualGateway(info)
                 gateway.receive(opening, 0.0)
     assert executed <= {(b"wm", 10), (b"wq", 10)}
+
+
+class Accesses:
+    """A device behind every address, which counts."""
+
+    def __init__(self) -> None:
+        self.count = 0
+
+    def read(self, offset: int, now: float) -> int:
+        self.count += 1
+        return 0
+
+    def write(self, offset: int, value: int, now: float) -> None:
+        self.count += 1
+
+
+class Attacked:
+    """Gateways in session 1 that take damaged frames.
+
+    Args:
+        build: name of a build of the gateware.
+        kind: ``sim`` for models of it.
+        compact: whether the frames are in compact form.
+    """
+
+    def __init__(self, build: str, kind: str, *, compact: bool) -> None:
+        self.info, self._build, self._kind, self.compact = find(build).info, build, kind, compact
+        self._codec = Codec(self.info)
+        self._begin()
+
+    def _begin(self) -> None:
+        self._gateway: BareGateway = VirtualGateway(self.info) if self._kind == "sim" else RtlGateway(self._build)
+        self._accesses, self._text_of = Accesses(), text_of(self.info, from_gateway=True)
+        self._gateway.attach_elsewhere(self._accesses)
+        number = 1 | self.info.asks_compact * self.compact
+        self._gateway.receive(self._codec.framing.checked(self._codec.opening(0, number)), 0.0)
+
+    def requests(self) -> list[bytes]:
+        """Return a request of each command."""
+        frames = requests_of(self.info)
+        packer = Packer(CompactForm.of(self.info, from_gateway=False))
+        return [packer.pack(frame) for frame in frames] if self.compact else frames
+
+    def executes(self, damaged: bytes) -> bool:
+        """Return whether anything is executed."""
+        answers = self._text_of(self._gateway.receive(damaged + b"\n", 0.0))
+        if not self._accesses.count and all(line[:1] in b"XxnK\r" for line in answers.split(b"\n")):
+            return False
+        self._begin()
+        return True
+
+
+@pytest.mark.rtl
+@pytest.mark.parametrize("damages", [5_000, pytest.param(1_000_000, marks=pytest.mark.campaign)])
+@pytest.mark.parametrize("kind", ["sim", "rtl"])
+@pytest.mark.parametrize(
+    ("build", "compact"),
+    [
+        ("default", False),
+        ("short", False),
+        ("ft232h", False),
+        ("ft232h_compact", True),
+        ("compact", True),
+        pytest.param("odd", False, marks=pytest.mark.campaign),
+        pytest.param("minimal", False, marks=pytest.mark.campaign),
+        pytest.param("wide", False, marks=pytest.mark.campaign),
+    ],
+)
+def test_of_damages_to_two_adjacent_characters_no_more_than_the_bound_get_anything_executed(
+    build: str, kind: str, damages: int, *, compact: bool
+) -> None:
+    attacked = Attacked(build, kind, compact=compact)
+    draw = np.random.default_rng(1)
+    passed, requests = [], attacked.requests()
+    for frame in requests:
+        places = draw.integers(0, len(frame) - 1, damages // len(requests))
+        differences = draw.integers(1, 1 << 16, len(places))
+        for place, difference in zip(places.tolist(), differences.tolist(), strict=True):
+            pair = bytes([frame[place] ^ difference >> 8, frame[place + 1] ^ difference & 0xFF])
+            if is_as_before(frame, place, pair, compact=compact):
+                continue
+            if attacked.executes(frame[:place] + pair + frame[place + 2 :]):
+                passed.append((frame, place, pair))
+    expected = damages * 2.0**-attacked.info.crc_bits
+    assert len(passed) <= expected + 5 * expected**0.5 + 1
+    if attacked.info.crc_bits > 8 and not compact:
+        # An early line end; or another size of the first letter, which chooses the check.
+        assert all(place == 0 or b"\n" in pair for _, place, pair in passed)
+
+
+def is_as_before(frame: bytes, place: int, pair: bytes, *, compact: bool) -> bool:
+    """Return whether a frame whose characters are replaced says the same.
+
+    Hexadecimal digits have two cases; and behind a compact frame that has lost nothing but its end a line end comes.
+    """
+    before = frame[place : place + 2]
+    if compact:
+        return place + 2 == len(frame) and pair[0] == before[0]
+    return all(new == old or (new in b"abcdef" and new & 0x5F == old) for new, old in zip(pair, before, strict=True))

@@ -58,7 +58,7 @@ _NO_RING = 2
 """IDs of the window while there is no session: as few as a ring can have."""
 _UNKNOWN_PATIENCE = 0.25
 """Seconds that an answer to the handshake can be on its way where nothing is known of the line."""
-SILENT = "the gateway does not answer any more"
+SILENT = "the gateway does not answer any more: is it powered and connected, or does another program read its answers?"
 RESET = "the gateway was reset"
 FLOODED = (
     "the line is full of what is no answer ({lines} lines since the last one): is an echo on, as behind `stty sane`, "

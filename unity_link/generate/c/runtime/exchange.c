@@ -10,7 +10,8 @@ static const char RESET[] = "the gateway was reset, which ends the link";
 static const char TAKEN[] =
     "another program has begun a session with the gateway, and this one's is over: let both use it through "
     "`unity-link serve`, or end the other program";
-static const char SILENT[] = "the gateway does not answer any more";
+static const char SILENT[] =
+    "the gateway does not answer any more: is it powered and connected, or does another program read its answers?";
 static const char FLOODED[] =
     "the line is full of what is no answer: is an echo on, as behind `stty sane`, has the speed of the port changed, or "
     "does another program use it?";
