@@ -19,7 +19,7 @@ from unity_link.protocol.constants import (
 )
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import Framing
-from unity_link.protocol.handshake import ECHO, RESET_TRIES, Handshake, SessionNumbers
+from unity_link.protocol.handshake import ECHO, RESET_TRIES, Handshake, SessionNumbers, State
 from unity_link.transport import udp
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Straying
@@ -80,6 +80,15 @@ def test_a_session_begins_when_both_answers_agree_and_the_third_has_come() -> No
     assert is_complete(handshake)
     assert handshake.session == 0x1236
     assert handshake.round_trip == pytest.approx(0.005)
+
+
+def test_a_handshake_goes_through_its_states_one_question_each() -> None:
+    handshake = asking(before=BEFORE)
+    states = [handshake.state]
+    for answer in (PLAIN, CHECKED, FRAMING.checked(b"K%04X" % BEFORE), begins(ended=BEFORE)):
+        handshake.receive(answer, 0.01)
+        states.append(handshake.state)
+    assert states == list(State)
 
 
 def test_a_question_is_asked_again_when_nothing_answers_half_as_often_each_time() -> None:

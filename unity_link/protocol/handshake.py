@@ -15,6 +15,7 @@ What comes back as it was sent is an adapter's echo, which is passed over where 
 from __future__ import annotations
 
 import contextlib
+import enum
 import math
 from collections import deque
 from typing import TYPE_CHECKING, NamedTuple
@@ -32,8 +33,8 @@ from unity_link.protocol.constants import (
     SHORTEST_TRY,
     SURE,
 )
-from unity_link.protocol.crc import NO_SESSION, Crc
-from unity_link.protocol.frames import COMPACT_END, LF, MOST_LINES, FrameError, Framing
+from unity_link.protocol.crc import NO_SESSION
+from unity_link.protocol.frames import COMPACT_END, LF, MOST_LINES, FrameError
 from unity_link.protocol.host_codec import HostCodec
 
 if TYPE_CHECKING:
@@ -64,16 +65,40 @@ _OTHERS = {
 """Beginnings of the lines by which other devices answer anything, and their names."""
 
 
-class _Question(NamedTuple):
-    """A question that is asked again and again until it is answered."""
+def _protocol_of(text: str) -> str:
+    """Return the name of what begins a line like that, if it is another protocol."""
+    return next((name for start, name in _OTHERS.items() if text.startswith(start)), "")
 
-    frame: Callable[[], bytes]
-    """Returns the frame, anew for each try."""
-    is_answer: Callable[[bytes], bool]
-    answered: Callable[[bytes, float], None]
+
+class State(enum.Enum):
+    """States of a handshake: the question that is asked, until the last one is answered."""
+
+    ASKED_PLAIN = enum.auto()
+    ASKED_CHECKED = enum.auto()
+    ASKED_WHOSE = enum.auto()
+    """Asked which session is under way."""
+    ASKED_SESSION = enum.auto()
+    COMPLETE = enum.auto()
+
+
+class _Row(NamedTuple):
+    """A state: a question that is asked again and again until an answer fits, which repeats it and says more."""
+
+    question: bytes
+    answered: str
+    """Method that takes the answer and returns the next state."""
     tries: float = math.inf
-    unanswered: Callable[[float], None] | None = None
-    """Function to call after so many tries."""
+    unanswered: State | None = None
+    """The next state after so many tries."""
+
+
+_TABLE = {
+    State.ASKED_PLAIN: _Row(b"Q", "_believe"),
+    State.ASKED_CHECKED: _Row(b"Q", "_compare", CHECKED_TRIES, State.ASKED_PLAIN),
+    State.ASKED_WHOSE: _Row(b"K", "_told_whose", RESET_TRIES, State.ASKED_SESSION),
+    # With a first ID and the number of a session, another one each time.
+    State.ASKED_SESSION: _Row(b"K", "_session_begun"),
+}
 
 
 class SessionNumbers:
@@ -123,8 +148,7 @@ class Handshake:
         person: bool = False,
         compact: bool = False,
     ) -> None:
-        self._takes_turns = wire_time is not None
-        self._wire_time = wire_time or 0.0
+        self._wire_time = wire_time
         self._longest_try = longest_try
         self._questions = self._answers = 0
         self.echoes = 0
@@ -140,13 +164,11 @@ class Handshake:
         """True if the compact form was asked for with it."""
         self._asked_for: dict[int, float] = {}
         """Instants at which sessions were asked for, by number."""
-        self._out: list[bytes] = []
+        self._out = b""
         self._heard = self._unread = 0
         """Bytes that were looked at, and that have arrived behind them."""
         self._text = ""
-        """Text heard last that is no frame."""
-        self._other = ""
-        """The protocol that answers in place of a gateway's."""
+        """Text heard last that is no frame, or by which another protocol showed."""
         self._doubtful = b""
         """An answer that no other has confirmed."""
         self._alike = 0
@@ -155,21 +177,19 @@ class Handshake:
         """Since when nothing but the question was heard."""
         self._believed = b""
         """The answer that a checked one must repeat."""
-        self._codec: HostCodec | None = None
-        self.complete = False
-        """True if the session has begun: `codec`, `session`, `first` and `round_trip` say how."""
+        self.codec = HostCodec(GatewayInfo(), node)
+        """The messages of the gateway, once it has said what it is; before, those of one as it comes."""
         self.found_reset = False
         """True if the gateway has said that it was reset since an earlier session."""
         self.round_trip = 0.0
-        """Seconds to the answer to the last question."""
+        """Seconds to the last answer."""
         self._patience = FIRST_TRY
-        self._ask_plain(now)
+        self._ask(State.ASKED_PLAIN, now)
 
     @property
-    def codec(self) -> HostCodec:
-        """The messages of the gateway, once it has said what it is."""
-        assert self._codec is not None
-        return self._codec
+    def complete(self) -> bool:
+        """True if the session has begun: `codec`, `session`, `first` and `round_trip` say how."""
+        return self.state is State.COMPLETE
 
     @property
     def first(self) -> int:
@@ -184,31 +204,28 @@ class Handshake:
     @property
     def asks(self) -> bool:
         """Return whether there is a question to send."""
-        return bool(self._out)
+        return self._out != b""
 
     def take_turn(self, now: float) -> bytes:
         """Return the bytes to send, the time for whose answer begins now."""
         self._asked_at = now
-        if self._asked == 1:
-            self._began = now
-        self.deadline = now + self._patience + self._wire_time
+        self.deadline = self._until()
         return self.take_output()
 
     def take_output(self) -> bytes:
         """Return the bytes to send."""
-        data = b"".join(self._out)
-        self._out.clear()
+        data, self._out = self._out, b""
         return data
 
     def describe(self) -> str:
         """Return what was heard, for the message of a time out."""
-        if self._other:
-            return f"{self._other} answers there, no gateway: is it the right port?"
+        if other := _protocol_of(self._text):
+            return f"{other} answers there, no gateway: is it the right port?"
         if self.echoes:
             return ECHO
         if self._doubtful:
             return f"what answers is no gateway: it said {self._doubtful[:80]!r}"
-        if self._codec is not None:
+        if self._believed:
             counts = f"{self._answers} of {self._questions} questions"
             return f"it answered {counts}: what is sent or answered is lost or damaged on the way"
         if heard := self._heard + self._unread:
@@ -217,69 +234,26 @@ class Handshake:
 
     def describe_end(self, reason: Exception | None) -> str:
         """Return what can be known of an end of the connection: a line of text may have said why."""
-        if self._other:
+        if _protocol_of(self._text):
             return f"{self.describe()} (the connection ended before a gateway answered)"
-        why = f'"{self._text}"' if self._text else reason or "does it serve another program, or want a token?"
+        is_text = self._text and self._text.isprintable()
+        why = f'"{self._text}"' if is_text else reason or "does it serve another program, or want a token?"
         return f"the connection ended before the gateway answered: {why}"
 
     # The questions
 
-    def _ask_plain(self, now: float) -> None:
-        # A line end first, for what an earlier program left unfinished; LF, for CR would execute it unchecked.
-        self._framing, self._plain = Framing(Crc(), self._node), True
-        question = LF + self._framing.plain_request(b"Q")
-        self._ask(_Question(lambda: question, self._is_configuration, self._believe), now)
+    @property
+    def _is_plain(self) -> bool:
+        """True if question and answer are in plain form."""
+        return self.state is State.ASKED_PLAIN or (self._person and self.state is State.ASKED_SESSION)
 
-    def _ask_checked(self, now: float) -> None:
-        self._framing, self._plain = self.codec.framing, False
-        question = self._framing.checked(b"Q")
-        self._ask(_Question(lambda: question, self._is_configuration, self._compare, CHECKED_TRIES, self._doubt), now)
+    def _question(self) -> bytes:
+        return self._opening(self.session) if self.state is State.ASKED_SESSION else _TABLE[self.state].question
 
-    def _is_configuration(self, body: bytes) -> bool:
-        return body.startswith(b"Q")
-
-    def _ask_whose(self, now: float) -> None:
-        """Ask which session is under way."""
-        size = 1 + self.codec.info.session_digits
-        question = self._framing.checked(b"K")
-        self._ask(
-            _Question(
-                lambda: question,
-                lambda body: body.startswith(b"K") and len(body) == size,
-                self._told_whose,
-                RESET_TRIES,
-                self._ask_session,
-            ),
-            now,
-        )
-
-    def _told_whose(self, body: bytes, now: float) -> None:
-        session = int(body[1:], 16) & self.codec.info.last_session
-        if session not in (NO_SESSION, self._before):
-            raise LinkLostError(TAKEN)
-        self.found_reset = session == NO_SESSION
-        self._before = session
-        self._ask_session(now)
-
-    def _ask_session(self, now: float) -> None:
-        self._plain = self._person
-
-        def frame() -> bytes:
-            self.session = self._numbers.next(self.codec.info.last_session)
-            self._asked_for[self.session] = self._asked_at
-            self.compact = self._wants_compact and Feature.COMPACT in self.codec.info.features and not self.echoes
-            opening = self._opening(self.session)
-            return self._framing.plain_request(opening) if self._person else self._framing.checked(opening)
-
-        def is_answer(body: bytes) -> bool:
-            return self._is_opening(body, self.session)
-
-        self._ask(_Question(frame, is_answer, self._session_begun), now, FIRST_TRY)
-
-    def _is_opening(self, body: bytes, session: int) -> bool:
-        """Return whether a body is the answer to the opening of a session."""
-        opening = self._opening(session)
-        return body.startswith(opening) and len(body) == len(opening) + self.codec.info.session_digits
+    def _fits(self, body: bytes, question: bytes) -> bool:
+        """Return whether a body answers a question: `Q` by the configuration, `K` by the number of a session."""
+        size = len(question) + self.codec.info.session_digits
+        return body.startswith(question) and (question == b"Q" or len(body) == size)
 
     def _opening(self, session: int) -> bytes:
         return self.codec.opening(self.first, session | self.compact * self.codec.info.asks_compact)
@@ -288,28 +262,41 @@ class Handshake:
         """Return whether a line answers an earlier question; where another session was asked for since, wait longer."""
         if self._believed and self._believed in line:
             return True
-        late = [asked_at for session, asked_at in self._asked_for.items() if self._is_opening(body, session)]
+        openings = ((self._opening(session), asked_at) for session, asked_at in self._asked_for.items())
+        late = [asked_at for opening, asked_at in openings if self._fits(body, opening)]
         if late:
             self._patience = max(self._patience, 2 * (now - late[0]))
-            self.deadline = max(self.deadline, self._asked_at + self._patience + self._wire_time)
+            self.deadline = max(self.deadline, self._until())
         return bool(late)
 
-    def _ask(self, question: _Question, now: float, patience: float | None = None) -> None:
-        self._question = question
-        # What has answered soon, be it damaged, will again.
-        self._patience = min(self._patience, FIRST_TRY) if patience is None else patience
-        self._tries, self._asked = question.tries, 0
-        self._began = now
-        self._send(now)
+    def _until(self) -> float:
+        """Return the time until which the answer to what was asked last is waited for."""
+        return self._asked_at + self._patience + (self._wire_time or 0.0)
+
+    def _ask(self, state: State, now: float) -> None:
+        """Go on to a state, and ask its question."""
+        self.state = state
+        if state is not State.COMPLETE:
+            # What has answered soon, be it damaged, will again; a session has more to do.
+            self._patience = FIRST_TRY if state is State.ASKED_SESSION else min(self._patience, FIRST_TRY)
+            self._tries = _TABLE[state].tries
+            self._send(now)
 
     def _send(self, now: float) -> None:
         self._questions += 1
-        self._asked += 1
         self._asked_at = now
-        self._sent = self._question.frame()
-        self._out.append(self._sent)
+        if self.state is State.ASKED_SESSION:
+            self.session = self._numbers.next(self.codec.info.last_session)
+            self._asked_for[self.session] = now
+            self.compact = self._wants_compact and Feature.COMPACT in self.codec.info.features and not self.echoes
+        framing, question = self.codec.framing, self._question()
+        self._sent = framing.plain_request(question) if self._is_plain else framing.checked(question)
+        if self.state is State.ASKED_PLAIN:
+            # A line end first, for what an earlier program left unfinished; LF, for CR would execute it unchecked.
+            self._sent = LF + self._sent
+        self._out += self._sent
         self._damaged = False
-        self.deadline = now + self._patience + self._wire_time
+        self.deadline = self._until()
 
     def expire(self, now: float) -> None:
         """Ask again, if the time has come."""
@@ -322,12 +309,9 @@ class Handshake:
             self._tries -= 1
         if self._tries > 0:
             self._send(now)
-        elif self._question.unanswered is not None:
-            self._question.unanswered(now)
-
-    def _doubt(self, now: float) -> None:
-        self._doubtful = b""
-        self._ask_plain(now)
+        elif (instead := _TABLE[self.state].unanswered) is not None:
+            self._doubtful = b""
+            self._ask(instead, now)
 
     # The answers
 
@@ -351,7 +335,7 @@ class Handshake:
         if not line:
             return
         echo = self._sent.strip(LF)
-        if line == echo or (self._plain and line.startswith(echo) and len(line) > len(echo) + 1):
+        if line == echo or (self._is_plain and line.startswith(echo) and len(line) > len(echo) + 1):
             # What is sent comes back, perhaps with the answer behind it.
             self.echoes += 1
             line = line[len(echo) :]
@@ -362,42 +346,40 @@ class Handshake:
                 return
         self._echoed_at = math.inf
         body = b""
-        if line.endswith(b"\r") == self._plain:
+        if line.endswith(b"\r") == self._is_plain:
             with contextlib.suppress(FrameError):
-                body = self._framing.open(line)
-        if body and self._question.is_answer(body):
+                body = self.codec.framing.open(line)
+        if self._fits(body, self._question()):
             self._answers += 1
-            self._question.answered(body, now)
+            self.round_trip = now - self._asked_at
+            self._ask(getattr(self, _TABLE[self.state].answered)(body), now)
             return
         if self._is_late(line, body, now):
             return
         text = line[:_LONGEST_TEXT].decode("ascii", "replace").strip()
-        self._text = text if text.isprintable() else ""
-        self._other = next((_OTHERS[start] for start in _OTHERS if text.startswith(start)), self._other)
-        if not self._damaged and not self._takes_turns:
+        if _protocol_of(text) or not _protocol_of(self._text):
+            self._text = text
+        if not self._damaged and self._wire_time is None:
             # Perhaps a damaged answer; what answers so soon will not take much longer for the next one.
             self._damaged = True
             self._patience = min(max(DAMAGE_PATIENCE * (now - self._asked_at), SHORTEST_TRY), LONGEST_TRY)
             self.deadline = now + DAMAGE_PAUSE
 
-    def _compare(self, answer: bytes, now: float) -> None:
+    def _compare(self, answer: bytes) -> State:
         """Take the checked answer: both must say the same."""
         if answer != self._believed:
             self._doubtful = self._believed
-            self._believe(answer, now)
-        elif self._before:
-            self._ask_whose(now)
-        else:
-            self._ask_session(now)
+            return self._believe(answer)
+        return State.ASKED_WHOSE if self._before else State.ASKED_SESSION
 
-    def _believe(self, answer: bytes, now: float) -> None:
+    def _believe(self, answer: bytes) -> State:
         """Read what the gateway says it is; what it says `SURE` times in the same words is no damage.
 
         Raises:
             UnsupportedError: for another protocol version, or impossible widths.
         """
         try:
-            self._codec = HostCodec(GatewayInfo.from_hex(answer[1:]), self._node)
+            self.codec = HostCodec(GatewayInfo.from_hex(answer[1:]), self._node)
         except UnsupportedError:
             self._alike = self._alike + 1 if answer == self._doubtful else 1
             if self._alike == SURE:
@@ -406,14 +388,24 @@ class Handshake:
             pass
         else:
             self._believed = answer
-            self._ask_checked(now)
-            return
+            return State.ASKED_CHECKED
         self._doubtful = answer
-        self._ask_plain(now)
+        return State.ASKED_PLAIN
 
-    def _session_begun(self, body: bytes, now: float) -> None:
-        self.round_trip = now - self._asked_at
-        ended = int(body[-self.codec.info.session_digits :], 16) & self.codec.info.last_session
+    def _told_whose(self, body: bytes) -> State:
+        session = self._number_in(body)
+        if session not in (NO_SESSION, self._before):
+            raise LinkLostError(TAKEN)
+        self.found_reset = session == NO_SESSION
+        self._before = session
+        return State.ASKED_SESSION
+
+    def _session_begun(self, body: bytes) -> State:
+        ended = self._number_in(body)
         if self._before and ended not in (self._before, *self._asked_for):
             self.found_reset = True
-        self.complete = True
+        return State.COMPLETE
+
+    def _number_in(self, answer: bytes) -> int:
+        """Return the number of the session that an answer to `K` tells."""
+        return int(answer[-self.codec.info.session_digits :], 16) & self.codec.info.last_session
