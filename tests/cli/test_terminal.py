@@ -31,6 +31,13 @@ class Noise(asyncio.Protocol):
         self._transport.write(b"\x1b[2J\x1b[31m[bold]\xff\r\n")
 
 
+class Echo(Noise):
+    """Peer that gives everything back, as wires do that are joined."""
+
+    def data_received(self, data: bytes) -> None:
+        self._transport.write(data)
+
+
 def test_what_is_typed_is_sent_and_each_answer_explained_until_ctrl_d(terminal: Window) -> None:
     terminal.enter("unity-link terminal sim:; echo code $?")
     terminal.wait_for(PROMPT, "^sim:: words of 32 bits", "Ctrl-D ends")
@@ -159,5 +166,17 @@ def test_noise_is_shown_and_does_nothing_to_the_screen(terminal: Window, tmp_pat
         terminal.wait_for("^The gateway does not say what it is", PROMPT)
         terminal.enter("R0A")
         terminal.wait_for("^The gateway", r"^\\x1b\[2J\\x1b\[31m\[bold\]\\xff +not a message", PROMPT)
+        terminal.enter("quit")
+        terminal.wait_for("^code 0$")
+
+
+def test_an_echo_alone_is_no_gateway_and_ends_nothing(terminal: Window, tmp_path: Path) -> None:
+    with (
+        start_blocking_portal() as portal,
+        portal.wrap_async_context_manager(listen_unix(Echo, tmp_path / "gateway")),
+    ):
+        terminal.enter("unity-link terminal unix:gateway; echo code $?")
+        screen = terminal.wait_for("^The gateway does not say what it is", PROMPT)
+        assert "Traceback" not in screen
         terminal.enter("quit")
         terminal.wait_for("^code 0$")

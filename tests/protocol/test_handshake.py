@@ -123,6 +123,17 @@ def test_where_nodes_take_turns_a_damaged_answer_is_waited_out() -> None:
     assert handshake.deadline == pytest.approx(7.0 + 2 * FIRST_TRY + 0.5)
 
 
+def test_a_plain_answer_without_the_number_of_a_session_begins_none() -> None:
+    handshake = Handshake(None, numbers(), 0.0, person=True)
+    handshake.receive(PLAIN, 0.01)
+    handshake.receive(CHECKED, 0.02)
+    for number in (b"zzzz", b"0x12", b" 012", b"012"):
+        handshake.receive(b"K0001235%b\r\n" % number, 0.03)
+        assert not is_complete(handshake)
+    handshake.receive(b"K00012350000\r\n", 0.04)
+    assert is_complete(handshake)
+
+
 def test_a_plain_answer_that_no_checked_one_confirms_is_doubted() -> None:
     handshake = asking()
     handshake.receive(PLAIN, 0.01)
@@ -141,6 +152,7 @@ def test_a_checked_answer_that_says_something_else_must_be_said_twice() -> None:
     handshake.receive(other, 0.02)
     assert handshake.take_output() == ASKS_CHECKED
     handshake.receive(other, 0.03)
+    assert handshake.describe().startswith("it answered 3 of 4 questions")
     assert handshake.codec.info.groups == 3
     assert handshake.take_output() == asks_session()
 

@@ -168,7 +168,7 @@ class _Greeting(_Receiver):
         """Look for answers."""
         try:
             taken = self._handshake.receive(data, self._loop.time())
-        except UnsupportedError as error:
+        except (ConnectError, UnsupportedError) as error:
             self._end(error)
             return len(data)
         self._send()

@@ -14,7 +14,7 @@ from unity_link.errors import UnsupportedError
 from unity_link.protocol.crc import last_session
 
 PROTOCOL_VERSION = 3
-_HEX_DIGITS = b"0123456789ABCDEFabcdef"
+HEX_DIGITS = b"0123456789ABCDEFabcdef"
 
 
 class Feature(enum.IntFlag):
@@ -145,7 +145,7 @@ class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
         position = 0
         for name, digits in _FIELDS:
             field = text[position : position + digits]
-            if len(field) != digits or field.strip(_HEX_DIGITS):
+            if len(field) != digits or field.strip(HEX_DIGITS):
                 raise ValueError(f"an answer to Q of {_TOTAL_DIGITS} hex digits was expected, not {text[:80]!r}")
             values[name] = int(field, 16)
             position += digits

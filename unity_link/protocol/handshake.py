@@ -21,7 +21,7 @@ from collections import deque
 from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.errors import ConnectError, LinkLostError, UnsupportedError
-from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.configuration import HEX_DIGITS, Feature, GatewayInfo
 from unity_link.protocol.constants import (
     CHECKED_TRIES,
     DAMAGE_COST,
@@ -252,8 +252,9 @@ class Handshake:
 
     def _fits(self, body: bytes, question: bytes) -> bool:
         """Return whether a body answers a question: `Q` by the configuration, `K` by the number of a session."""
-        size = len(question) + self.codec.info.session_digits
-        return body.startswith(question) and (question == b"Q" or len(body) == size)
+        number = body[len(question) :]
+        is_number = len(number) == self.codec.info.session_digits and not number.strip(HEX_DIGITS)
+        return body.startswith(question) and (question == b"Q" or is_number)
 
     def _opening(self, session: int) -> bytes:
         return self.codec.opening(self.first, session | self.compact * self.codec.info.asks_compact)
@@ -370,6 +371,7 @@ class Handshake:
         if answer != self._believed:
             self._doubtful = self._believed
             return self._believe(answer)
+        self._doubtful = b""
         return State.ASKED_WHOSE if self._before else State.ASKED_SESSION
 
     def _believe(self, answer: bytes) -> State:
