@@ -7,7 +7,7 @@ import fastcrc
 import pytest
 
 from support.worked_examples import DOCUMENT, Example, worked_examples
-from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.crc import seed_of
 from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual.faults import Failing
@@ -77,12 +77,3 @@ def test_the_answer_to_q_has_the_digits_of_the_table() -> None:
     digits = sum(int(number) for number in re.findall(r"^\| [^|]+ \| (\d+) \|", table, re.MULTILINE))
     answers = {answered for example in EXAMPLES for sent, answered in example.exchange if sent == b"Q\r"}
     assert [len(answer.strip()) - 1 for answer in answers] == [digits]
-
-
-def test_the_features_have_the_bits_of_the_document() -> None:
-    listed = re.search(r"features, from bit 0: ([^.]*)\.", DOCUMENT.read_text(encoding="utf-8"))
-    assert listed is not None
-    names = [re.sub(r"[\s-]", "_", name.upper()) for name in re.split(r",\s+", listed[1])]
-    assert len(names) == len(Feature)
-    for bit, name in enumerate(names):
-        assert str(Feature(1 << bit).name) in name

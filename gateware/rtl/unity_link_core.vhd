@@ -175,13 +175,24 @@ architecture rtl of unity_link_core is
                                                       );
 
   function features return std_logic_vector is
+
+    variable bits : std_logic_vector(15 downto 0) := (others => '0');
+
   begin
 
-    return "0000" & to_std_logic(compact) & to_std_logic(description) & to_std_logic(half_duplex)
-           & to_std_logic(fingerprint) & to_std_logic(node >= 0) & to_std_logic(queue_commands)
-           & to_std_logic(masked_write) & to_std_logic(flow_control) & to_std_logic(send_immediate)
-           & to_std_logic(timestamps and has_groups) & to_std_logic(triggers and has_groups)
-           & to_std_logic(has_groups);
+    bits(feature_groups)            := to_std_logic(has_groups);
+    bits(feature_external_triggers) := to_std_logic(triggers and has_groups);
+    bits(feature_timestamps)        := to_std_logic(timestamps and has_groups);
+    bits(feature_send_immediate)    := to_std_logic(send_immediate);
+    bits(feature_flow_control)      := to_std_logic(flow_control);
+    bits(feature_masked_write)      := to_std_logic(masked_write);
+    bits(feature_queue_commands)    := to_std_logic(queue_commands);
+    bits(feature_addressed)         := to_std_logic(node >= 0);
+    bits(feature_fingerprint)       := to_std_logic(fingerprint);
+    bits(feature_half_duplex)       := to_std_logic(half_duplex);
+    bits(feature_description)       := to_std_logic(description);
+    bits(feature_compact)           := to_std_logic(compact);
+    return bits;
 
   end function features;
 

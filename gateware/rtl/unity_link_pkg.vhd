@@ -65,6 +65,20 @@ package unity_link_pkg is
   constant flag_on_change : natural := 4;
   constant flag_plain     : natural := 5;
 
+  -- Features (docs/protocol.md, "Configuration"), by bit number.
+  constant feature_groups            : natural := 0;
+  constant feature_external_triggers : natural := 1;
+  constant feature_timestamps        : natural := 2;
+  constant feature_send_immediate    : natural := 3;
+  constant feature_flow_control      : natural := 4;
+  constant feature_masked_write      : natural := 5;
+  constant feature_queue_commands    : natural := 6;
+  constant feature_addressed         : natural := 7;
+  constant feature_fingerprint       : natural := 8;
+  constant feature_half_duplex       : natural := 9;
+  constant feature_description       : natural := 10;
+  constant feature_compact           : natural := 11;
+
   -- How a frame that was sent ends for send-immediate: what goes through the transmit FIFO beside each byte.
   subtype flush_mark_t is std_logic_vector(1 downto 0);
 

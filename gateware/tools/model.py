@@ -17,7 +17,7 @@ from unity_link.gateware.cache import GATEWARE
 from unity_link.gateware.convert import ConversionError
 from unity_link.gateware.ghdl import ToolMissingError
 from unity_link.spec import compile_file
-from unity_link.virtual.generics import FEATURES, generics_of, info_of
+from unity_link.virtual.generics import OPTIONAL, generics_of, info_of
 from unity_link.virtual.rtl.archive import GENERATED, Entry, read_index, read_texts, write
 from unity_link.virtual.rtl.making import make, origin
 from unity_link.virtual.rtl.specs import with_clock
@@ -66,13 +66,13 @@ CONFIGURATIONS: dict[str, dict[str, int]] = {
     # The least of everything.
     "minimal": {
         **_CLOCK,
-        **dict.fromkeys(FEATURES, False),
+        **dict.fromkeys(OPTIONAL, False),
         "data_bits": 8,
         "block_words": 1,
         "groups": 0,
     },
     # Groups, and nothing that could be left out.
-    "bare_groups": {**_CLOCK, **dict.fromkeys(FEATURES, False)},
+    "bare_groups": {**_CLOCK, **dict.fromkeys(OPTIONAL, False)},
     # One of several on a medium.
     "node": {**_CLOCK, "node": 5},
     "slow": _SLOW_CLOCK,

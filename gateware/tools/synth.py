@@ -32,6 +32,7 @@ from unity_link.gateware.yowasp import place as place_and_route
 from unity_link.gateware.yowasp import run, version
 from unity_link.generate import generate, write
 from unity_link.spec import compile_file
+from unity_link.virtual.generics import OPTIONAL
 
 RESULTS = GATEWARE / "RESULTS.md"
 BUDGET = GATEWARE / "budget.toml"
@@ -154,11 +155,7 @@ _MINIMAL: dict[str, object] = {
     "bus_timeout": 255,
     "rx_fifo_depth": 128,
     "tx_fifo_depth": 128,
-    "masked_write": False,
-    "queue_commands": False,
-    "timestamps": False,
-    "triggers": False,
-    "send_immediate": False,
+    **dict.fromkeys(OPTIONAL, False),
 }
 # The widths of the paper's gateway.
 _SHORT: dict[str, object] = {"id_digits": 2, "crc_bits": 8, "crc_polynomial": f"{0x07:032b}"}

@@ -12,6 +12,7 @@ from typing import NamedTuple
 from unity_link.errors import UnityLinkError
 from unity_link.gateware.cache import GATEWARE
 from unity_link.gateware.release import release
+from unity_link.virtual.generics import OPTIONAL
 
 _FOLDER = GATEWARE.parent / "build" / "verilog"
 _MINIMAL: dict[str, object] = {
@@ -20,11 +21,7 @@ _MINIMAL: dict[str, object] = {
     "bus_timeout": 255,
     "rx_fifo_depth": 128,
     "tx_fifo_depth": 128,
-    "masked_write": False,
-    "queue_commands": False,
-    "timestamps": False,
-    "triggers": False,
-    "send_immediate": False,
+    **dict.fromkeys(OPTIONAL, False),
 }
 
 

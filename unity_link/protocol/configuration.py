@@ -18,12 +18,16 @@ HEX_DIGITS = b"0123456789ABCDEFabcdef"
 
 
 class Feature(enum.IntFlag):
-    """Features that a gateway was built with."""
+    """Features that a gateway was built with.
+
+    A feature has the same name everywhere: in C (`UL_FEATURE_...`), in MATLAB (a field of `features`), in VHDL
+    (`feature_...`, and the generic that chooses it), and in words.
+    """
 
     GROUPS = 1
     """It samples groups of words at a rate of its own."""
     EXTERNAL_TRIGGERS = 2
-    """Inputs of the gateware have groups sampled."""
+    """Inputs of the gateware have groups sampled. The generic is `triggers`."""
     TIMESTAMPS = 4
     """Samples can have the instant of sampling."""
     SEND_IMMEDIATE = 8

@@ -11,21 +11,18 @@ if TYPE_CHECKING:
 
     from unity_link.spec import Interface
 
+_BY_NUMBERS = Feature.GROUPS | Feature.ADDRESSED
 FEATURES = {
-    "triggers": Feature.EXTERNAL_TRIGGERS,
-    "timestamps": Feature.TIMESTAMPS,
-    "send_immediate": Feature.SEND_IMMEDIATE,
-    "masked_write": Feature.MASKED_WRITE,
-    "queue_commands": Feature.QUEUE_COMMANDS,
+    "triggers" if bit is Feature.EXTERNAL_TRIGGERS else name.lower(): bit
+    for name, bit in Feature.__members__.items()
+    if bit not in _BY_NUMBERS
 }
-"""Features that can be left out, and are in by default."""
+"""Features by the generics that choose them; the number of `groups` and that of the `node` choose the others."""
+OPTIONAL = ("masked_write", "queue_commands", "timestamps", "triggers", "send_immediate")
+"""Generics of what takes logic and can be left out, and is in by default."""
 # As in gateware/rtl/unity_link_fifo.vhd.
 _DEFAULTS: dict[str, Any] = {
-    **dict.fromkeys([*FEATURES, "flow_control"], True),
-    "fingerprint": False,
-    "description": False,
-    "half_duplex": False,
-    "compact": False,
+    **{generic: bit in GatewayInfo().features for generic, bit in FEATURES.items()},
     "groups": 16,
     "group_words": 32,
     "rx_fifo_depth": 256,
@@ -49,16 +46,11 @@ def info_of(given: Mapping[str, int]) -> GatewayInfo:
     features = Feature(0)
     for generic, feature in FEATURES.items():
         features |= feature if generics[generic] else Feature(0)
+    features |= Feature.ADDRESSED if generics["node"] >= 0 else Feature(0)
     if generics["groups"]:
         features |= Feature.GROUPS
     else:
         features &= ~(Feature.EXTERNAL_TRIGGERS | Feature.TIMESTAMPS)
-    features |= Feature.FLOW_CONTROL if generics["flow_control"] else Feature(0)
-    features |= Feature.ADDRESSED if generics["node"] >= 0 else Feature(0)
-    features |= Feature.FINGERPRINT if generics["fingerprint"] else Feature(0)
-    features |= Feature.DESCRIPTION if generics["description"] else Feature(0)
-    features |= Feature.HALF_DUPLEX if generics["half_duplex"] else Feature(0)
-    features |= Feature.COMPACT if generics["compact"] else Feature(0)
     fields = {field: generics[field] for field in GatewayInfo.__struct_fields__ if field in generics}
     return GatewayInfo(
         **{

@@ -10,6 +10,7 @@ import pytest
 
 from gateware.bench.runner import GATEWARE, run_bench
 from unity_link.protocol.configuration import Feature
+from unity_link.virtual.generics import FEATURES
 
 pytestmark = pytest.mark.slow
 HERE = Path(__file__).resolve().parent
@@ -30,16 +31,7 @@ def generics_of(configuration: dict[str, Any], node: int | None) -> dict[str, ob
         "tx_fifo_depth": configuration["transmit_fifo_bytes"],
         "build_id": configuration["build_id"],
         "sample_depth": 1 << (longest_sample - 1).bit_length(),
-        "masked_write": Feature.MASKED_WRITE in features,
-        "queue_commands": Feature.QUEUE_COMMANDS in features,
-        "timestamps": Feature.TIMESTAMPS in features,
-        "triggers": Feature.EXTERNAL_TRIGGERS in features,
-        "send_immediate": Feature.SEND_IMMEDIATE in features,
-        "flow_control": Feature.FLOW_CONTROL in features,
-        "fingerprint": Feature.FINGERPRINT in features,
-        "half_duplex": Feature.HALF_DUPLEX in features,
-        "compact": Feature.COMPACT in features,
-        "description": Feature.DESCRIPTION in features,
+        **{generic: feature in features for generic, feature in FEATURES.items()},
         "node": -1 if node is None else node,
     }
 

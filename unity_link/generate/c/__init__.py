@@ -17,6 +17,7 @@ from unity_link.generate.c.layout import Layout
 from unity_link.generate.c.names import number
 from unity_link.generate.c.signals import decoding, describe, examples, initializer, schedule
 from unity_link.protocol import compact
+from unity_link.protocol.configuration import Feature
 from unity_link.protocol.constants import TABLE
 from unity_link.protocol.frames import LARGEST_DATAGRAM
 from unity_link.transport.polling import REMEMBERED_WAITS, SPIN
@@ -39,6 +40,7 @@ FILTERS: dict[str, Callable[..., Any]] = {
 RUNTIME = ("unity_link.h", "unity_link.c", "unity_link_posix.c")
 RUNTIME_VALUES = {
     "constants": TABLE,
+    "FEATURES": {name: int(bit) for name, bit in Feature.__members__.items()},
     "SPIN": SPIN,
     "REMEMBERED_WAITS": REMEMBERED_WAITS,
     "LARGEST_DATAGRAM": LARGEST_DATAGRAM,

@@ -91,7 +91,7 @@ def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]
     built_from = _fingerprint()
     for folder, place in ((_RUNTIME, f"+{PACKAGE}"), (_SOURCE, f"+{PACKAGE}/source")):
         for template in sorted(folder.glob("*.jinja")):
-            text = templates.render(f"{folder.name}/{template.stem}", fingerprint=built_from)
+            text = templates.render(f"{folder.name}/{template.stem}", fingerprint=built_from, **c.RUNTIME_VALUES)
             yield GeneratedFile(f"{place}/{template.stem}", text)
     client = templates.of("c", c.FILTERS)
     for source in c.RUNTIME:

@@ -52,14 +52,6 @@ _USUAL_BASES = tuple(digit * 10**power for power in range(7, 2, -1) for digit in
 """Base frequencies in mHz, the quickest first: that of the gateware by itself, and rounder parts of it."""
 _ROUND_CYCLES = 8
 """Clock cycles of a base tick beside one for each group (gateware/rtl/application/ul_subscription_manager.vhd)."""
-_KINDS = {
-    **FEATURES,
-    "flow_control": Feature.FLOW_CONTROL,
-    "fingerprint": Feature.FINGERPRINT,
-    "half_duplex": Feature.HALF_DUPLEX,
-    "description": Feature.DESCRIPTION,
-    "compact": Feature.COMPACT,
-}
 _OF_THE_BANK = frozenset({"address_bits", "data_bits", "wb_pipelined", "fingerprint"})
 """Generics that the gateway of a spec has of itself."""
 _FIFOS = {"receive_fifo_bytes": "rx_fifo_depth", "transmit_fifo_bytes": "tx_fifo_depth"}
@@ -182,7 +174,7 @@ def _as_generics(fields: Mapping[str, int]) -> dict[str, int]:
         generics.setdefault("crc_polynomial", USUAL_POLYNOMIALS[fields["crc_bits"]])
     if "features" in fields:
         features = Feature(fields["features"])
-        generics |= {generic: feature in features for generic, feature in _KINDS.items()}
+        generics |= {generic: feature in features for generic, feature in FEATURES.items()}
     return generics
 
 

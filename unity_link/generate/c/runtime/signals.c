@@ -291,7 +291,7 @@ void ul_start_get(ul_link *link, ul_batch *batch, const ul_signal *signal, uint6
 {
     unsigned count = ul_words_of(signal);
     if (cannot(link, batch, signal, UL_READABLE)) return;
-    if (signal->properties & UL_CLEARED && link->open && !(link->info.features & UL_FEATURE_QUEUES)) {
+    if (signal->properties & UL_CLEARED && link->open && !(link->info.features & UL_FEATURE_QUEUE_COMMANDS)) {
         refuse(batch, UL_UNSUPPORTED, signal->path, signal->address,
                "each read clears it, which takes the queue commands that the gateway was built without");
         return;
