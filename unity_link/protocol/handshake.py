@@ -53,8 +53,6 @@ _NEVER_CHOSEN = frozenset({0x10, 0x1000})
 """With these, damage to the size of a first letter could pass a CRC of 8 or of 16 bits."""
 _LONGEST_TEXT = 120
 """Characters of what is not understood that a message quotes."""
-
-
 _OTHERS = {
     "HTTP/": "an HTTP server",
     "<!DOCTYPE": "an HTTP server",
@@ -263,12 +261,12 @@ class Handshake:
         """Return whether a line answers an earlier question; where another session was asked for since, wait longer."""
         if self._believed and self._believed in line:
             return True
-        openings = ((self._opening(session), asked_at) for session, asked_at in self._asked_for.items())
-        late = [asked_at for opening, asked_at in openings if self._fits(body, opening)]
-        if late:
-            self._patience = max(self._patience, 2 * (now - late[0]))
-            self.deadline = max(self.deadline, self._until())
-        return bool(late)
+        for session, asked_at in self._asked_for.items():
+            if self._fits(body, self._opening(session)):
+                self._patience = max(self._patience, 2 * (now - asked_at))
+                self.deadline = max(self.deadline, self._until())
+                return True
+        return False
 
     def _until(self) -> float:
         """Return the time until which the answer to what was asked last is waited for."""
