@@ -19,7 +19,7 @@ from support.taken_samples import BASE_HZ, STORIES, Taken, are_decidable, arriva
 from unity_link import GatewayInfo, Sample
 from unity_link.link.samples_together import SamplesTogether
 from unity_link.link.subscription import GatewayClock, Intake, Publishing, Schedule
-from unity_link.protocol.exchange import SampledTogether
+from unity_link.protocol.events import SampledTogether
 from unity_link.protocol.messages import SAMPLE_HEAD, TIMESTAMP_DIGITS, GroupFlag
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 import pytest
 
@@ -9,6 +11,9 @@ from unity_link.errors import BusError
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.host_codec import HostCodec
 from unity_link.protocol.requests import WordBatch
+
+if TYPE_CHECKING:
+    from unity_link.protocol.events import Events
 
 CODEC = HostCodec(GatewayInfo())
 
@@ -18,7 +23,7 @@ def test_the_error_of_a_batch_is_that_of_the_first_message_that_was_refused_when
     refused: tuple[int, int],
 ) -> None:
     batch = WordBatch(CODEC, "R", [(np.arange(8), CODEC.info.address_digits)])
-    ended: list[object] = []
+    ended: Events = []
     before, behind = batch.take(3, ended), batch.take(5, ended)
     for offset in range(3):
         assert before.accept(offset, b"r00000000007", 4, ended)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import pytest
 from hypothesis import given, settings
@@ -12,9 +12,12 @@ from support.searching import examples
 from support.window_state import window_state
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.exchange import Counters
-from unity_link.protocol.requests import Events, Request
+from unity_link.protocol.requests import Request
 from unity_link.protocol.session import Session
 from unity_link.virtual import VirtualGateway
+
+if TYPE_CHECKING:
+    from unity_link.protocol.events import Events
 
 FIELDS = {"R": (0x10,), "RM": (0x10, 3), "W": (0x10, 7), "WS": (0x10, 8), "H": ()}
 WITHOUT_FLOW_CONTROL = ~Feature.FLOW_CONTROL & GatewayInfo().features

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 import pytest
 
@@ -10,10 +12,14 @@ from support.valve import as_gateway
 from unity_link.errors import ConnectError, LinkLostError, Outcome, UnansweredError, UnsupportedError
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.constants import LONGEST_SILENCE
+from unity_link.protocol.events import Interrupted, Opened, Unusable
 from unity_link.protocol.messages import GroupFlag
 from unity_link.protocol.requests import Confirmation, Request, WordBatch, common_outcome
-from unity_link.protocol.session import Interrupted, Opened, Session, Unusable
+from unity_link.protocol.session import Session
 from unity_link.virtual import VirtualGateway
+
+if TYPE_CHECKING:
+    from unity_link.protocol.events import Events
 
 
 def opened(*, resumes: bool) -> tuple[Session, VirtualGateway]:
@@ -300,7 +306,7 @@ def test_of_a_connection_that_ends_too_soon_it_is_said_what_was_heard_of_the_gat
 def test_a_gateway_of_which_all_arrives_damaged_is_not_silent(answer: bytes, *, is_heard: bool) -> None:
     session, _ = opened(resumes=False)
     session.submit(Confirmation(session.codec), 0.0)
-    told: list[object] = []
+    told: Events = []
     while not told and (now := session.deadline) is not None and now < 2 * LONGEST_SILENCE:
         session.receive(answer, now)
         told = session.expire(now)
@@ -308,7 +314,7 @@ def test_a_gateway_of_which_all_arrives_damaged_is_not_silent(answer: bytes, *, 
     assert [type(event) for event in told] == ([] if is_heard else [Unusable])
 
 
-def read_until_unusable(session: Session, heard: bytes, pause: float = 0.01) -> tuple[float, list[object]]:
+def read_until_unusable(session: Session, heard: bytes, pause: float = 0.01) -> tuple[float, Events]:
     """Ask for a word, and hear something else again and again; return the time of the first event, and the events."""
     read = Request(session.codec, "R", session.codec.fields("R", 0x10), session.codec.data_digits)
     now = 0.0

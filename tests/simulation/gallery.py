@@ -28,6 +28,7 @@ from unity_link.protocol import (
     session,
     window,
 )
+from unity_link.protocol.events import SampledRows
 from unity_link.protocol.frames import FrameError
 from unity_link.protocol.messages import COMMANDS, Repeat
 from unity_link.protocol.reception import SequencePlace
@@ -96,7 +97,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
             bodies = arrays.open_rows(framing, rows, data[start : start + after])
             if len(bodies) < exchange.FEWEST_SAMPLES:
                 break
-            events.append(exchange.SampledRows(group.owner, bodies, now))
+            events.append(SampledRows(group.owner, bodies, now))
             start += len(bodies) * size
         return start
 

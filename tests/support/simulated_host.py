@@ -17,7 +17,7 @@ from unity_link.virtual.faults import Noise, NoisyLine
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.protocol.requests import Events
+    from unity_link.protocol.events import Events
     from unity_link.virtual import Gateway
 
 PATIENCE = 600.0

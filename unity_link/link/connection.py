@@ -11,7 +11,7 @@ import logging
 import math
 import os
 import random
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, assert_never
 from weakref import WeakSet
 
 import msgspec
@@ -31,17 +31,16 @@ from unity_link.errors import (
 from unity_link.link.flow import Flow
 from unity_link.link.runtime import AsyncioRuntime, report
 from unity_link.protocol.configuration import Feature
-from unity_link.protocol.group_table import GroupsRestored
+from unity_link.protocol.events import GroupsRestored, Interrupted, Opened, Taken, Unusable
 from unity_link.protocol.numbers import real_number
-from unity_link.protocol.session import Interrupted, Opened, Session, Taken, Unusable
+from unity_link.protocol.session import Session
 from unity_link.transport import DriverUrl, name_of, node_of, takes_compact_form
 from unity_link.transport.stream import Stream
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from unity_link.link.runtime import Job, Runtime, Waiter
     from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.events import Happening, SessionEvent
     from unity_link.protocol.host_codec import HostCodec
     from unity_link.transport import Medium
 
@@ -129,15 +128,7 @@ class Connection:
             resumes=resumes or reconnect is not None,
             compact=takes_compact_form(target),
         )
-        self._flow = Flow(self._session, self._runtime, self._disconnected)
-        handlers: dict[type, Callable[[Any], None]] = {
-            Opened: self._session_opened,
-            Interrupted: self._gateway_was_reset,
-            Unusable: self._connection_failed,
-            Taken: self._taken,
-            GroupsRestored: self._groups_restored,
-        }
-        self._flow.handlers |= handlers
+        self._flow = Flow(self._session, self._runtime, self._happened, self._disconnected)
         self._opened: Waiter = self._new_waiter()
         """Done when the connection that is being opened is of use, or is known not to be."""
         self._opening = False
@@ -159,6 +150,10 @@ class Connection:
         self._closed = self._closed_by_program = False
 
     # What builds on this says
+
+    def _happened(self, event: Happening) -> None:
+        """Take an event that is nothing a call awaits; `_take_change` takes those of sessions."""
+        raise NotImplementedError
 
     def _begin(self, codec: HostCodec) -> None:
         """Record that a session has begun with a gateway."""
@@ -196,6 +191,21 @@ class Connection:
             self._lose(f"the connection was lost ({reason})" if reason else "the other side closed the connection")
 
     # Events
+
+    def _take_change(self, event: SessionEvent) -> None:
+        match event:
+            case Opened():
+                self._session_opened(event)
+            case Interrupted():
+                self._gateway_was_reset(event)
+            case Unusable():
+                self._connection_failed(event)
+            case Taken():
+                self._taken(event)
+            case GroupsRestored():
+                self._groups_restored(event)
+            case _:
+                assert_never(event)
 
     def _session_opened(self, event: Opened) -> None:
         self.gateway = event.info

@@ -14,14 +14,16 @@ import contextlib
 import math
 from typing import TYPE_CHECKING, Any
 
-from unity_link.protocol.requests import Confirmation, DestructiveRead, Fence, Request, WordBatch
+from unity_link.protocol.events import Awaited
+from unity_link.protocol.requests import Request
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from unity_link.link.runtime import Runtime, Timer, Waiter
+    from unity_link.protocol.events import Events, Happening
     from unity_link.protocol.host_codec import HostCodec
-    from unity_link.protocol.requests import Events, Source
+    from unity_link.protocol.requests import Source, WordBatch
     from unity_link.protocol.session import Session
     from unity_link.transport.stream import Stream
     from unity_link.transport.turns import Seat
@@ -36,10 +38,17 @@ class Flow:
     Args:
         session: of one link.
         runtime: what runs the link.
+        happened: takes the events that are nothing a call awaits.
         disconnected: is called when the stream has ended, with the reason, None where the other side closed it.
     """
 
-    def __init__(self, session: Session, runtime: Runtime, disconnected: Callable[[Exception | None], None]) -> None:
+    def __init__(
+        self,
+        session: Session,
+        runtime: Runtime,
+        happened: Callable[[Happening], None],
+        disconnected: Callable[[Exception | None], None],
+    ) -> None:
         self.session = session
         self.codec: HostCodec
         """The messages of the gateway, once it has said what it is."""
@@ -48,11 +57,7 @@ class Flow:
         """Stream of the connection, None while there is none."""
         self.seat: Seat | None = None
         """Seat of the link, where nodes share the medium; its turn is waited for."""
-        self.handlers: dict[type, Callable[[Any], None]] = dict.fromkeys(
-            (Request, DestructiveRead, Confirmation, Fence, WordBatch), settle
-        )
-        """Handler of each kind of event of the session."""
-        self._disconnected = disconnected
+        self._happened, self._disconnected = happened, disconnected
         self._reads_on = False
         """True if more of what has arrived is looked at when what runs now waits."""
         self.now = runtime.time
@@ -105,7 +110,7 @@ class Flow:
             self._set_timer()
         if request.done:
             # A medium within the program may answer at once.
-            settle(request)
+            request.settle()
         return waiter
 
     async def answer(self, request: Request | WordBatch) -> Any:
@@ -132,11 +137,16 @@ class Flow:
         self._set_timer()
 
     def _handle(self, events: Events) -> None:
-        handlers = self.handlers
-        for event in events:
-            handlers[type(event)](event)
+        self._tell(events)
         if self._ended:
             self._runtime.call_soon(self._runtime.wake)
+
+    def _tell(self, events: Events) -> None:
+        for event in events:
+            if isinstance(event, Awaited):
+                event.settle()
+            else:
+                self._happened(event)
 
     def _send(self) -> None:
         """Send what the session has to: together with what follows in this turn, at once where nothing can."""
@@ -207,7 +217,7 @@ class Flow:
         if request is None:
             self._receive(data, now)
         else:
-            settle(request)
+            request.settle()
             if self.session.window.allowance.loses:
                 self._set_timer()
         if self._ended:
@@ -217,9 +227,7 @@ class Flow:
     def _receive(self, data: bytes, now: float) -> None:
         session = self.session
         events = session.receive(data, now)
-        handlers = self.handlers
-        for event in events:
-            handlers[type(event)](event)
+        self._tell(events)
         if session.is_behind and not self._reads_on and self.stream is not None:
             self._reads_on = True
             self.stream.pause_reading()
@@ -318,14 +326,3 @@ class Flow:
         self.go_on(self.session.expire(now))
         if self.session.counters.repetitions > sent_again and self.stream is not None:
             self.stream.set_medium_again()
-
-
-def settle(request: Request | WordBatch) -> None:
-    """Set the result or the error of what a call awaits."""
-    waiter = request.owner
-    if waiter is None or waiter.done():
-        return
-    if request.error is None:
-        waiter.set_result(request.answer)
-    else:
-        waiter.set_exception(request.error)

@@ -1,7 +1,7 @@
 """Layer 2, message link: what a program holds of one gateway.
 
 `Link` checks what it is asked for, makes requests of it, and waits for their futures. `connection` is its life,
-`exchange` moves the requests, `subscription` the publishes; this module joins them.
+`flow` moves the requests, `subscription` the publishes; this module joins them.
 """
 
 from __future__ import annotations
@@ -26,7 +26,6 @@ from unity_link.errors import (
     refusing,
 )
 from unity_link.link.connection import Connection, Reconnect
-from unity_link.link.flow import settle
 from unity_link.link.runtime import told_now
 from unity_link.link.subscription import (
     LARGEST_DIVISOR,
@@ -39,13 +38,13 @@ from unity_link.link.subscription import (
     check_addresses,
 )
 from unity_link.protocol.configuration import Feature
+from unity_link.protocol.events import GroupEvent, Happening, PostedFailure
 from unity_link.protocol.messages import GroupFlag
 from unity_link.protocol.numbers import whole_number
 from unity_link.protocol.requests import (
     Confirmation,
     DestructiveRead,
     Fence,
-    PostedFailure,
     Request,
     RequestBlock,
     WordBatch,
@@ -137,9 +136,16 @@ class Link(OfLink, Connection):
         """
         self.told_by_fence: dict[int, Any] = {}
         """Writers in the gateway's own time, each with a `see`, by their addresses: a fence raises their errors."""
-        self._flow.handlers |= {PostedFailure: self._note_posted, **self._publishing.handlers}
 
     # Life
+
+    def _happened(self, event: Happening) -> None:
+        if isinstance(event, GroupEvent):
+            self._publishing.take(event)
+        elif isinstance(event, PostedFailure):
+            self._note_posted(event)
+        else:
+            self._take_change(event)
 
     def _begin(self, codec: HostCodec) -> None:
         # Where both sides share a pair of wires, each must know when its turn is.
@@ -565,7 +571,7 @@ class Link(OfLink, Connection):
         """Wait until posted writes have found room."""
         posted.owner = waiter = self._flow.create_future()
         if posted.done:
-            settle(posted)
+            posted.settle()
         try:
             await waiter
         except BaseException:

@@ -14,7 +14,7 @@ import warnings
 from collections import deque
 from numbers import Integral
 from operator import itemgetter
-from typing import TYPE_CHECKING, Any, Literal, Self
+from typing import TYPE_CHECKING, Any, Literal, Self, assert_never
 
 import msgspec
 
@@ -35,8 +35,15 @@ from unity_link.errors import (
 )
 from unity_link.link.freshness import MOST_DRIFT, Freshness
 from unity_link.link.runtime import report
-from unity_link.protocol.exchange import Sampled, SampledRows, SampledTogether
-from unity_link.protocol.group_table import GroupBegun, GroupRefused, GroupStarted
+from unity_link.protocol.events import (
+    GroupBegun,
+    GroupEvent,
+    GroupRefused,
+    GroupStarted,
+    Sampled,
+    SampledRows,
+    SampledTogether,
+)
 from unity_link.protocol.messages import SAMPLE_HEAD, TIMESTAMP_DIGITS, GroupFlag
 from unity_link.protocol.numbers import real_number, whole_number
 from unity_link.protocol.requests import Request
@@ -256,15 +263,24 @@ class Publishing:
         self._clock: GatewayClock | None = None
         self._together: type[SamplesTogether] | None = None
         """Imported with the first subscription, as it needs numpy."""
-        self.handlers: dict[type, Callable[[Any], None]] = {
-            Sampled: lambda event: event.owner.receive(event.body, event.arrived),
-            SampledRows: lambda event: event.owner.receive_rows(event.bodies, event.arrived),
-            SampledTogether: self._receive_together,
-            GroupBegun: lambda event: event.group.owner.restart(),
-            GroupStarted: lambda event: event.group.owner.started(),
-            GroupRefused: lambda event: event.group.owner.refused(event.error),
-        }
-        """Handler of each class of events."""
+
+    def take(self, event: GroupEvent) -> None:
+        """Hand an event of a group to the subscription that has it."""
+        match event:
+            case Sampled():
+                event.owner.receive(event.body, event.arrived)
+            case SampledRows():
+                event.owner.receive_rows(event.bodies, event.arrived)
+            case SampledTogether():
+                self._receive_together(event)
+            case GroupBegun():
+                event.owner.restart()
+            case GroupStarted():
+                event.owner.started()
+            case GroupRefused():
+                event.owner.refused(event.error)
+            case _:
+                assert_never(event)
 
     def _receive_together(self, event: SampledTogether) -> None:
         """Take samples of several subscriptions that arrived together: the same as `receive` of each, in order."""

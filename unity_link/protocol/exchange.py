@@ -13,12 +13,13 @@ the window is told of them together. A line that is left is looked at by itself.
 from __future__ import annotations
 
 from collections import Counter
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING
 
 from unity_link import protocol
 from unity_link.errors import UnansweredError, UnsupportedError
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.constants import FEWEST_OF_A_FLOOD, FLOOD_PATIENCE, KEEP_ALIVE, MOST_KEPT_WORDS
+from unity_link.protocol.events import Sampled, SampledRows, SampledTogether
 from unity_link.protocol.frames import LF, MOST_LINES, FrameError, OtherNodeError
 from unity_link.protocol.messages import COMMANDS, WITHOUT_ID, ErrorCode
 from unity_link.protocol.requests import BatchRun, Confirmation, Fence, Request, gateway_error
@@ -26,12 +27,10 @@ from unity_link.protocol.requests import BatchRun, Confirmation, Fence, Request,
 if TYPE_CHECKING:
     from collections import deque
 
-    import numpy as np
-    from numpy.typing import NDArray
-
+    from unity_link.protocol.events import Events
     from unity_link.protocol.group_table import GroupTable
     from unity_link.protocol.host_codec import HostCodec
-    from unity_link.protocol.requests import Events, Message, Source
+    from unity_link.protocol.requests import Message, Source
     from unity_link.protocol.window import Window
 
 _MOST_ECHOES = 8192
@@ -42,35 +41,6 @@ FEWEST_BYTES = 64
 """Fewer bytes than so many answers have."""
 FEWEST_SAMPLES = 12
 """Samples, side by side, that are worth a turn of numpy."""
-
-
-class Sampled(NamedTuple):
-    """Event: a sample has come."""
-
-    owner: Any
-    """Object that was named when the group was set up."""
-    body: bytes
-    arrived: float
-    """On the clock of the session."""
-
-
-class SampledRows(NamedTuple):
-    """Event: samples of one group have come, side by side."""
-
-    owner: Any
-    bodies: NDArray[np.uint8]
-    """Shape (n, length)."""
-    arrived: float
-
-
-class SampledTogether(NamedTuple):
-    """Event: samples of several groups have come, side by side."""
-
-    owners: list[Any]
-    """Owners of the samples, in their order."""
-    parts: list[tuple[NDArray[np.intp], NDArray[np.uint8]]]
-    """Samples of each length: their places among all, and their bodies, shape (n, length)."""
-    arrived: float
 
 
 class Counters:

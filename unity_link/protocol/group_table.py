@@ -8,14 +8,16 @@ group may be handed on at once: whatever stops it stands before the next holder'
 from __future__ import annotations
 
 from collections import deque
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from unity_link.errors import LinkLostError, UnityLinkError, UnsupportedError
-from unity_link.protocol.requests import Events, SessionRequest
+from unity_link.protocol.events import GroupBegun, GroupRefused, GroupsRestored, GroupStarted
+from unity_link.protocol.requests import SessionRequest
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from unity_link.protocol.events import Events
     from unity_link.protocol.host_codec import HostCodec
 
 
@@ -39,31 +41,6 @@ class HeldGroup:
         self.owner = owner
         self.started = False
         """True if it has been set up and started, in this session or in an earlier one."""
-
-
-class GroupBegun(NamedTuple):
-    """Event: the gateway has stored the settings of a group, and its sequence stands at 00."""
-
-    group: HeldGroup
-
-
-class GroupStarted(NamedTuple):
-    """Event: a group is set up and started, for the first time."""
-
-    group: HeldGroup
-
-
-class GroupRefused(NamedTuple):
-    """Event: a group could not be set up, and is not held any more."""
-
-    group: HeldGroup
-    error: UnityLinkError
-
-
-class GroupsRestored(NamedTuple):
-    """Event: every group that is held is set up again in a new session, or could not be."""
-
-    error: UnityLinkError | None
 
 
 class GroupTable:
@@ -151,7 +128,7 @@ class GroupTable:
                 self._failed(group, error, events)
             else:
                 self.begun[group.text] = group
-                events.append(GroupBegun(group))
+                events.append(GroupBegun(group.owner))
                 self._submit(SessionRequest(codec, "GN", group.text, started), events)
 
         def started(error: UnityLinkError | None, events: Events) -> None:
@@ -160,7 +137,7 @@ class GroupTable:
                 return
             if error is None and not group.started:
                 group.started = True
-                events.append(GroupStarted(group))
+                events.append(GroupStarted(group.owner))
             self._settle(group, None, events)
 
         self._submit(SessionRequest(codec, "GS", group.text + group.settings, stored), events)
@@ -174,7 +151,7 @@ class GroupTable:
         else:
             self._settle(group, None, events)
             self.release(group)
-            events.append(GroupRefused(group, error))
+            events.append(GroupRefused(group.owner, error))
 
     def _settle(self, group: HeldGroup | None, error: UnityLinkError | None, events: Events) -> None:
         """Record that a group is set up again in a new session, or could not be."""

@@ -11,7 +11,7 @@ request or batch whose answer or error is known, or which is on its way where th
 from __future__ import annotations
 
 from collections import deque
-from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 from unity_link import protocol
 from unity_link.errors import (
@@ -23,6 +23,7 @@ from unity_link.errors import (
     UnansweredError,
     UnityLinkError,
 )
+from unity_link.protocol.events import Awaited, PostedFailure
 from unity_link.protocol.frames import LF
 from unity_link.protocol.ring import Run
 
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from unity_link.protocol.arrays import Words
+    from unity_link.protocol.events import Events
     from unity_link.protocol.host_codec import HostCodec
 
 SMALLEST_BATCH = 512
@@ -80,21 +82,6 @@ def gateway_error(code: int, what: str, refusal: Callable[[], str]) -> GatewayEr
         text = f"how posted writes ended is not known, for error {code:02X} was answered; a later fence may tell"
     reason = refusal() if kind is BusError else ""
     return kind(f"{what}: {text}" + (f", for {reason}" if reason else ""), code)
-
-
-class PostedFailure(NamedTuple):
-    """Event: posted writes have failed that no call waits for any more."""
-
-    error: UnityLinkError
-    writes: int
-    """Number of writes."""
-    poster: Any
-    """Task or thread that has posted them."""
-
-
-Events = list[Any]
-"""Events of a session, in the order in which they happened: what has ended, `PostedFailure`, and what the session
-defines."""
 
 
 class Source(Protocol):
@@ -253,7 +240,7 @@ class Question(Message):
         return None
 
 
-class Request(Message):
+class Request(Message, Awaited):
     """One message, and what became of it: a source of itself.
 
     Args:
@@ -294,7 +281,6 @@ class Request(Message):
         """The word or words read; None for an acknowledgement."""
         self.error: UnityLinkError | None = None
         self.owner: Any = None
-        """Owner that waits for it: nothing that the session looks at."""
 
     def encode(self) -> bytes:
         """Return the frame, under the ID that the window has given."""
@@ -516,7 +502,7 @@ def _outcome(request: Request) -> Outcome:
     return request.error.outcome if isinstance(request.error, UnansweredError) else Outcome.EXECUTED
 
 
-class WordBatch:
+class WordBatch(Awaited):
     """Many messages of one command for single words, and what became of them: a source of runs.
 
     `smallest_turn` is the number of messages for which room is waited for while others are under way.

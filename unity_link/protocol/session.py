@@ -13,8 +13,8 @@ everything that was under way at an end it says what is known of it:
     =========  =====================================  ==================================================
 
 Requests may be made at any time; while the session is not open they wait. Every call in which something can happen
-returns events, in the order in which it happened: a `Request` or `WordBatch` that has ended, samples, and the
-classes of events of these modules. The session calls no program and looks at no clock: `now` is a time in seconds that
+returns events (`events`), in the order in which it happened: what has ended, samples, and what becomes of the session.
+The session calls no program and looks at no clock: `now` is a time in seconds that
 never goes back.
 """
 
@@ -23,7 +23,7 @@ from __future__ import annotations
 import math
 from collections import deque
 from itertools import islice
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from unity_link.errors import (
     ConnectError,
@@ -33,20 +33,22 @@ from unity_link.errors import (
     UnityLinkError,
     UnsupportedError,
 )
-from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.configuration import Feature
 from unity_link.protocol.constants import ANSWER_PATIENCE, FEWEST_OF_A_FLOOD, LONGEST_SILENCE
 from unity_link.protocol.crc import NO_SESSION
+from unity_link.protocol.events import Interrupted, Opened, Taken, Unusable
 from unity_link.protocol.exchange import Counters, Exchange
 from unity_link.protocol.frames import LF, LONGEST_FRAME
 from unity_link.protocol.group_table import GroupTable, HeldGroup
 from unity_link.protocol.handshake import TAKEN, Handshake, SessionNumbers
-from unity_link.protocol.requests import Events, Fence, Request, SessionRequest, Source
+from unity_link.protocol.requests import Fence, Request, SessionRequest, Source
 from unity_link.protocol.window import Window
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from unity_link.protocol.compact import Packer, Unpacker
+    from unity_link.protocol.events import Events
     from unity_link.protocol.host_codec import HostCodec
     from unity_link.protocol.messages import GroupFlag
 
@@ -64,30 +66,6 @@ FLOODED = (
     "the line is full of what is no answer ({lines} lines since the last one): is an echo on, as behind `stty sane`, "
     "has the speed of the port changed, or does another program use it?"
 )
-
-
-class Opened(NamedTuple):
-    """Event: a session has begun with a gateway."""
-
-    info: GatewayInfo
-
-
-class Interrupted(NamedTuple):
-    """Event: the gateway was reset, in a session or between two; the next is being opened on the same connection."""
-
-    error: GatewayResetError
-
-
-class Unusable(NamedTuple):
-    """Event: the connection is of no more use."""
-
-    error: UnityLinkError
-
-
-class Taken(NamedTuple):
-    """Event: another program has begun a session with the gateway, which is left to it."""
-
-    error: LinkLostError
 
 
 class Session:

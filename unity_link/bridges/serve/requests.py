@@ -1,15 +1,16 @@
 """A client's requests on their way to the gateway and back.
 
-A `Relayed` is a request in the exchange of the one link, under the ID that the link's window gives it. It remembers the
+A `Relayed` is a request in the session of the one link, under the ID that the link's window gives it. It remembers the
 ID and the form that its client used, so that the answer can be put under that ID again.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from unity_link.errors import GatewayError, Outcome, UnansweredError, UnityLinkError, UnsupportedError
 from unity_link.protocol.arrays import matching_rows, request_rows
+from unity_link.protocol.events import Awaited
 from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode, Repeat, parse_numbers
 from unity_link.protocol.requests import BatchRun, Request, WordBatch
 
@@ -19,9 +20,9 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from unity_link.protocol.events import Events
     from unity_link.protocol.gateway_session import SessionState
     from unity_link.protocol.host_codec import HostCodec
-    from unity_link.protocol.requests import Events
 
 FATES = {ErrorCode.BUS_ERROR, ErrorCode.BUS_TIMEOUT, ErrorCode.OUT_OF_RANGE}
 """Errors of a request that was executed."""
@@ -156,7 +157,7 @@ class Relayed(Request):
             self.error = error
             events.append(self)
 
-    def tell(self) -> None:
+    def settle(self) -> None:
         """Answer the client with the outcome, in the frames that the protocol has for it."""
         if not self.done:
             self._asker.posted(self)
@@ -305,19 +306,24 @@ class RelayedRows(WordBatch):
         return self.number + offset & self.codec.ring - 1
 
 
-class RowsAnswered(NamedTuple):
-    """Event: some of a client's requests for single words are answered."""
+class RowsAnswered(Awaited):
+    """Event: some of a client's requests for single words are answered.
 
-    rows: RelayedRows
-    offset: int
-    """The first of them."""
-    size: int
-    frames: bytes
-    """Answers for the client."""
+    Args:
+        rows: the requests.
+        offset: place of the first of them.
+        size: how many they are.
+        frames: answers for the client.
+    """
 
-    def tell(self) -> None:
+    __slots__ = ("_frames", "_offset", "_rows", "_size")
+
+    def __init__(self, rows: RelayedRows, offset: int, size: int, frames: bytes) -> None:
+        self._rows, self._offset, self._size, self._frames = rows, offset, size, frames
+
+    def settle(self) -> None:
         """Answer the client, behind the answers of earlier events."""
-        self.rows.take_frames(self.offset, self.size, self.frames)
+        self._rows.take_frames(self._offset, self._size, self._frames)
 
 
 class RelayedRun(BatchRun):

@@ -15,14 +15,13 @@ import msgspec
 
 from unity_link.bridges.serve.groups import Slots
 from unity_link.bridges.serve.leases import Leases
-from unity_link.bridges.serve.requests import Relayed, RowsAnswered
 from unity_link.bridges.serve.turns import Turns
 from unity_link.data.describing import read_spec
 from unity_link.data.robot import check_gateway
 from unity_link.errors import ArgumentError, ConnectError, LinkLostError, UnityLinkError, UnsupportedError, reason_of
 from unity_link.link.connection import Connection, Reconnect
 from unity_link.protocol.configuration import Feature
-from unity_link.protocol.exchange import Sampled
+from unity_link.protocol.events import GroupEvent, PostedFailure, Sampled
 from unity_link.protocol.messages import Codec
 from unity_link.protocol.requests import Request
 
@@ -31,8 +30,8 @@ if TYPE_CHECKING:
 
     from unity_link.bridges.serve.groups import ClientGroup, GroupSettings, Slot
     from unity_link.bridges.serve.turns import ClientQueue
+    from unity_link.protocol.events import Happening, Interrupted
     from unity_link.protocol.host_codec import HostCodec
-    from unity_link.protocol.session import Interrupted
     from unity_link.spec.model import Interface
     from unity_link.transport import DriverUrl, Medium
 
@@ -98,11 +97,15 @@ class SharedLink(Connection):
         self._last_words = ""
         self._patience: asyncio.TimerHandle | None = None
         self._errands: set[asyncio.Task[None]] = set()
-        self._flow.handlers |= {
-            Relayed: lambda request: request.tell(),
-            RowsAnswered: lambda answered: answered.tell(),
-            Sampled: lambda sample: sample.owner.receive(sample.body),
-        }
+
+    def _happened(self, event: Happening) -> None:
+        if isinstance(event, Sampled):
+            event.owner.receive(event.body)
+        elif isinstance(event, GroupEvent | PostedFailure):
+            # It holds no groups, which the clients set up, and posts nothing by itself.
+            pass
+        else:
+            self._take_change(event)
 
     @property
     def to_gateway(self) -> HostCodec:

@@ -26,7 +26,8 @@ if TYPE_CHECKING:
 
     from unity_link.bridges.serve.requests import Relayed, RelayedRows
     from unity_link.errors import UnityLinkError
-    from unity_link.protocol.requests import Events, Message, Source
+    from unity_link.protocol.events import Events
+    from unity_link.protocol.requests import Message, Source
 
 LONGEST_WAIT = 0.005
 """Seconds that a request waits behind those that are under way."""
