@@ -194,7 +194,9 @@ async def four_nodes_take_turns_on_one_pair_of_wires(dut: Any) -> None:
     # A group that each is asked for, and one node that is reset: the others do not notice.
     for link in links:
         codec = link.session.codec
-        link.events += link.session.start(link.session.hold(0, 1, [0x10], codec.head_sizes["GP"] + 12, link), clock())  # type: ignore[arg-type]
+        settings = codec.fields("GS", 0, 0, 1, 1, [0x10])[2:]
+        group = link.session.groups.hold(settings, codec.head_sizes["GP"] + 12, link)
+        link.events += link.session.start(group, clock())
     await pair.until(lambda: not any(link.session.window.in_flight or link.session.wants_turn for link in links))
     polls = [link.ask("GP", b"00", 0) for link in links]
     await pair.until(lambda: all(request.done for request in polls))

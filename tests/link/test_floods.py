@@ -19,9 +19,9 @@ import uvloop
 import unity_link
 from unity_link import blocking
 from unity_link.link.calling_thread import CallingThread
-from unity_link.protocol import exchange
+from unity_link.protocol import session
+from unity_link.protocol.answers import Answers
 from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.exchange import Exchange
 from unity_link.protocol.frames import MOST_LINES
 from unity_link.protocol.handshake import Handshake
 from unity_link.protocol.messages import Codec
@@ -72,8 +72,8 @@ class Turns:
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.lines = self.before = self.most = 0
         # On a busy machine, what comes takes long.
-        monkeypatch.setattr(exchange, "FLOOD_PATIENCE", 60.0)
-        for kind, name in ((Exchange, "_receive_next"), (Handshake, "_receive_line")):
+        monkeypatch.setattr(session, "FLOOD_PATIENCE", 60.0)
+        for kind, name in ((Answers, "_receive_next"), (Handshake, "_receive_line")):
             self._count(monkeypatch, kind, name)
 
     def _count(self, monkeypatch: pytest.MonkeyPatch, kind: type, name: str) -> None:

@@ -6,24 +6,26 @@ that is alone goes and is answered by the shortest way.
 
 from __future__ import annotations
 
-from collections import deque
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
+import msgspec
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from support.open_at_once import open_at_once
 from support.searching import examples
 from support.valve import as_gateway
 from support.window_state import window_state
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.exchange import Counters, Exchange
+from unity_link.protocol.answers import Answers, Counters
+from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.frames import FrameError
-from unity_link.protocol.group_table import GroupTable
-from unity_link.protocol.host_codec import HostCodec
 from unity_link.protocol.requests import BatchRun, Fence, Request, WordBatch
-from unity_link.protocol.window import Window
+from unity_link.protocol.session import Session
+
+if TYPE_CHECKING:
+    from unity_link.protocol.window import Window
 
 REPLIES = {"R": 8, "W": 0, "WS": None, "RM": 24, "H": 2}
 KINDS = ["whole"] * 12 + ["damaged", "lost", "double", "other ID", "error", "no session", "out of sequence", "sample"]
@@ -34,17 +36,15 @@ SESSION = 0x1234
 BATCHES = {"batch": 40, "small batch": 5}
 
 
-class Line(Exchange):
-    """An exchange that opens and decodes each line by itself; the window is told of answers that follow each other.
+class Slow(Session):
+    """A session that at each request tries whether there is room, and asks the window for each source."""
 
-    At each request it tries whether there is room, and asks the window for each source.
-    """
+    def submit(self, source: Any, now: float) -> list[Any]:
+        events = super().submit(source, now)
+        self._admit(now, events)
+        return events
 
-    def submit(self, source: Any, now: float, events: list[Any]) -> None:
-        super().submit(source, now, events)
-        self.admit(now, events)
-
-    def admit(self, now: float, events: list[Any]) -> None:
+    def _admit(self, now: float, events: list[Any]) -> None:
         waiting, window = self._waiting, self.window
         while waiting:
             source = waiting[0]
@@ -71,6 +71,10 @@ class Line(Exchange):
     def receive_alone(self, data: bytes, now: float) -> Request | None:
         return None
 
+
+class Line(Answers):
+    """A reader that opens and decodes each line by itself; the window is told of answers that follow each other."""
+
     def _receive_answers(self, data: bytes, start: int, now: float, events: list[Any]) -> int:
         while (after := self._receive_group(data, start, now, events)) != start:
             start = after
@@ -81,7 +85,7 @@ class Line(Exchange):
         taken: list[int] = []
         for line in data[start:].split(b"\n")[:-1]:
             try:
-                body = self._open(line, self.codec.seed_back)
+                body = self.codec.framing.open(line, self.codec.seed_back)
                 answer = self.codec.decode_response(body)
             except (FrameError, ValueError):
                 break
@@ -134,18 +138,22 @@ LOSS = [Turn(["R"], [], [], 0.0, cancelled=False), Turn([], ["whole"], [], 3.0, 
 class Host:
     """One side of the comparison: what it sends, is told and keeps."""
 
-    def __init__(self, kind: type[Exchange], node: int | None, credit: int | None = None) -> None:
-        self.codec = HostCodec(INFO, node)
-        self.codec.begin(SESSION)
-        self.window: Window[Any] = Window(self.codec.ring, first=250, byte_limit=credit, round_trip=0.002)
-        self.out: list[bytes] = []
+    def __init__(self, kind: type[Session], node: int | None, credit: int | None = None) -> None:
+        info, session = INFO, kind(None, lambda: 0)
+        if credit is not None:
+            features = INFO.features & ~Feature.FLOW_CONTROL
+            info = msgspec.structs.replace(INFO, features=features, receive_fifo_bytes=credit)
+        open_at_once(session, info, node, SESSION, first=250, round_trip=0.002)
+        self.session, self.codec = session, session.codec
         self.sent = b""
         self.events: list[Any] = []
-        self.counters = Counters()
-        groups = GroupTable(4, lambda *_: None)
-        groups.begun[b"01"] = groups.hold(b"", 13, None)
-        self.exchange = kind(self.codec, self.window, deque(), groups, self.counters, self.out, blocked=False)
-        self.rest = b""
+        if kind is Slow:
+            arguments = self.codec, session.window, session.groups, session.counters
+            session._answers = Line(*arguments, None, takes_turns=False)
+
+    @property
+    def window(self) -> Window[Any]:
+        return self.session.window
 
     def ask(self, turn: Turn, now: float) -> None:
         request: Request | WordBatch | None = None
@@ -158,12 +166,12 @@ class Host:
                 request = Request(self.codec, command, b"12", REPLIES[command])
                 request.poster = None
             frame = b""
-            if isinstance(request, Request) and not request.posted and not self.out:
-                frame = self.exchange.submit_alone(request, now)
+            if isinstance(request, Request) and not request.posted:
+                frame = self.session.submit_alone(request, now)
             if frame:
                 self.sent += frame
             else:
-                self.exchange.submit(request, now, self.events)
+                self.events += self.session.submit(request, now)
                 if self.window.is_lone():
                     self.flush()
         self.flush()
@@ -171,27 +179,20 @@ class Host:
             request.cancel()
 
     def expire(self, now: float) -> None:
-        self.exchange.expire(now, self.events)
+        self.events += self.session.expire(now)
         self.flush()
 
     def flush(self) -> None:
-        """Send what is to be sent, as a session does."""
-        if self.out and self.window.allowance.loses:
-            self.exchange.end_output()
-        self.sent += b"".join(self.out)
-        self.out.clear()
+        self.sent += self.session.take_output()
 
     def hear(self, pieces: list[bytes], now: float) -> None:
         for piece in pieces:
-            if not self.rest and (answered := self.exchange.receive_alone(piece, now)) is not None:
+            if (answered := self.session.receive_alone(piece, now)) is not None:
                 self.events.append(answered)
                 continue
-            data = self.rest + piece
-            self.rest = data[self.exchange.receive(data, now, self.events) :]
-            if self.exchange.has_ended:
-                # The session ends it here.
+            self.events += self.session.receive(piece, now)
+            if not self.session.is_open:
                 return
-            self.exchange.go_on(now, self.events)
             self.flush()
 
     def state(self) -> object:
@@ -202,17 +203,8 @@ class Host:
             else str(event)
             for event in self.events
         ]
-        counters = [getattr(self.counters, name) for name in Counters.__slots__]
-        return (
-            window,
-            told,
-            counters,
-            self.sent,
-            self.rest,
-            self.exchange.refused,
-            self.exchange.under_way,
-            self.exchange.deadline,
-        )
+        counters = [getattr(self.session.counters, name) for name in Counters.__slots__]
+        return window, told, counters, self.sent, self.session._rest, self.session.deadline
 
 
 def frames(host: Host, kinds: list[str]) -> list[bytes]:
@@ -275,7 +267,7 @@ def assert_has_room_where_there_is_some(window: Window[Any]) -> None:
 def test_answers_side_by_side_are_what_they_are_line_by_line(
     node: int | None, turns: list[Turn], before: list[Turn], credit: int | None
 ) -> None:
-    quick, slow = Host(Exchange, node, credit), Host(Line, node, credit)
+    quick, slow = Host(Session, node, credit), Host(Slow, node, credit)
     now = 0.0
     for turn in before + turns:
         now += turn.seconds
@@ -286,24 +278,24 @@ def test_answers_side_by_side_are_what_they_are_line_by_line(
         for host in (quick, slow):
             host.hear(arriving, now)
         assert quick.state() == slow.state()
-        assert_has_room_where_there_is_some(quick.window)
-        if slow.exchange.has_ended or slow.window.signs.lost:
+        if not slow.session.is_open or slow.window.signs.lost:
             break
+        assert_has_room_where_there_is_some(quick.window)
 
 
 def test_side_by_side_is_a_way_of_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
     """Otherwise the comparison would compare one way with itself."""
-    host = Host(Exchange, None)
+    host = Host(Session, None)
     host.ask(Turn(["R", "W", "RM", "small batch"], [], [], 0.0, cancelled=False), 0.0)
-    monkeypatch.setattr(Exchange, "_receive_line", None)
+    monkeypatch.setattr(Answers, "_receive_line", None)
     host.hear([b"".join(frames(host, ["whole"] * 8))], 0.0)
     assert [event.command for event in host.events] == ["R", "W", "RM", "R"]
 
 
 def test_a_request_that_is_alone_has_a_way_of_its_own_both_ways(monkeypatch: pytest.MonkeyPatch) -> None:
-    host = Host(Exchange, None)
-    monkeypatch.setattr(Exchange, "submit", None)
-    monkeypatch.setattr(Exchange, "receive", None)
+    host = Host(Session, None)
+    monkeypatch.setattr(Session, "submit", None)
+    monkeypatch.setattr(Session, "receive", None)
     for command in ("R", "W", "RM", "H"):
         host.ask(Turn([command], [], [], 0.0, cancelled=False), 0.0)
         host.hear(frames(host, ["whole"]), 0.0)
@@ -313,7 +305,7 @@ def test_a_request_that_is_alone_has_a_way_of_its_own_both_ways(monkeypatch: pyt
 @pytest.mark.parametrize("kind", ["short", "line end within", "line end in front", "upper case", "plain", "damaged"])
 @pytest.mark.parametrize("count", [1, 2])
 def test_what_is_no_answer_as_it_should_be_is_not_taken_for_one(kind: str, count: int) -> None:
-    quick, slow = Host(Exchange, None), Host(Line, None)
+    quick, slow = Host(Session, None), Host(Slow, None)
     for host in (quick, slow):
         host.ask(Turn(["R"] * count, [], [], 0.0, cancelled=False), 0.0)
         host.hear([b"".join(frames(host, [kind] * count))], 0.0)

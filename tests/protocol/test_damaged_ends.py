@@ -1,8 +1,7 @@
-"""Damage to the end of an answer: what the exchange makes of it does not depend on where reads are cut."""
+"""Damage to the end of an answer: what a session makes of it does not depend on where reads are cut."""
 
 from __future__ import annotations
 
-from collections import deque
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -10,13 +9,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from support.open_at_once import open_at_once
 from support.valve import as_gateway
 from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.exchange import Counters, Exchange
-from unity_link.protocol.group_table import GroupTable
-from unity_link.protocol.host_codec import HostCodec
 from unity_link.protocol.requests import Request, WordBatch
-from unity_link.protocol.window import Window
+from unity_link.protocol.session import Session
 
 SHORT = GatewayInfo(id_digits=2)
 """With a CRC of 8 bits, one damaged frame in 256 would pass, and some of these only where reads are cut so."""
@@ -34,22 +31,18 @@ class Fate(NamedTuple):
 
 
 class Host:
-    """An exchange with requests in flight, and the bytes of their answers."""
+    """A session with requests in flight, and the bytes of their answers."""
 
     def __init__(self, info: GatewayInfo, node: int | None, commands: list[str]) -> None:
-        self.codec = codec = HostCodec(info, node)
-        codec.begin(0x34)
-        self.window: Window[Any] = Window(codec.ring)
-        self.out: list[bytes] = []
-        self.counters = Counters()
-        groups = GroupTable(4, lambda *_: None)
-        groups.begun[b"01"] = groups.hold(b"", 5 + info.data_digits, None)
-        self.exchange = Exchange(codec, self.window, deque(), groups, self.counters, self.out, blocked=False)
+        self.session = session = Session(None, lambda: 0)
+        self.reader = open_at_once(session, info, node, 0x34)
+        self.window, self.counters = session.window, session.counters
+        self.codec = codec = session.codec
         self.answers: list[bytes] = []
         self.events: list[Any] = []
         for number, command in enumerate(commands):
             digits = info.id_digits if command == "H" else info.data_digits * REPLIES[command]
-            self.exchange.submit(Request(codec, command, b"", digits), 0.0, self.events)
+            self.events += session.submit(Request(codec, command, b"", digits), 0.0)
             body = (
                 codec.lower[command] + codec.id_text[number] + (b"%0*X" % (info.data_digits, number) * WORDS)[:digits]
             )
@@ -59,7 +52,7 @@ class Host:
         """Submit a batch of reads whose answers are their numbers."""
         codec, first = self.codec, self.window.next
         batch = WordBatch(codec, "R", [(np.zeros(count, np.uint8), codec.info.address_digits)])
-        self.exchange.submit(batch, 0.0, self.events)
+        self.events += self.session.submit(batch, 0.0)
         self.answers += [
             as_gateway(codec, b"r%b%0*X" % (codec.id_text[first + place], codec.data_digits, 1 + place))
             for place in range(count)
@@ -70,11 +63,11 @@ class Host:
         return as_gateway(self.codec, b"P0107" + b"5" * self.codec.data_digits)
 
     def hear(self, pieces: list[bytes]) -> object:
-        """Take bytes as a session does, and return all that can be seen of it."""
+        """Take bytes, without what follows of it, and return all that can be seen."""
         rest = b""
         for piece in pieces:
             data = rest + piece
-            rest = data[self.exchange.receive(data, 0.0, self.events) :]
+            rest = data[self.reader.receive(data, 0.0, self.events) :]
         counters = self.counters
         delivered = [
             "batch"
@@ -169,7 +162,7 @@ def test_an_answer_whose_end_is_damaged_is_known_for_damaged_with_its_last_byte(
     (answer,) = host.answers
     host.hear([answer[:-1]])
     assert (host.counters.damaged, host.window.repetition.is_due()) == (0, False)
-    host.exchange.receive(answer[:-1] + b"\x0b", 0.0, host.events)
+    host.reader.receive(answer[:-1] + b"\x0b", 0.0, host.events)
     assert (host.counters.damaged, host.window.repetition.is_due(), host.events) == (1, True, [])
 
 
@@ -201,5 +194,5 @@ def test_a_sample_whose_end_is_damaged_does_not_take_the_answer_behind_it_along(
 
 def test_an_error_whose_first_letter_became_that_of_samples_is_a_sign_of_loss() -> None:
     host = Host(GatewayInfo(), None, ["R"])
-    host.exchange.receive(b"P01D488\n", 0.0, host.events)
+    host.reader.receive(b"P01D488\n", 0.0, host.events)
     assert host.window.repetition.is_due()

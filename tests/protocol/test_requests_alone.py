@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from support.searching import examples
 from support.window_state import window_state
+from unity_link.protocol.answers import Counters
 from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.exchange import Counters
 from unity_link.protocol.requests import Request
 from unity_link.protocol.session import Session
 from unity_link.virtual import VirtualGateway

@@ -20,6 +20,7 @@ from unity_link.virtual import VirtualGateway
 
 if TYPE_CHECKING:
     from unity_link.protocol.events import Events
+    from unity_link.protocol.group_table import HeldGroup
 
 
 def opened(*, resumes: bool) -> tuple[Session, VirtualGateway]:
@@ -29,6 +30,11 @@ def opened(*, resumes: bool) -> tuple[Session, VirtualGateway]:
     while not session.is_open:
         session.receive(gateway.receive(session.take_output(), 0.0), 0.0)
     return session, gateway
+
+
+def hold(session: Session, flags: GroupFlag = GroupFlag.PERIODIC) -> HeldGroup:
+    """Take a group of one word."""
+    return session.groups.hold(session.codec.fields("GS", 0, int(flags), 1000, 1, [0x10])[2:], 12, None)
 
 
 def outcome_of(request: Request) -> Outcome:
@@ -86,7 +92,7 @@ def test_a_reset_at_any_instant_of_a_reconnection_is_told_before_the_last_sessio
 ) -> None:
     session, gateway = opened(resumes=False)
     flags = GroupFlag.PERIODIC | GroupFlag.TIMESTAMP
-    session.start(session.hold(flags, 1000, [0x10], 100, None), 0.0)
+    session.start(hold(session, flags), 0.0)
     changes: list[type] = []
     for turn in range(-4, 24):
         now = 0.1 * turn
@@ -158,7 +164,7 @@ def test_a_plain_frame_is_no_answer_to_a_checked_request(body: bytes) -> None:
 
 def test_a_plain_sample_is_none_of_a_group_whose_samples_are_checked() -> None:
     session, _ = opened(resumes=False)
-    held = session.hold(GroupFlag(0), 1, [0x10], 12, None)
+    held = hold(session)
     session.start(held, 0.0)
     sample = b"P" + held.text + b"0000000012"
     assert not session.receive(session.codec.framing.plain_reply(sample), 0.0)
@@ -221,7 +227,7 @@ def test_a_damaged_line_end_that_makes_a_checked_answer_look_plain_is_damage() -
 
 def test_what_asks_whether_a_gateway_still_hears_is_not_asked_in_the_next_session() -> None:
     session, gateway = opened(resumes=True)
-    session.start(session.hold(GroupFlag.PERIODIC, 1000, [0x10], 100, None), 0.0)
+    session.start(hold(session), 0.0)
     for _ in range(4):
         session.receive(gateway.receive(session.take_output(), 0.0), 0.0)
     assert session.deadline is not None
@@ -259,15 +265,6 @@ def test_a_posted_write_waits_for_others_before_all_are_confirmed_by_one_fence()
     assert session.deadline is not None
     session.expire(session.deadline)
     assert session.take_output()[:1] == b"h"
-
-
-def test_a_group_is_stopped_once() -> None:
-    session, _ = opened(resumes=False)
-    group = session.hold(GroupFlag.PERIODIC, 1000, [0x10], 100, None)
-    session.start(group, 0.0)
-    stopping, _ = session.release(group, 0.0)
-    assert stopping is not None
-    assert session.release(group, 0.0) == (None, [])
 
 
 def test_in_a_session_the_time_of_its_bytes_says_how_long_an_answer_may_take() -> None:

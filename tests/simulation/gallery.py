@@ -16,9 +16,9 @@ from unity_link.bridges.serve import requests as served_requests
 from unity_link.errors import Outcome
 from unity_link.link import connection, flow, link, subscription
 from unity_link.protocol import (
+    answers,
     arrays,
     datagrams,
-    exchange,
     gateway_session,
     group_table,
     host_codec,
@@ -92,16 +92,16 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
         after = len(framing.prefix) + 3
         group = self._groups.begun.get(data[start : start + after][-2:])
         size = 0 if group is None else group.length + framing.overhead
-        while size > framing.overhead and (count := (len(data) - start) // size) >= exchange.FEWEST_SAMPLES:
+        while size > framing.overhead and (count := (len(data) - start) // size) >= answers.FEWEST_SAMPLES:
             rows = arrays.rows_of(data, start, count, size)
             bodies = arrays.open_rows(framing, rows, data[start : start + after])
-            if len(bodies) < exchange.FEWEST_SAMPLES:
+            if len(bodies) < answers.FEWEST_SAMPLES:
                 break
             events.append(SampledRows(group.owner, bodies, now))
             start += len(bodies) * size
         return start
 
-    monkeypatch.setattr(exchange.Exchange, "_receive_samples", receive_samples)
+    monkeypatch.setattr(answers.Answers, "_receive_samples", receive_samples)
 
 
 @bug("a fence does not wait for batches")
@@ -208,7 +208,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("a reset is told as an error of one request")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    receive_line = exchange.Exchange._receive_line
+    receive_line = answers.Answers._receive_line
 
     def taking(self: Any, line: bytes, now: float, events: Any) -> int:
         try:
@@ -216,12 +216,12 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
         except FrameError:
             body = b""
         after = 1 + self.codec.info.id_digits
-        if body[:1] != b"x" or body[after : after + 2] != exchange._NO_SESSION:
+        if body[:1] != b"x" or body[after : after + 2] != answers._NO_SESSION:
             return receive_line(self, line, now, events)
         self._receive_answer(body[: after + 2], now, events)
         return len(line) + 1
 
-    monkeypatch.setattr(exchange.Exchange, "_receive_line", taking)
+    monkeypatch.setattr(answers.Answers, "_receive_line", taking)
 
 
 @bug("groups are not set up again behind a reset")
@@ -252,7 +252,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("a host in doubt does not ask whose the session is")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(exchange.Exchange, "_ask_whose", lambda self: None)
+    monkeypatch.setattr(session.Session, "_ask_whose", lambda self: None)
 
 
 @bug("a host takes the line back from another program")
@@ -275,16 +275,17 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("a reset is believed of a damaged request")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    has_no_session = exchange.Exchange._has_no_session
+    has_no_session = answers.Answers._has_no_session
 
     def believing(self: Any, line: bytes, now: float) -> bool:
         found = has_no_session(self, line, now)
         if found and self.refused is None:
-            number = self._id_number[self._open(line)[1 : 1 + self._id_digits]]
+            codec = self.codec
+            number = codec.id_number[codec.framing.open(line)[1 : 1 + codec.info.id_digits]]
             self.refused = number if self.window.find(number) is not None else None
         return found
 
-    monkeypatch.setattr(exchange.Exchange, "_has_no_session", believing)
+    monkeypatch.setattr(answers.Answers, "_has_no_session", believing)
 
 
 @bug("a reset while the line was away is not noticed")
@@ -336,7 +337,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("destructive reads do not wait for those whose words they would replace")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(exchange.Exchange, "_overlaps", lambda self, source: False)
+    monkeypatch.setattr(session.Session, "_overlaps", lambda self, source: False)
 
 
 # The window and the requests: what the host does
@@ -360,13 +361,13 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("what was not sent when the connection was lost is forgotten")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    end_exchange = session.Session._end_exchange
+    end_session = session.Session._end_session
 
     def forgetting(self: Any, error: Any, events: Any) -> None:
-        end_exchange(self, error, events)
+        end_session(self, error, events)
         self._waiting.clear()
 
-    monkeypatch.setattr(session.Session, "_end_exchange", forgetting)
+    monkeypatch.setattr(session.Session, "_end_session", forgetting)
 
 
 @bug("requests that were under way are said not to be executed")
@@ -392,7 +393,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
             if not run.unwanted():
                 self._send(run.frames_of(offset, count))
 
-    monkeypatch.setattr(exchange.Exchange, "_repeat", repeat)
+    monkeypatch.setattr(session.Session, "_repeat", repeat)
 
 
 @bug("each answer to a repetition is taken for a sign of loss")
@@ -444,7 +445,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("what waits for room is forgotten where an answer comes alone")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    receive_alone = exchange.Exchange.receive_alone
+    receive_alone = session.Session.receive_alone
 
     def with_nothing_waiting(self: Any, data: bytes, now: float) -> Any:
         waiting, self._waiting = self._waiting, ()
@@ -453,7 +454,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
         finally:
             self._waiting = waiting
 
-    monkeypatch.setattr(exchange.Exchange, "receive_alone", with_nothing_waiting)
+    monkeypatch.setattr(session.Session, "receive_alone", with_nothing_waiting)
 
 
 @bug("the timer is not set again after a repetition")

@@ -350,9 +350,9 @@ class Publishing:
         session, schedule = self._session, intake.schedule
         if session.closed is not None:
             raise session.closed.about(Outcome.NOT_EXECUTED)
-        group = session.hold(
-            schedule.flags, schedule.divisor, schedule.addresses, intake.length, intake, schedule.group
-        )
+        count = len(schedule.addresses)
+        layout = session.codec.fields("GS", 0, int(schedule.flags), schedule.divisor, count, schedule.addresses)
+        group = session.groups.hold(layout[2:], intake.length, intake, schedule.group)
         # One for each try: a subscription may be entered again after one that failed.
         intake.started_up = started_up = self.runtime.create_future()
         try:
@@ -360,20 +360,24 @@ class Publishing:
             await started_up
         except BaseException:
             # Whatever of it was sent may still be executed.
-            _, events = session.release(group, self.runtime.time())
-            self._flow.go_on(events)
+            if (request := self._stopping(group)) is not None:
+                self._flow.submit(request)
             raise
         return group
 
     async def release(self, group: HeldGroup) -> None:
         """Stop and release a group."""
-        request, events = self._session.release(group, self.runtime.time())
-        if request is not None:
-            request.owner = waiter = self._flow.create_future()
-            self._flow.go_on(events)
+        if (request := self._stopping(group)) is not None:
             # A gateway that is gone has stopped it, also one behind a server, and one that was reset knows it no more.
             with contextlib.suppress(LinkLostError, BusTimeoutError, OutOfRangeError):
-                await waiter
+                await self._flow.ask(request)
+
+    def _stopping(self, group: HeldGroup) -> Request | None:
+        """Release a group, and return the request that stops it; None where nothing is left to stop."""
+        session = self._session
+        if not session.groups.release(group) or not session.is_open:
+            return None
+        return Request(session.codec, "GX", group.text, 0, of_session=True)
 
     async def publish(self, group: HeldGroup) -> None:
         """Ask for one sample of a group now."""

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from unity_link.protocol.configuration import Feature
 from unity_link.protocol.crc import NO_SESSION, seed_of
+from unity_link.protocol.frames import LF
 from unity_link.protocol.messages import Codec
 
 if TYPE_CHECKING:
@@ -22,6 +24,9 @@ class HostCodec(Codec):
     def __init__(self, info: GatewayInfo, node: int | None = None) -> None:
         super().__init__(info, node)
         self.prefix_size = len(self.framing.prefix)
+        self.burst_end = b"" if Feature.HALF_DUPLEX in info.features else LF
+        """An empty frame, by which damage to the end of the last one is found; none where sides take turns, for it is
+        alone there."""
         self.begin(NO_SESSION)
 
     def begin(self, session: int) -> None:

@@ -22,6 +22,7 @@ from unity_link.errors import (
     OutOfRangeError,
     UnansweredError,
     UnityLinkError,
+    UnsupportedError,
 )
 from unity_link.protocol.events import Awaited, PostedFailure
 from unity_link.protocol.frames import LF
@@ -174,6 +175,12 @@ class Message(Run):
     def fail_part(self, offset: int, count: int, error: UnityLinkError, events: Events) -> None:
         """Record that there will be no answer to these messages of the run."""
         raise NotImplementedError
+
+    def give_up(self, number: int, kind: type[UnansweredError | UnsupportedError], reason: str, events: Events) -> None:
+        """End what waits for answers that will never come, from an ID on; it is sent as ``h`` from now on."""
+        self.given_up = True
+        offset = number - self.first & self.codec.ring - 1
+        self.fail_part(offset, self.count - offset, kind(f"{self.describe(offset)}: {reason}"), events)
 
     def describe(self, offset: int) -> str:
         """Return the name of one message for an error."""

@@ -12,45 +12,57 @@ everything that was under way at an end it says what is known of it:
     open       the answer to `K`                      the news of a reset: `Interrupted`; or `disconnect`
     =========  =====================================  ==================================================
 
-Requests may be made at any time; while the session is not open they wait. Every call in which something can happen
-returns events (`events`), in the order in which it happened: what has ended, samples, and what becomes of the session.
-The session calls no program and looks at no clock: `now` is a time in seconds that
-never goes back.
+Requests may be made at any time. What must wait, for a session or for room in its window, waits in one line; a source
+with more to send goes to the end of the line after its turn, so that a batch of thousands does not hold up the others.
+A request that is alone goes by a way of its own, the shortest, and so does an answer that comes alone. All else that
+arrives is read by `Answers`.
+
+Every call in which something can happen returns its events. The session calls no program and looks at no clock: `now`
+is a time in seconds that never goes back.
 """
 
 from __future__ import annotations
 
 import math
-from collections import deque
+from collections import Counter, deque
 from itertools import islice
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from unity_link.errors import (
     ConnectError,
     GatewayResetError,
     LinkLostError,
     Outcome,
+    UnansweredError,
     UnityLinkError,
     UnsupportedError,
 )
+from unity_link.protocol.answers import Answers, Counters
 from unity_link.protocol.configuration import Feature
-from unity_link.protocol.constants import ANSWER_PATIENCE, FEWEST_OF_A_FLOOD, LONGEST_SILENCE
+from unity_link.protocol.constants import (
+    ANSWER_PATIENCE,
+    FEWEST_OF_A_FLOOD,
+    FLOOD_PATIENCE,
+    KEEP_ALIVE,
+    LONGEST_SILENCE,
+    MOST_KEPT_WORDS,
+)
 from unity_link.protocol.crc import NO_SESSION
 from unity_link.protocol.events import Interrupted, Opened, Taken, Unusable
-from unity_link.protocol.exchange import Counters, Exchange
 from unity_link.protocol.frames import LF, LONGEST_FRAME
-from unity_link.protocol.group_table import GroupTable, HeldGroup
+from unity_link.protocol.group_table import GroupTable
 from unity_link.protocol.handshake import TAKEN, Handshake, SessionNumbers
-from unity_link.protocol.requests import Fence, Request, SessionRequest, Source
+from unity_link.protocol.requests import Confirmation, Fence, Request, SessionRequest, Source
 from unity_link.protocol.window import Window
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable
 
     from unity_link.protocol.compact import Packer, Unpacker
     from unity_link.protocol.events import Events
+    from unity_link.protocol.group_table import HeldGroup
     from unity_link.protocol.host_codec import HostCodec
-    from unity_link.protocol.messages import GroupFlag
+    from unity_link.protocol.requests import Message
 
 _FIRST_TURN = 256
 """Bytes of a question of the handshake and its answer, at most; gateways of later versions say more of themselves."""
@@ -60,6 +72,8 @@ _NO_RING = 2
 """IDs of the window while there is no session: as few as a ring can have."""
 _UNKNOWN_PATIENCE = 0.25
 """Seconds that an answer to the handshake can be on its way where nothing is known of the line."""
+_MOST_ECHOES = 8192
+"""Lines that may come back, at most."""
 SILENT = "the gateway does not answer any more: is it powered and connected, or does another program read its answers?"
 RESET = "the gateway was reset"
 FLOODED = (
@@ -95,26 +109,35 @@ class Session:
         self._packer: Packer | None = None
         self._unpacker: Unpacker | None = None
         """The two directions of the compact form, from the first session on that asked for it."""
-        self.echoes = False
-        """True if an adapter gives back what is sent."""
+        self._echo: Counter[bytes] | None = None
+        """Lines that were sent, and may come back; None where none do."""
         self.output: list[bytes] = []
         """Bytes to be sent; `take_output` returns them."""
         self._waiting: deque[Source] = deque()
         self._most_waiting = _MOST_WAITING
         """Number of requests that wait for a session at which those given up are looked for."""
-        self._codec: HostCodec | None = None
-        self._groups: GroupTable | None = None
+        self.codec: HostCodec
+        """The messages of the gateway, once it has said for the first time what it is."""
+        self.groups: GroupTable
+        """The groups of the gateway; as `codec`."""
         self._handshake: Handshake | None = None
         self._give_up_at: float | None = None
         """Instant by which a gateway that was reset must have answered."""
         self._shortest_timeout = 0.0
         self._blocked = False
+        """True if the medium takes no bytes: what was sent is still held back, so a repetition would be behind it."""
         self._takes_turns = False
         """True if a turn is waited for before each frame: `take_turn` gives it."""
+        self._may_send = False
+        """True while the session is open, and nothing or a turn that it has lets it send."""
+        self._asked_alone = False
         self._byte_time: float | None = None
         self._longest_try = math.inf
-        self._exchange: Exchange | None = None
-        self.window: Window[Any] = Window(_NO_RING)
+        self._before_flood = 0.0, -1, 0, 0
+        """Instant of the last answer, and the counts then: answers, lines that are none, and what was sent."""
+        self._answers: Answers | None = None
+        """Reader of what arrives while the session is open."""
+        self.window: Window[Message] = Window(_NO_RING)
         """The window over the IDs of the session; while there is no session, one in which nothing is in flight."""
 
     # State
@@ -122,7 +145,7 @@ class Session:
     @property
     def is_open(self) -> bool:
         """Return whether requests are sent now."""
-        return self._exchange is not None
+        return self._answers is not None
 
     @property
     def is_full(self) -> bool:
@@ -135,26 +158,30 @@ class Session:
         return LF in self._rest
 
     @property
-    def codec(self) -> HostCodec:
-        """The messages of the gateway; there are none before it has said for the first time what it is."""
-        assert self._codec is not None
-        return self._codec
-
-    @property
-    def groups(self) -> GroupTable:
-        """The groups of the gateway; as `codec`."""
-        assert self._groups is not None
-        return self._groups
-
-    @property
     def deadline(self) -> float | None:
         """Instant at which `expire` must be called; None while there is nothing to wait for."""
         if self._takes_turns and self.wants_turn:
             # Then the time begins.
             return self._give_up_at
-        if self._exchange is not None:
-            return self._exchange.deadline
+        if self._answers is not None:
+            deadline = self.window.deadline
+            return self._keep_alive_due if deadline is None else deadline
         return None if self._handshake is None else self._handshake.deadline
+
+    @property
+    def _keep_alive_due(self) -> float | None:
+        """Instant at which the gateway is to be asked whether it still hears its host; None while that does not matter.
+
+        Samples say neither that it does nor that it was not reset since.
+        """
+        if not self.window.is_idle() or not self.groups.begun:
+            return None
+        return self.window.since + KEEP_ALIVE
+
+    @property
+    def echoes(self) -> bool:
+        """True if an adapter gives back what is sent."""
+        return self._echo is not None
 
     # Turns, where nodes share a medium
 
@@ -163,14 +190,18 @@ class Session:
         """Return whether a turn is waited for, to send something."""
         if not self._takes_turns:
             return False
-        if self._exchange is not None:
-            return self._exchange.wants_turn
-        return self._handshake is not None and self._handshake.asks
+        if self._answers is None:
+            return self._handshake is not None and self._handshake.asks
+        while self._waiting and self._waiting[0].unwanted():
+            self._waiting.popleft()
+        if self.window.repetition.is_due():
+            return not self._blocked
+        return bool(self._waiting) and self.window.is_idle()
 
     @property
     def is_owed_an_answer(self) -> bool:
         """Return whether an answer can be on its way."""
-        if self._exchange is not None:
+        if self._answers is not None:
             return self.window.in_flight > 0 and not self.window.repetition.is_due()
         return self._handshake is not None and not self._handshake.asks
 
@@ -178,18 +209,34 @@ class Session:
         """Send one frame."""
         events: Events = []
         self._now = now
-        if self._exchange is not None:
-            self._exchange.take_turn(now, events)
+        if self._answers is not None:
+            self._may_send = True
+            if not self.window.repetition.is_due():
+                self._admit(now, events)
+            else:
+                self.window.resume(now)
+                if not self._asks_alone():
+                    self._repeat()
+            self._may_send = False
         elif self._handshake is not None and self._handshake.asks:
             self.output.append(self._handshake.take_turn(now))
         # What came between two turns is no part of an answer.
         self._drop_rest()
         return events
 
+    def _asks_alone(self) -> bool:
+        """Return whether this turn goes to the question whose the session is: before the second repetition in a row."""
+        signs, repetition = self.window.signs, self.window.repetition
+        asks = not (self._asked_alone or self._blocked) and signs.gone_back > 1 and signs.place == repetition.sent
+        self._asked_alone = asks
+        if asks:
+            self._ask_whose()
+        return asks
+
     @property
     def longest_turn(self) -> float:
         """Seconds after which no answer can come any more to what was just sent."""
-        if self._exchange is not None:
+        if self._answers is not None:
             return self.window.longest_answer
         if self._byte_time is None:
             return _UNKNOWN_PATIENCE
@@ -198,8 +245,9 @@ class Session:
     def take_output(self) -> bytes:
         """Return the bytes to send, which are forgotten here."""
         out = self.output
-        if self.window.allowance.loses and out and self._exchange is not None:
-            self._exchange.end_output()
+        if out and self.window.allowance.loses:
+            # Nothing may follow it for long.
+            self._send(self.codec.burst_end)
         data = b"".join(out if self._packer is None else map(self._packer.pack, out))
         out.clear()
         return data
@@ -238,7 +286,7 @@ class Session:
 
     def _begin(self, now: float, *, again: bool) -> None:
         wire_time = (self._byte_time or 0.0) * _FIRST_TURN if self._takes_turns else None
-        before = self._codec.session if again and self._codec is not None else NO_SESSION
+        before = self.codec.session if again else NO_SESSION
         self._handshake = Handshake(
             self._node,
             self._numbers,
@@ -260,8 +308,8 @@ class Session:
         events: Events = []
         self._handshake = None
         self._give_up_at = None
-        if self._exchange is not None:
-            self._end_exchange(LinkLostError(reason), events)
+        if self._answers is not None:
+            self._end_session(LinkLostError(reason), events)
         return events
 
     def connection_error(self, reason: Exception | None) -> ConnectError:
@@ -276,17 +324,17 @@ class Session:
         self.closed = error
         self._resumes = False
         self._handshake = None
-        if self._exchange is not None:
-            self._end_exchange(error, events)
+        if self._answers is not None:
+            self._end_session(error, events)
         while self._waiting:
             self._waiting.popleft().fail(error.about(Outcome.NOT_EXECUTED), events)
         return events
 
-    def _end_exchange(self, error: LinkLostError, events: Events) -> None:
+    def _end_session(self, error: LinkLostError, events: Events) -> None:
         """End a session, keeping what may be sent again for the next one."""
-        assert self._exchange is not None
-        window, refused = self.window, self._exchange.refused
-        self._exchange, self.window = None, Window(_NO_RING)
+        assert self._answers is not None
+        window, refused = self.window, self._answers.refused
+        self._answers, self.window, self._may_send = None, Window(_NO_RING), False
         self.groups.interrupted()
         again: list[Source] = []
         for run, offset, size, outcome in window.unanswered(refused):
@@ -316,17 +364,35 @@ class Session:
             LinkLostError: where there will be no session any more.
         """
         events: Events = []
-        self._now = now
-        if self._exchange is not None:
-            self._exchange.submit(source, now, events)
-        elif self.closed is not None:
+        waiting, window = self._waiting, self.window
+        if (
+            self._may_send
+            and not waiting
+            and isinstance(source, Request)
+            and window.has_room(source.size, posted=source.posted)
+            and not (source.places and self._overlaps(source))
+        ):
+            source.sent = True
+            self.counters.requests += 1
+            window.send(source, now)
+            self._send(source.encode())
+            if source.posted:
+                self._fence(now)
+            return events
+        if self.closed is not None:
             raise self.closed.about(Outcome.NOT_EXECUTED)
+        if isinstance(source, Fence):
+            source.follow(waiting)
+        if self._answers is None and len(waiting) >= self._most_waiting:
+            self._drop_unwanted()
+        waiting.append(source)
+        if self._answers is None:
+            return events
+        if source is waiting[0] or waiting[0].unwanted():
+            self._admit(now, events)
         else:
-            if isinstance(source, Fence):
-                source.follow(self._waiting)
-            if len(self._waiting) >= self._most_waiting:
-                self._drop_unwanted()
-            self._waiting.append(source)
+            # What is first has no room: it would have been sent by what made some.
+            self._fence(now)
         return events
 
     def _drop_unwanted(self) -> None:
@@ -342,61 +408,121 @@ class Session:
         Returns:
             The frame, to be sent at once; nothing where other things are under way: then `submit` it.
         """
-        exchange = self._exchange
-        if exchange is None or self.output:
+        window = self.window
+        if self._waiting or self.output or not self._may_send or self._echo is not None or not window.is_idle():
             return b""
-        frame = exchange.submit_alone(request, now)
+        request.sent = True
+        self.counters.requests += 1
+        window.send(request, now)
+        frame = request.encode() + self.codec.burst_end if window.allowance.loses else request.encode()
         return frame if self._packer is None else self._packer.pack(frame)
 
+    def _number(self, run: Message, now: float) -> None:
+        """Assign IDs to a run, and send it."""
+        self.counters.requests += run.count
+        self.window.send(run, now)
+        self._send(run.encode())
+
+    def _admit(self, now: float, events: Events) -> None:
+        """Let sources into the window, in turn, as far as there is room."""
+        waiting, window = self._waiting, self.window
+        room = size = posted = 0
+        while waiting and self._may_send:
+            source = waiting[0]
+            if source.unwanted():
+                waiting.popleft()
+                continue
+            if isinstance(source, Fence) and any(other in waiting for other in source.earlier):
+                waiting.rotate(-1)
+                continue
+            if size != source.size or posted != source.posted:
+                size, posted = source.size, source.posted
+                room = window.room(size, posted=posted)
+            # A window that is small because the line loses is not waited for to grow.
+            if not room or (room < source.least and room < window.allowance.most_room(size) // 2):
+                break
+            if source.places and self._overlaps(source):
+                break
+            waiting.popleft()
+            run = source.take(room, events)
+            if not source.exhausted():
+                waiting.append(source)
+            self._number(run, now)
+            room -= run.count
+            if posted:
+                self._fence(now)
+                size = 0
+        self._fence(now)
+
+    def _overlaps(self, source: Source) -> bool:
+        """Return whether the words of a destructive read would take the place of some that are not answered."""
+        first, window = self.window.next, self.window
+        for other in window.parts(window.oldest, window.next):
+            places = other.run.places
+            if places and (
+                (first - other.number) % MOST_KEPT_WORDS < places
+                or (other.number - first) % MOST_KEPT_WORDS < source.places
+            ):
+                return True
+        return False
+
+    def _fence(self, now: float) -> None:
+        """Confirm posted writes by an ``h`` where it is time."""
+        if self.window.needs_fence(now):
+            self._number(Confirmation(self.codec), now)
+
+    def _go_on(self, now: float, events: Events) -> None:
+        """Send what answers have made room for, or shown to be lost."""
+        if self.window.repetition.is_due():
+            self._repeat()
+        if self.window.repetition.must_ask and not self._blocked and not self._takes_turns:
+            self._ask_whose()
+        if self._waiting or self.window.posts.unfenced:
+            self._admit(now, events)
+
+    def _ask_whose(self) -> None:
+        """Ask which session is under way: the answer says how far the line has come, too."""
+        self.window.repetition.ask()
+        self._send(self.codec.framing.checked(b"K"))
+
+    def _repeat(self) -> None:
+        """Send unanswered requests again; an ``h`` in place of those that are not wanted any more."""
+        if self._blocked or not self._may_send:
+            return
+        repeated, window = False, self.window
+        if window.signs.place == window.repetition.sent and not self._takes_turns:
+            # Ahead of all.
+            self._ask_whose()
+        for number, run, offset, count in window.repeat():
+            self.counters.repetitions += count
+            frames = self.codec.confirmations(number, count) if run.unwanted() else run.frames_of(offset, count)
+            self._send(frames)
+            repeated = True
+        if repeated and not window.allowance.loses:
+            self._send(self.codec.burst_end)
+
+    def _send(self, data: bytes) -> None:
+        self.output.append(data)
+        if self._echo is None:
+            return
+        if self._echo.total() > _MOST_ECHOES:
+            # They were damaged on the way.
+            self._echo.clear()
+        self._echo.update(line for line in data.split(LF) if line)
+
     # Groups
-
-    def hold(
-        self,
-        flags: GroupFlag,
-        divisor: int,
-        addresses: Sequence[int],
-        length: int,
-        owner: Any,
-        number: int | None = None,
-    ) -> HeldGroup:
-        """Take a free group, to be set up in this session and in each later one; `start` does it the first time.
-
-        Args:
-            flags: of the group.
-            divisor: of the base publish frequency.
-            addresses: what is sampled.
-            length: characters of the body of a sample.
-            owner: what its samples are told to be for.
-            number: of the group, where it must be that one.
-
-        Raises:
-            UnsupportedError: where no group is free, or that one is not.
-        """
-        layout = self.codec.fields("GS", 0, int(flags), divisor, len(addresses), addresses)
-        return self.groups.hold(layout[2:], length, owner, number)
 
     def start(self, group: HeldGroup, now: float) -> Events:
         """Set up a group that is held; while the session is not open, the next one does."""
         events: Events = []
         self._now = now
-        if self._exchange is not None:
+        if self._answers is not None:
             self.groups.set_up(self.codec, group, events)
         return events
 
-    def release(self, group: HeldGroup, now: float) -> tuple[Request | None, Events]:
-        """Release a group, and stop it.
-
-        Returns:
-            The request that stops it, None where nothing is left to stop; and events.
-        """
-        if not self.groups.release(group) or self._exchange is None:
-            return None, []
-        request = Request(self.codec, "GX", group.text, 0, of_session=True)
-        return request, self.submit(request, now)
-
     def _submit_step(self, step: SessionRequest, events: Events) -> None:
-        if self._exchange is not None:
-            self._exchange.submit(step, self._now, events)
+        if self._answers is not None:
+            events += self.submit(step, self._now)
         else:
             step.fail(LinkLostError(SILENT, Outcome.NOT_EXECUTED), events)
 
@@ -408,10 +534,18 @@ class Session:
         Returns:
             The request; None where something else has come, or more: then `receive` it.
         """
-        exchange = self._exchange
         if self._unpacker is not None:
             data = self._unpacker.unpack_whole(data)
-        return None if exchange is None or self._rest else exchange.receive_alone(data, now)
+        window = self.window
+        if self._rest or self._waiting or window.posts.unfenced or not window.is_quiet():
+            return None
+        request = window.find(window.oldest)
+        if type(request) is not Request or not request.take_frame(0, data, []):
+            return None
+        window.signs.heard = True
+        self.counters.responses += 1
+        window.answered_alone(now)
+        return request
 
     def receive(self, data: bytes, now: float) -> Events:
         """Take bytes of the connection, cut anywhere; where much is to be done for them, a part of them.
@@ -427,15 +561,15 @@ class Session:
             data = self._rest + data
             self._rest = b""
         while data:
-            exchange = self._exchange
-            if exchange is None:
+            answers = self._answers
+            if answers is None:
                 taken = self._receive_first(data, now, events)
             else:
-                taken = exchange.receive(data, now, events)
-                if exchange.has_ended:
-                    self._session_is_over(exchange, now, events)
+                taken = answers.receive(data, now, events)
+                if answers.has_ended:
+                    self._session_is_over(answers, now, events)
             data = data[taken:]
-            if exchange is self._exchange:
+            if answers is self._answers:
                 # What is left waits for its turn, or is the beginning of a frame. Noise without a line end is none, and
                 # must not grow.
                 endless = len(data) > LONGEST_FRAME and LF not in data
@@ -443,8 +577,8 @@ class Session:
                 if endless:
                     self.counters.unasked += FEWEST_OF_A_FLOOD
                 break
-        if self._exchange is not None:
-            self._exchange.go_on(now, events)
+        if self._answers is not None:
+            self._go_on(now, events)
         return events
 
     def _receive_first(self, data: bytes, now: float, events: Events) -> int:
@@ -466,33 +600,25 @@ class Session:
     def pause_writing(self) -> None:
         """Send nothing again: the medium takes no bytes, so what was sent before is still held back."""
         self._blocked = True
-        if self._exchange is not None:
-            self._exchange.blocked = True
 
     def resume_writing(self, now: float) -> Events:
         """Send what has waited for a medium that takes bytes again."""
         events: Events = []
         self._now = now
         self._blocked = False
-        if self._exchange is not None:
-            self._exchange.blocked = False
-            self._exchange.go_on(now, events)
+        if self._answers is not None:
+            self._go_on(now, events)
         return events
 
     def expire(self, now: float) -> Events:
         """Let time pass, if `deadline` has come."""
         events: Events = []
         self._now = now
-        exchange = self._exchange
         if self.wants_turn:
             # Not before it was sent can an answer to it be late.
             pass
-        elif exchange is not None:
-            exchange.expire(now, events)
-            if self.window.signs.lost:
-                events.append(Unusable(LinkLostError(SILENT)))
-            elif exchange.flood:
-                events.append(Unusable(LinkLostError(FLOODED.format(lines=exchange.flood))))
+        elif self._answers is not None:
+            self._expire(now, events)
         elif self._handshake is not None:
             self._handshake.expire(now)
             self._advance_handshake(now, events)
@@ -500,16 +626,50 @@ class Session:
             events.append(Unusable(LinkLostError(f"{RESET}, and has not answered since")))
         return events
 
-    def _session_is_over(self, exchange: Exchange, now: float, events: Events) -> None:
-        if exchange.refused is None and exchange.under_way != NO_SESSION:
+    def _expire(self, now: float, events: Events) -> None:
+        """Send again what was not answered in time, and confirm what was posted."""
+        window, counters = self.window, self.counters
+        flood = self._find_flood(now)
+        before = counters.repetitions
+        run = window.expire(now)
+        if run is not None:
+            run.give_up(window.oldest, UnansweredError, "every try was damaged on the way", events)
+        if window.signs.lost:
+            events.append(Unusable(LinkLostError(SILENT)))
+            return
+        if window.repetition.is_due():
+            self._repeat()
+            counters.timeouts += window.signs.timed_out and counters.repetitions > before
+        self._fence(now)
+        keep_alive_due = self._keep_alive_due
+        if keep_alive_due is not None and now >= keep_alive_due:
+            self._waiting.append(Confirmation(self.codec, of_session=True))
+            self._admit(now, events)
+        if flood:
+            events.append(Unusable(LinkLostError(FLOODED.format(lines=flood))))
+
+    def _find_flood(self, now: float) -> int:
+        """Return how many lines have come in place of answers, where what is sent cannot be the cause of so many."""
+        counters = self.counters
+        sent = self.window.repetition.sent
+        if self.window.is_idle() or self._before_flood[1] != counters.responses:
+            self._before_flood = now, counters.responses, counters.unasked, sent
+            return 0
+        since, _, unasked, sent_before = self._before_flood
+        lines = counters.unasked - unasked
+        is_flood = now - since >= FLOOD_PATIENCE and lines >= FEWEST_OF_A_FLOOD + 2 * (sent - sent_before)
+        return lines if is_flood else 0
+
+    def _session_is_over(self, answers: Answers, now: float, events: Events) -> None:
+        if answers.refused is None and answers.under_way != NO_SESSION:
             events.append(Taken(LinkLostError(TAKEN)))
-            self._end_exchange(LinkLostError(TAKEN), events)
+            self._end_session(LinkLostError(TAKEN), events)
         else:
             self._gateway_was_reset(now, events)
 
     def _gateway_was_reset(self, now: float, events: Events) -> None:
         error = GatewayResetError(RESET)
-        self._end_exchange(error, events)
+        self._end_session(error, events)
         self._interrupted(error, events)
         self._give_up_at = now + LONGEST_SILENCE
         self._begin(now, again=False)
@@ -537,13 +697,13 @@ class Session:
     def _open(self, handshake: Handshake, now: float, events: Events) -> None:
         codec = handshake.codec
         info = codec.info
-        if self._codec is None or self._groups is None:
-            self._codec, self._groups = codec, GroupTable(info.groups, self._submit_step)
-        elif info != self._codec.info:
-            message = f"another gateway answers after the reconnection: {info} instead of {self._codec.info}"
+        if self.epoch < 0:
+            self.codec, self.groups = codec, GroupTable(info.groups, self._submit_step)
+        elif info != self.codec.info:
+            message = f"another gateway answers after the reconnection: {info} instead of {self.codec.info}"
             self._fail_handshake(UnsupportedError(message), events)
             return
-        self._codec.begin(handshake.session)
+        self.codec.begin(handshake.session)
         self._use_form(compact=handshake.compact)
         credit = None if Feature.FLOW_CONTROL in info.features else info.receive_fifo_bytes
         self.window = Window(
@@ -558,22 +718,15 @@ class Session:
         self.epoch += 1
         # A node that is not half-duplex has its line alone.
         self._takes_turns = self._takes_turns and Feature.HALF_DUPLEX in info.features
-        self._exchange = Exchange(
-            self._codec,
-            self.window,
-            self._waiting,
-            self._groups,
-            self.counters,
-            self.output,
-            blocked=self._blocked,
-            takes_turns=self._takes_turns,
+        self._may_send = not self._takes_turns
+        self._asked_alone, self._before_flood = False, (0.0, -1, 0, 0)
+        self._echo = Counter() if handshake.echoes else None
+        self._answers = Answers(
+            self.codec, self.window, self.groups, self.counters, self._echo, takes_turns=self._takes_turns
         )
-        self.echoes = handshake.echoes > 0
-        if self.echoes:
-            self._exchange.expect_echo()
         events.append(Opened(info))
-        self._exchange.admit(now, events)
-        self._groups.start(self._codec, events)
+        self._admit(now, events)
+        self.groups.start(self.codec, events)
 
     def _drop_rest(self) -> None:
         """Forget the beginning of a frame."""

@@ -1,0 +1,33 @@
+"""A session that is open from the first instant on, without a handshake."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any, cast
+
+from unity_link.protocol.constants import SHORTEST_TIMEOUT
+from unity_link.protocol.host_codec import HostCodec
+
+if TYPE_CHECKING:
+    from unity_link.protocol.answers import Answers
+    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.session import Session
+
+
+def open_at_once(
+    session: Session,
+    info: GatewayInfo,
+    node: int | None,
+    number: int,
+    *,
+    first: int = 0,
+    round_trip: float | None = None,
+) -> Answers:
+    """Open a session as a handshake would, with group 1 set up for samples of one word; return what reads in it."""
+    known = {"session": number, "first": first, "round_trip": round_trip}
+    handshake = SimpleNamespace(codec=HostCodec(info, node), byte_time=0.0, compact=False, echoes=0, **known)
+    session._shortest_timeout = SHORTEST_TIMEOUT
+    session._open(cast("Any", handshake), 0.0, [])
+    session.groups.begun[b"01"] = session.groups.hold(b"", 5 + info.data_digits, None)
+    assert session._answers is not None
+    return session._answers
