@@ -538,7 +538,7 @@ async def test_a_short_absence_of_the_gateway_is_not_seen() -> None:
         await link.write(1, 42)
         cut(shared)
         assert await link.read(1) == 42
-        assert shared._sessions == 2
+        assert shared._session.epoch == 1
         assert link.statistics.reconnections == 0
 
 

@@ -314,11 +314,11 @@ async def test_a_reset_of_the_gateway_forgets_whose_the_lease_was() -> None:
     async with leased(watched.gateway) as (shared, another):
         owner, other = await another(), await another()
         await owner.armed().__aenter__()
-        sessions = shared._sessions
+        sessions = shared._session.epoch
         watched.gateway.reset()
         with contextlib.suppress(UnityLinkError):
             await other.lamp.get()
-        await until(lambda: shared._sessions > sessions and shared.connected and not shared.away)
+        await until(lambda: shared._session.epoch > sessions and shared.connected and not shared.away)
         third = await another()
         async with third.armed():
             await third.speed.set(3)

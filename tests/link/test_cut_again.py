@@ -96,7 +96,7 @@ async def test_a_gateway_that_refuses_a_group_at_a_reconnection_is_asked_again()
             if b"gs" in data and self.refusals:
                 self.refusals -= 1
                 self.gateway.receive(data, now)
-                codec = link._flow.codec
+                codec = link._session.codec
                 return as_gateway(codec, codec.error(ErrorCode.OUT_OF_RANGE, *numbers_in(data, self.info)))
             return super().receive(data, now)
 

@@ -534,7 +534,7 @@ async def test_a_lost_connection_says_what_is_known_of_each_request(make_bare: M
         await asyncio.sleep(0)
         await asyncio.sleep(0)
         assert link._flow.stream is not None
-        codec = link._flow.codec
+        codec = link._session.codec
         expected = numbers_in(gateway.heard, gateway.info)[0] + 1 & codec.ring - 1
         link._flow.stream.data_received(as_gateway(codec, codec.out_of_sequence(expected)))
         waiting = [asyncio.ensure_future(link.write(3, value)) for value in range(2 * in_flight(link.gateway))]
@@ -1016,7 +1016,7 @@ async def test_a_sound_frame_that_nobody_waits_for_does_no_harm(make_bare: Maker
         await asyncio.sleep(0)
         texts = {"own": ids[0], "other": ids[0x50], "short": ids[0][:-1], "wrong": b"G" * len(ids[0])}
         sent = body.format_map({name: text.decode() for name, text in texts.items()})
-        link._flow.stream.data_received(as_gateway(link._flow.codec, sent.encode()))
+        link._flow.stream.data_received(as_gateway(link._session.codec, sent.encode()))
         link._flow.stream.data_received(b"\n\r\n")
         await write
         assert await link.read(1) == 5
@@ -1029,7 +1029,7 @@ async def test_an_error_that_does_not_exist_is_raised_with_its_number(make_bare:
         assert link._flow.stream is not None
         write = asyncio.ensure_future(link.write(1, 5))
         await asyncio.sleep(0)
-        link._flow.stream.data_received(as_gateway(link._flow.codec, b"x" + ids[0] + b"00"))
+        link._flow.stream.data_received(as_gateway(link._session.codec, b"x" + ids[0] + b"00"))
         with pytest.raises(unity_link.GatewayError, match="answered error 00"):
             await write
         assert await link.read(1) == 5
@@ -1047,7 +1047,7 @@ async def test_an_answer_of_another_length_or_command_is_not_taken(make_bare: Ma
         await asyncio.sleep(0)
         bodies = [b"r%b0000000", b"w%b", b"r%bGGGGGGGG"]
         for body in [*(body % first for body in bodies), *(body % second for body in bodies)]:
-            link._flow.stream.data_received(as_gateway(link._flow.codec, body))
+            link._flow.stream.data_received(as_gateway(link._session.codec, body))
         assert not read.done()
         valve.answers_pass = True
         assert await read == 0

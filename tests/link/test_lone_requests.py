@@ -94,8 +94,8 @@ async def test_a_medium_may_answer_while_it_is_given_the_request(make_bare: Make
         assert flow.stream is not None
 
         def answer(data: bytes) -> None:
-            identifier = data[1 : 1 + flow.codec.info.id_digits]
-            flow.receive(as_gateway(flow.codec, b"r" + identifier + b"0000002A"))
+            identifier = data[1 : 1 + flow.session.codec.info.id_digits]
+            flow.receive(as_gateway(flow.session.codec, b"r" + identifier + b"0000002A"))
 
         flow.stream.send = answer  # type: ignore[method-assign]
         async with asyncio.timeout(1):

@@ -543,7 +543,7 @@ async def test_all_that_was_sampled_is_read_or_counted(make_bare: Maker, *, toge
     gateway = Scripted(make_bare(**SLOW))
     numbers = [number for number in range(400) if number % 50 not in (7, 8)]
     async with unity_link.connect(gateway) as link, link.subscribe([1], timestamps=False, buffer=30) as samples:
-        frames = [as_gateway(link._flow.codec, b"P00%02X%08X" % (number & 0xFF, number)) for number in numbers]
+        frames = [as_gateway(link._session.codec, b"P00%02X%08X" % (number & 0xFF, number)) for number in numbers]
         with anyio.fail_after(100):
             await asyncio.sleep(gateway.say([b"".join(frames)] if together else frames))
         read = await samples.take()

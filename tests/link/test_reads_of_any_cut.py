@@ -124,7 +124,7 @@ async def heard(kinds: Sequence[str], node: int | None, cuts: Sequence[int] | No
                 callback = functools.partial(tell, group)
                 subscription = link.subscribe(addresses, timestamps=stamped, callback=callback)
                 subscriptions.append(await stack.enter_async_context(subscription))
-            speaker = Speaker(link._flow.codec, node)
+            speaker = Speaker(link._session.codec, node)
             lines = [speaker.frame(kind) for kind in kinds]
             await asyncio.sleep(gateways[0].say(lines if cuts is None else pieces_of(b"".join(lines), cuts)))
             counted = link.statistics
@@ -173,7 +173,7 @@ async def test_samples_of_two_groups_in_bursts_reach_the_subscription_that_asked
         link.subscribe([1], timestamps=False) as first,
         link.subscribe([2], timestamps=False) as second,
     ):
-        speaker = Speaker(link._flow.codec, None)
+        speaker = Speaker(link._session.codec, None)
         frames = [speaker.frame(kind) for _ in range(20) for kind in ("first", "second") for _ in range(burst)]
         await asyncio.sleep(gateway.say([b"".join(frames)]))
         for group, samples in enumerate((first, second)):
@@ -205,7 +205,7 @@ async def test_answers_behind_samples_in_one_read_reach_their_calls() -> None:
     for address in range(40):
         gateway.memory[0x40 + address] = address
     async with unity_link.connect(gateway) as link, link.subscribe([1], timestamps=False) as samples:
-        speaker = Speaker(link._flow.codec, None)
+        speaker = Speaker(link._session.codec, None)
         gateway.before_answer = b"".join(speaker.frame("first") for _ in range(20))
         words = await asyncio.gather(*(link.read_block(0x40 + address, 1) for address in range(40)))
         assert [word.tolist() for word in words] == [[address] for address in range(40)]

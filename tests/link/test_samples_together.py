@@ -41,7 +41,7 @@ lines = st.lists(
 
 def frames_of(link: Link, samples: Subscription, arriving: list[Arriving], *, stamped: bool) -> list[bytes]:
     """Return the frames of samples, whose values are their numbers, damaged where that is wanted."""
-    codec, group = link._flow.codec, samples._group
+    codec, group = link._session.codec, samples._group
     assert group is not None
     number, frames = -1, []
     for step, damage in arriving:

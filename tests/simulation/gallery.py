@@ -425,13 +425,13 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("a task goes on in the middle of what its link is told")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    handle = flow.Flow._handle
+    tell = flow.Flow._tell
 
-    def handle_and_wake(self: Any, events: Any) -> None:
-        handle(self, events)
+    def tell_and_wake(self: Any, events: Any) -> None:
+        tell(self, events)
         self._runtime.wake()
 
-    monkeypatch.setattr(flow.Flow, "_handle", handle_and_wake)
+    monkeypatch.setattr(flow.Flow, "_tell", tell_and_wake)
 
 
 @bug("answers in order are taken without a look at their checks")

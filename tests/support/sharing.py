@@ -87,13 +87,13 @@ async def until(condition: Callable[[], bool]) -> None:
 
 async def tell_of_reset(shared: SharedLink, gateway: BareGateway, client: Terminal, said: bytes = b"") -> None:
     """Reset the gateway of a shared link, and have the link find out; meanwhile a client says something."""
-    sessions = shared._sessions
+    sessions = shared._session.epoch
     gateway.reset()
     client.transport.write(said)
     # What a server hands on has an ID, which a gateway that was reset answers by error 0A.
     prober = call(shared)
     prober.transport.write(b"R00\r")
-    await until(lambda: shared._sessions > sessions and shared.connected and not shared.away)
+    await until(lambda: shared._session.epoch > sessions and shared.connected and not shared.away)
     prober.transport.abort()
 
 

@@ -140,7 +140,6 @@ class Connection:
         self._reconnection: Job | None = None
         self._resumption: Job | None = None
         _CONNECTIONS.add(self)
-        self._sessions = 0
         self.interruptions = 0
         """Sessions that were lost and are opened again; the gateway may have been reset since."""
         self._opened_again_at = -math.inf
@@ -194,42 +193,41 @@ class Connection:
 
     def _take_change(self, event: SessionEvent) -> None:
         match event:
-            case Opened():
-                self._session_opened(event)
+            case Opened(info):
+                self._session_opened(info)
             case Interrupted():
                 self._gateway_was_reset(event)
-            case Unusable():
-                self._connection_failed(event)
-            case Taken():
-                self._taken(event)
-            case GroupsRestored():
-                self._groups_restored(event)
+            case Unusable(error):
+                self._connection_failed(error)
+            case Taken(error):
+                # The line is left to the program that has it.
+                if not self._opened.done():
+                    self._opened.set_exception(error)
+                if not self._opening or self._reconnection is not None:
+                    self._end(error)
+            case GroupsRestored(error):
+                if error is not None:
+                    self._fail_restoring(error)
+                elif not self._restored.done():
+                    self._restored.set_result(None)
             case _:
                 assert_never(event)
 
-    def _session_opened(self, event: Opened) -> None:
-        self.gateway = event.info
-        if self._flow.seat is not None and Feature.HALF_DUPLEX not in event.info.features:
+    def _session_opened(self, info: GatewayInfo) -> None:
+        self.gateway = info
+        if self._flow.seat is not None and Feature.HALF_DUPLEX not in info.features:
             try:
                 self._flow.seat.keep()
             except ConnectError as error:
-                self._connection_failed(Unusable(UnsupportedError(str(error))))
+                self._connection_failed(UnsupportedError(str(error)))
                 return
-        self._flow.codec = self._session.codec
-        self._sessions += 1
-        log.info("%s: session %d has begun", self._name, self._sessions)
+        log.info("%s: session %d has begun", self._name, self._session.epoch + 1)
         self._restored = self._new_waiter()
-        self._begin(self._flow.codec)
+        self._begin(self._session.codec)
         if self._opened.done():
             self._resumption = self._runtime.create_task(self._resume())
         else:
             self._opened.set_result(None)
-
-    def _groups_restored(self, event: GroupsRestored) -> None:
-        if event.error is not None:
-            self._fail_restoring(event.error)
-        elif not self._restored.done():
-            self._restored.set_result(None)
 
     def _gateway_was_reset(self, event: Interrupted) -> None:
         log.info("%s: %s", self._name, event.error.reason)
@@ -246,18 +244,11 @@ class Connection:
             # No call may be waiting at this moment.
             self._restored.exception()
 
-    def _connection_failed(self, event: Unusable) -> None:
+    def _connection_failed(self, error: UnityLinkError) -> None:
         if not self._opened.done():
-            self._opened.set_exception(event.error)
+            self._opened.set_exception(error)
         elif not self._opening:
-            self._lose(reason_of(event.error))
-
-    def _taken(self, event: Taken) -> None:
-        """Leave the line to the program that has it."""
-        if not self._opened.done():
-            self._opened.set_exception(event.error)
-        if not self._opening or self._reconnection is not None:
-            self._end(event.error)
+            self._lose(reason_of(error))
 
     async def _resume(self) -> None:
         """Set up in a new session on the same connection what a gateway has forgotten that was reset."""

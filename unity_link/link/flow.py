@@ -22,7 +22,6 @@ if TYPE_CHECKING:
 
     from unity_link.link.runtime import Runtime, Timer, Waiter
     from unity_link.protocol.events import Events, Happening
-    from unity_link.protocol.host_codec import HostCodec
     from unity_link.protocol.requests import Source, WordBatch
     from unity_link.protocol.session import Session
     from unity_link.transport.stream import Stream
@@ -50,8 +49,6 @@ class Flow:
         disconnected: Callable[[Exception | None], None],
     ) -> None:
         self.session = session
-        self.codec: HostCodec
-        """The messages of the gateway, once it has said what it is."""
         self._longest_frame = math.inf
         self.stream: Stream | None = None
         """Stream of the connection, None while there is none."""
@@ -81,14 +78,7 @@ class Flow:
         Raises:
             LinkLostError: where the link has ended.
         """
-        session = self.session
-        events = session.submit(source, self.now())
-        if events:
-            self._handle(events)
-        if self.seat is not None:
-            self._take_turns()
-        if not self._flushing and session.output:
-            self._send()
+        self.go_on(self.session.submit(source, self.now()))
 
     def ask(self, request: Request) -> Waiter:
         """Submit a request that has an answer to the session, and return the waiter for that.
@@ -99,13 +89,13 @@ class Flow:
         now = self.now()
         frame = self.session.submit_alone(request, now)
         if not frame:
-            request.owner = waiter = self.create_future()
+            request.waiter = waiter = self.create_future()
             self.submit(request)
             return waiter
         if self.stream is not None:
             # First of all, so that the gateway has it while the rest is done.
             self.stream.send(frame)
-        request.owner = waiter = self._create_lone_future()
+        request.waiter = waiter = self._create_lone_future()
         if self._timer_at - now > _LATE or self.session.window.allowance.loses:
             self._set_timer()
         if request.done:
@@ -118,7 +108,7 @@ class Flow:
         if isinstance(request, Request):
             waiter = self.ask(request)
         else:
-            request.owner = waiter = self.create_future()
+            request.waiter = waiter = self.create_future()
             self.submit(request)
         try:
             return await waiter
@@ -129,17 +119,17 @@ class Flow:
     def go_on(self, events: Events) -> None:
         """Do what follows from a call of the session."""
         if events:
-            self._handle(events)
+            self._tell(events)
+            if self._ended:
+                self._runtime.call_soon(self._runtime.wake)
         if self.seat is not None:
             self._take_turns()
-        if self.session.output and not self._flushing:
+        if self._flushing:
+            return
+        if self.session.output:
             self._send()
-        self._set_timer()
-
-    def _handle(self, events: Events) -> None:
-        self._tell(events)
-        if self._ended:
-            self._runtime.call_soon(self._runtime.wake)
+        else:
+            self._set_timer()
 
     def _tell(self, events: Events) -> None:
         for event in events:
@@ -170,7 +160,7 @@ class Flow:
     @property
     def block_words(self) -> int:
         """Most words of a block: as many as the gateway takes, and as its medium carries without cutting a frame."""
-        return self.codec.info.block_words_in(self._longest_frame)
+        return self.session.codec.info.block_words_in(self._longest_frame)
 
     @property
     def bytes_sent(self) -> int:

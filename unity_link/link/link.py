@@ -159,7 +159,7 @@ class Link(OfLink, Connection):
 
     def name_addresses(self, names: Mapping[int, str]) -> None:
         """Name addresses, for errors to call them by; a robot does so for its signals."""
-        self._flow.codec.names.update(names)
+        self._session.codec.names.update(names)
 
     def _ended(self, error: LinkLostError) -> None:
         self._publishing.end(error)
@@ -230,7 +230,7 @@ class Link(OfLink, Connection):
             bytes_received=self._flow.bytes_received,
             samples=self._publishing.samples,
             samples_lost=self._publishing.samples_lost,
-            reconnections=max(0, self._sessions - 1),
+            reconnections=max(0, self._session.epoch),
             round_trip=self._session.window.round_trip.smoothed,
         )
 
@@ -239,7 +239,7 @@ class Link(OfLink, Connection):
     async def read(self, address: int) -> int:
         """Read the word at `address`."""
         flow = self._flow
-        codec = flow.codec
+        codec = flow.session.codec
         # Also a number that is no `int`, as numpy's, may be right.
         if type(address) is not int or not 0 <= address <= codec.highest_address:
             address = self._whole_address(address)
@@ -256,7 +256,7 @@ class Link(OfLink, Connection):
     async def write(self, address: int, value: int) -> None:
         """Write `value` to `address`; when this returns it is on the bus."""
         flow = self._flow
-        codec = flow.codec
+        codec = flow.session.codec
         if type(address) is not int or not 0 <= address <= codec.highest_address:
             address = self._whole_address(address)
         if type(value) is not int or not 0 <= value <= codec.highest_word:
@@ -274,7 +274,7 @@ class Link(OfLink, Connection):
         """
         self._require(Feature.MASKED_WRITE, "masked writes")
         where, what, bits = self._whole_address(address), self._whole_word(value), self._whole_word(mask)
-        codec = self._flow.codec
+        codec = self._session.codec
         fields = codec.fields("WK", where, bits, what)
         word: int = await self._flow.answer(DestructiveRead(codec, "WK", fields, 1))
         return word
@@ -287,7 +287,7 @@ class Link(OfLink, Connection):
         returns then.
         """
         flow = self._flow
-        codec = flow.codec
+        codec = flow.session.codec
         if type(address) is not int or not 0 <= address <= codec.highest_address:
             address = self._whole_address(address)
         if type(value) is not int or not 0 <= value <= codec.highest_word:
@@ -328,7 +328,7 @@ class Link(OfLink, Connection):
         await self._raise_errors(is_told)
 
     async def _fence(self, *, leaving: bool) -> None:
-        await self._flow.answer(Fence(self._flow.codec, of_session=leaving))
+        await self._flow.answer(Fence(self._session.codec, of_session=leaving))
 
     async def _ping(self) -> None:
         """Ask the gateway for an answer, which changes nothing.
@@ -336,7 +336,7 @@ class Link(OfLink, Connection):
         Raises:
             BusTimeoutError: where a server answers, whose gateway is away.
         """
-        await self._flow.answer(Confirmation(self._flow.codec, of_session=True))
+        await self._flow.answer(Confirmation(self._session.codec, of_session=True))
 
     async def _raise_errors(self, is_told: Callable[[Any], bool]) -> None:
         self._raise_posted(is_told)
@@ -457,9 +457,9 @@ class Link(OfLink, Connection):
         fields = [(where, self.gateway.address_digits), (what, self.gateway.data_digits)]
         self._posted = True
         if self._takes_turns:
-            await self._post_answered(WordBatch(self._flow.codec, "W", fields))
+            await self._post_answered(WordBatch(self._session.codec, "W", fields))
         else:
-            batch = WordBatch(self._flow.codec, "WS", fields)
+            batch = WordBatch(self._session.codec, "WS", fields)
             batch.poster = self._caller()
             self._flow.submit(batch)
             if batch.sent != batch.count:
@@ -564,12 +564,12 @@ class Link(OfLink, Connection):
 
     async def _ask(self, command: str, *values: Any) -> None:
         """Execute a request that is answered by an acknowledgement."""
-        codec = self._flow.codec
+        codec = self._session.codec
         await self._flow.answer(Request(codec, command, codec.fields(command, *values), 0))
 
     async def _sent(self, posted: Request | WordBatch) -> None:
         """Wait until posted writes have found room."""
-        posted.owner = waiter = self._flow.create_future()
+        posted.waiter = waiter = self._flow.create_future()
         if posted.done:
             posted.settle()
         try:
@@ -588,7 +588,7 @@ class Link(OfLink, Connection):
     async def _read_words(self, command: str, address: int, count: int, step: int) -> Words:
         # Imported here, not in the callback that takes the answer.
         arrays = protocol.arrays
-        codec, info = self._flow.codec, self.gateway
+        codec, info = self._session.codec, self.gateway
         requests: list[Request] = []
         most = self._flow.block_words
         for start in range(0, count, most):
@@ -604,7 +604,7 @@ class Link(OfLink, Connection):
         self, address: int, count: int, write: Sequence[int], *, to_queue: bool
     ) -> tuple[Waiter, Callable[[], None]]:
         """Ask for a read, or a write, of one transaction; return its answer, and what gives it up."""
-        codec = self._flow.codec
+        codec = self._session.codec
         if write:
             command = "WQ" if to_queue else "WM"
             if to_queue:
@@ -615,12 +615,12 @@ class Link(OfLink, Connection):
             _ = protocol.arrays
             digits = count * self.gateway.data_digits
             request = Request(codec, "RM", codec.fields("RM", address, count), digits)
-        request.owner = waiter = self._flow.create_future()
+        request.waiter = waiter = self._flow.create_future()
         self._flow.submit(request)
         return waiter, request.cancel
 
     async def _write_words(self, command: str, address: int, words: Words, step: int) -> None:
-        codec, most = self._flow.codec, self._flow.block_words
+        codec, most = self._session.codec, self._flow.block_words
         await self._all(
             [
                 Request(codec, command, codec.fields(command, address + step * start, words[start : start + most]), 0)
@@ -634,8 +634,8 @@ class Link(OfLink, Connection):
             return [await self._flow.answer(requests[0])]
         waiters = []
         for request in requests:
-            request.owner = self._flow.create_future()
-            waiters.append(request.owner)
+            request.waiter = self._flow.create_future()
+            waiters.append(request.waiter)
         self._flow.submit(RequestBlock(requests))
         try:
             return [await waiter for waiter in waiters]
@@ -655,7 +655,7 @@ class Link(OfLink, Connection):
 
     async def _batch(self, command: str, *columns: tuple[NDArray[Any], int]) -> Words:
         self._whole_count(len(columns[0][0]))
-        words: Words = await self._flow.answer(WordBatch(self._flow.codec, command, columns))
+        words: Words = await self._flow.answer(WordBatch(self._session.codec, command, columns))
         return words
 
     def _divisor(self, rate_hz: float | None, divisor: int | None) -> int:
@@ -672,13 +672,13 @@ class Link(OfLink, Connection):
             raise UnsupportedError(f"the gateway was built without {name}")
 
     def _whole_address(self, address: int) -> int:
-        where, highest = whole_number(address, "an address"), self._flow.codec.highest_address
+        where, highest = whole_number(address, "an address"), self._session.codec.highest_address
         if not 0 <= where <= highest:
             raise ArgumentError(f"address {where:#x} is not from 0 to {highest:#x}")
         return where
 
     def _whole_word(self, value: int) -> int:
-        word, highest = whole_number(value, "a word"), self._flow.codec.highest_word
+        word, highest = whole_number(value, "a word"), self._session.codec.highest_word
         if not 0 <= word <= highest:
             raise ArgumentError(f"{word} does not fit in a word of {self.gateway.data_bits} bits (0 to {highest:#x})")
         return word
@@ -691,18 +691,18 @@ class Link(OfLink, Connection):
 
     def _whole_block(self, address: int, count: int) -> tuple[int, int]:
         size, where = self._whole_count(count), self._whole_address(address)
-        highest = self._flow.codec.highest_address
+        highest = self._session.codec.highest_address
         if where + size - 1 > highest:
             raise ArgumentError(f"{size} words from {where:#x} on would pass the last address, {highest:#x}")
         return where, size
 
     def _addresses(self, addresses: ArrayLike) -> NDArray[Any]:
-        return protocol.arrays.in_range(addresses, self._flow.codec.highest_address, "address")
+        return protocol.arrays.in_range(addresses, self._session.codec.highest_address, "address")
 
     def _words(self, values: ArrayLike) -> Words:
         arrays = protocol.arrays
-        words = arrays.in_range(values, self._flow.codec.highest_word, "value")
-        return words.astype(arrays.word_type(self._flow.codec.info.data_digits))
+        words = arrays.in_range(values, self._session.codec.highest_word, "value")
+        return words.astype(arrays.word_type(self._session.codec.info.data_digits))
 
 
 def check_mode(mode: SendImmediate) -> None:

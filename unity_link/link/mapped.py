@@ -63,7 +63,7 @@ class MappedLink(Link):
         self.gateway = bus.info
         self._words_at = bus.words
         self._publishing = Polling(self._runtime, bus)
-        self._flow.codec = codec = HostCodec(bus.info, None)
+        self._session.codec = codec = HostCodec(bus.info, None)
         self._begin(codec)
         codec.highest_address = len(bus.words) - 1
 
@@ -101,7 +101,7 @@ class MappedLink(Link):
 
     async def read(self, address: int) -> int:
         """Read the word at `address`."""
-        if type(address) is not int or not 0 <= address <= self._flow.codec.highest_address:
+        if type(address) is not int or not 0 <= address <= self._session.codec.highest_address:
             address = self._whole_address(address)
         word = self._words_at[address]
         await self._done(1)
@@ -109,9 +109,9 @@ class MappedLink(Link):
 
     async def write(self, address: int, value: int) -> None:
         """Write `value` to `address`."""
-        if type(address) is not int or not 0 <= address <= self._flow.codec.highest_address:
+        if type(address) is not int or not 0 <= address <= self._session.codec.highest_address:
             address = self._whole_address(address)
-        if type(value) is not int or not 0 <= value <= self._flow.codec.highest_word:
+        if type(value) is not int or not 0 <= value <= self._session.codec.highest_word:
             value = self._whole_word(value)
         self._words_at[address] = value
         await self._done(1)

@@ -38,8 +38,6 @@ from unity_link.link.runtime import report
 from unity_link.protocol.events import (
     GroupBegun,
     GroupEvent,
-    GroupRefused,
-    GroupStarted,
     Sampled,
     SampledRows,
     SampledTogether,
@@ -275,10 +273,6 @@ class Publishing:
                 self._receive_together(event)
             case GroupBegun():
                 event.owner.restart()
-            case GroupStarted():
-                event.owner.started()
-            case GroupRefused():
-                event.owner.refused(event.error)
             case _:
                 assert_never(event)
 
@@ -329,7 +323,9 @@ class Publishing:
         """End all subscriptions."""
         if self._session.epoch >= 0:
             for group in self._session.groups.end():
-                group.owner.fail(error.about(Outcome.NO_REQUEST))
+                group.error = error.about(Outcome.NO_REQUEST)
+                group.settle()
+                group.owner.fail(group.error)
 
     async def hold(self, intake: Intake) -> Any:
         """Take a free group and start it for a subscription; while there is no session, wait for one.
@@ -353,11 +349,10 @@ class Publishing:
         count = len(schedule.addresses)
         layout = session.codec.fields("GS", 0, int(schedule.flags), schedule.divisor, count, schedule.addresses)
         group = session.groups.hold(layout[2:], intake.length, intake, schedule.group)
-        # One for each try: a subscription may be entered again after one that failed.
-        intake.started_up = started_up = self.runtime.create_future()
+        group.waiter = started = self.runtime.create_future()
         try:
             self._flow.go_on(session.start(group, self.runtime.time()))
-            await started_up
+            await started
         except BaseException:
             # Whatever of it was sent may still be executed.
             if (request := self._stopping(group)) is not None:
@@ -422,8 +417,6 @@ class Intake:
         """True if the reader wants no more."""
         self.holder: object = None
         """Object that is alive as long as the group is set up."""
-        self.started_up: Waiter | None = None
-        """While the group is being set up: done when samples come."""
         self._publishing = publishing
         self._buffer_size = buffer
         self._overflow = overflow
@@ -493,16 +486,6 @@ class Intake:
 
     # Called for the events of the session
 
-    def started(self) -> None:
-        """Record that samples come from now on."""
-        if self.started_up is not None and not self.started_up.done():
-            self.started_up.set_result(None)
-
-    def refused(self, error: UnityLinkError) -> None:
-        """Record that there will be no samples."""
-        if self.started_up is not None and not self.started_up.done():
-            self.started_up.set_exception(error)
-
     def restart(self) -> None:
         """Begin to count anew: the gateway's sequence stands at 0."""
         self._sequence = self._sequence | 0xFF
@@ -516,7 +499,6 @@ class Intake:
         """End the stream with an error, behind the samples that wait."""
         if self.error is None:
             self.error = error
-        self.refused(error)
         self.wake()
 
     def receive(self, body: bytes, now: float) -> None:

@@ -21,12 +21,12 @@ class Awaited:
     __slots__ = ()
     answer: Any
     error: UnityLinkError | None
-    owner: Any
-    """Its waiter, if there is one; the session does not look at it."""
+    waiter: Any
+    """Future of the call, if there is one; the session does not look at it."""
 
     def settle(self) -> None:
         """Set the result or the error of what a call awaits."""
-        waiter = self.owner
+        waiter = self.waiter
         if waiter is None or waiter.done():
             return
         if self.error is None:
@@ -83,19 +83,6 @@ class GroupBegun(NamedTuple):
     owner: Any
 
 
-class GroupStarted(NamedTuple):
-    """Event: a group is set up and started, for the first time."""
-
-    owner: Any
-
-
-class GroupRefused(NamedTuple):
-    """Event: a group could not be set up, and is not held any more."""
-
-    owner: Any
-    error: UnityLinkError
-
-
 # Of sessions
 
 
@@ -129,7 +116,7 @@ class Taken(NamedTuple):
     error: LinkLostError
 
 
-GroupEvent = Sampled | SampledRows | SampledTogether | GroupBegun | GroupStarted | GroupRefused
+GroupEvent = Sampled | SampledRows | SampledTogether | GroupBegun
 SessionEvent = Opened | GroupsRestored | Interrupted | Unusable | Taken
 Happening = GroupEvent | SessionEvent | PostedFailure
 """Events that are nothing a call awaits."""

@@ -11,7 +11,7 @@ from collections import deque
 from typing import TYPE_CHECKING, Any
 
 from unity_link.errors import LinkLostError, UnityLinkError, UnsupportedError
-from unity_link.protocol.events import GroupBegun, GroupRefused, GroupsRestored, GroupStarted
+from unity_link.protocol.events import Awaited, GroupBegun, GroupsRestored
 from unity_link.protocol.requests import SessionRequest
 
 if TYPE_CHECKING:
@@ -21,8 +21,8 @@ if TYPE_CHECKING:
     from unity_link.protocol.host_codec import HostCodec
 
 
-class HeldGroup:
-    """A group, and what it is set up to.
+class HeldGroup(Awaited):
+    """A group, and what it is set up to; the event that it is started for the first time, or refused.
 
     Args:
         number: of the gateway's groups.
@@ -31,7 +31,8 @@ class HeldGroup:
         owner: what its samples are for; the session does not look at it.
     """
 
-    __slots__ = ("length", "number", "owner", "settings", "started", "text")
+    __slots__ = ("error", "length", "number", "owner", "settings", "started", "text", "waiter")
+    answer = None
 
     def __init__(self, number: int, settings: bytes, length: int, owner: Any) -> None:
         self.number = number
@@ -39,6 +40,9 @@ class HeldGroup:
         self.settings = settings
         self.length = length
         self.owner = owner
+        self.waiter: Any = None
+        self.error: UnityLinkError | None = None
+        """Why it could not be set up, and is not held any more."""
         self.started = False
         """True if it has been set up and started, in this session or in an earlier one."""
 
@@ -137,7 +141,7 @@ class GroupTable:
                 return
             if error is None and not group.started:
                 group.started = True
-                events.append(GroupStarted(group.owner))
+                events.append(group)
             self._settle(group, None, events)
 
         self._submit(SessionRequest(codec, "GS", group.text + group.settings, stored), events)
@@ -151,7 +155,8 @@ class GroupTable:
         else:
             self._settle(group, None, events)
             self.release(group)
-            events.append(GroupRefused(group.owner, error))
+            group.error = error
+            events.append(group)
 
     def _settle(self, group: HeldGroup | None, error: UnityLinkError | None, events: Events) -> None:
         """Record that a group is set up again in a new session, or could not be."""

@@ -258,7 +258,7 @@ class Request(Message, Awaited):
         of_session: whether it has a meaning in the session alone in which it was made.
     """
 
-    __slots__ = ("answer", "done", "error", "fields", "of_session", "opening", "owner", "poster", "sent")
+    __slots__ = ("answer", "done", "error", "fields", "of_session", "opening", "poster", "sent", "waiter")
     poster: Any
     """Task or thread that has posted it; of posted writes alone, which reads need not pay for."""
     least = 1
@@ -287,7 +287,7 @@ class Request(Message, Awaited):
         self.answer: Any = None
         """The word or words read; None for an acknowledgement."""
         self.error: UnityLinkError | None = None
-        self.owner: Any = None
+        self.waiter: Any = None
 
     def encode(self) -> bytes:
         """Return the frame, under the ID that the window has given."""
@@ -536,7 +536,7 @@ class WordBatch(Awaited):
         """True if `answer` or `error` is known; of posted writes, whether all were sent."""
         self.answer: Words = protocol.arrays.zeros(0 if self.posted else self.count, codec.info.data_digits)
         self.error: UnityLinkError | None = None
-        self.owner: Any = None
+        self.waiter: Any = None
         self.poster: Any = None
         """Task or thread that has posted it."""
         self.given_up = False

@@ -34,7 +34,6 @@ from unity_link.errors import (
     LinkLostError,
     Outcome,
     UnansweredError,
-    UnityLinkError,
     UnsupportedError,
 )
 from unity_link.protocol.answers import Answers, Counters
@@ -306,10 +305,7 @@ class Session:
             The events of what has ended; what can be sent again in a new session waits for it.
         """
         events: Events = []
-        self._handshake = None
-        self._give_up_at = None
-        if self._answers is not None:
-            self._end_session(LinkLostError(reason), events)
+        self._end_session(LinkLostError(reason), events)
         return events
 
     def connection_error(self, reason: Exception | None) -> ConnectError:
@@ -321,18 +317,17 @@ class Session:
     def close(self, error: LinkLostError) -> Events:
         """End for good: everything that waits ends."""
         events: Events = []
-        self.closed = error
-        self._resumes = False
-        self._handshake = None
-        if self._answers is not None:
-            self._end_session(error, events)
+        self.closed, self._resumes = error, False
+        self._end_session(error, events)
         while self._waiting:
             self._waiting.popleft().fail(error.about(Outcome.NOT_EXECUTED), events)
         return events
 
     def _end_session(self, error: LinkLostError, events: Events) -> None:
-        """End a session, keeping what may be sent again for the next one."""
-        assert self._answers is not None
+        """End a session or its handshake, keeping what may be sent again for the next one."""
+        self._handshake = self._give_up_at = None
+        if self._answers is None:
+            return
         window, refused = self.window, self._answers.refused
         self._answers, self.window, self._may_send = None, Window(_NO_RING), False
         self.groups.interrupted()
@@ -587,12 +582,9 @@ class Session:
             return len(data)
         try:
             taken = self._handshake.receive(data, now)
-        except LinkLostError as error:
+        except (ConnectError, LinkLostError, UnsupportedError) as error:
             self._handshake = None
-            events.append(Taken(error))
-            return len(data)
-        except (ConnectError, UnsupportedError) as error:
-            self._fail_handshake(error, events)
+            events.append(Taken(error) if isinstance(error, LinkLostError) else Unusable(error))
             return len(data)
         self._advance_handshake(now, events)
         return taken
@@ -701,7 +693,7 @@ class Session:
             self.codec, self.groups = codec, GroupTable(info.groups, self._submit_step)
         elif info != self.codec.info:
             message = f"another gateway answers after the reconnection: {info} instead of {self.codec.info}"
-            self._fail_handshake(UnsupportedError(message), events)
+            events.append(Unusable(UnsupportedError(message)))
             return
         self.codec.begin(handshake.session)
         self._use_form(compact=handshake.compact)
@@ -743,7 +735,3 @@ class Session:
 
             forms = [CompactForm.of(self.codec.info, from_gateway=side) for side in (False, True)]
             self._packer, self._unpacker = Packer(forms[0]), Unpacker(forms[1])
-
-    def _fail_handshake(self, error: UnityLinkError, events: Events) -> None:
-        self._handshake = None
-        events.append(Unusable(error))

@@ -110,7 +110,7 @@ class SharedLink(Connection):
     @property
     def to_gateway(self) -> HostCodec:
         """The messages towards the gateway, which may be one node of several."""
-        return self._flow.codec
+        return self._session.codec
 
     # Clients
 
@@ -159,14 +159,14 @@ class SharedLink(Connection):
 
     async def word_at(self, address: int) -> int:
         """Read a word of the gateway; ends with an error where the session does."""
-        codec = self._flow.codec
+        codec = self._session.codec
         request = Request(codec, "R", codec.fields("R", address), codec.data_digits, of_session=True)
         word: int = await self._flow.answer(request)
         return word
 
     async def write_at(self, address: int, word: int) -> None:
         """Write a word of the gateway; ends with an error where the session does."""
-        await self._do("W", self._flow.codec.fields("W", address, word))
+        await self._do("W", self._session.codec.fields("W", address, word))
 
     async def others_have_written(self, client: Sharer) -> None:
         """Wait until the writes of other clients that are here have been sent."""
@@ -266,7 +266,7 @@ class SharedLink(Connection):
 
     async def _do(self, command: str, fields: bytes) -> None:
         """Submit a request of the server's own."""
-        await self._flow.answer(Request(self._flow.codec, command, fields, 0, of_session=True))
+        await self._flow.answer(Request(self._session.codec, command, fields, 0, of_session=True))
 
     def _run(self, errand: Coroutine[Any, Any, None]) -> asyncio.Task[None]:
         """Do something that no request waits for; a connection that fails it tells so itself."""
@@ -308,7 +308,7 @@ class SharedLink(Connection):
         self._mode = _ADAPTIVE
         await self._read_leases()
         for address in self.leases.take_owed() if self.leases is not None else ():
-            await self._ask("W", self._flow.codec.fields("W", address, 1))
+            await self._ask("W", self._session.codec.fields("W", address, 1))
         self.settle_mode()
         self.slots.let_go_idle()
         for slot in list(self.slots.held):
