@@ -128,7 +128,7 @@ class Session:
         self._takes_turns = False
         """True if a turn is waited for before each frame: `take_turn` gives it."""
         self._may_send = False
-        """True while the session is open, and nothing or a turn that it has lets it send."""
+        """True if frames may be sent now: the session is open and, where turns are taken, has its turn."""
         self._asked_alone = False
         self._byte_time: float | None = None
         self._longest_try = math.inf
