@@ -10,8 +10,9 @@ import unity_link
 from support.recorded_bus import RecordedBus
 from support.simulated_time import on_simulated_time
 from support.valve import Valve
-from unity_link import LinkLostError
+from unity_link import ConnectError, LinkLostError
 from unity_link.protocol.crc import Crc
+from unity_link.transport import DriverUrl, register
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.shared_line import build_shared_line
 
@@ -128,3 +129,27 @@ async def test_an_echo_is_passed_over_and_a_read_gives_what_the_gateway_has() ->
         await link.post(0x11, 7)
         await link.fence()
         assert gateway.memory[0x11] == 7
+
+
+class LateBoard(Echoing):
+    """An adapter that echoes, with a board that is switched on a second later."""
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        return super().receive(data, now) if now > 1 else data
+
+
+class LateBoardDriver:
+    OPTIONS: frozenset[str] = frozenset()
+
+    async def connect(self, url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transport:
+        return await LateBoard(VirtualGateway()).open(protocol)
+
+
+@on_simulated_time
+async def test_an_echo_that_the_url_names_is_passed_over_until_the_gateway_answers() -> None:
+    register("late-board", LateBoardDriver())
+    with pytest.raises(ConnectError, match="what is sent comes back as it is"):
+        await unity_link.connect("late-board:?echo=0")
+    async with unity_link.connect("late-board:?echo=1") as link:
+        await link.write(0x10, 0x1234)
+        assert await link.read(0x10) == 0x1234

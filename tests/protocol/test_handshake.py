@@ -178,6 +178,17 @@ def test_an_echo_is_believed_when_nothing_else_was_heard_for_long() -> None:
         handshake.receive(ASKS_PLAIN + b"\n", ECHO_PATIENCE + 0.01)
 
 
+def test_an_echo_that_is_known_says_nothing_however_long_it_is_alone() -> None:
+    handshake = Handshake(None, numbers(), 0.0, compact=True, echo=True)
+    for now in (0.0, 0.3, ECHO_PATIENCE + 1, 100.0):
+        handshake.receive(ASKS_PLAIN + b"\n", now)
+        handshake.take_output()
+    assert handshake.has_echo
+    assert "none of them an answer" in handshake.describe()
+    handshake.receive(PLAIN, 101.0)
+    assert handshake.take_output() == ASKS_CHECKED
+
+
 def test_an_answer_behind_an_echo_is_an_answer() -> None:
     handshake = asking()
     for now in (0.0, 1.0, 2.0):

@@ -99,7 +99,7 @@ async def test_a_program_adds_a_medium_by_the_name_of_a_module(install: Callable
 async def test_an_option_that_a_medium_of_the_users_does_not_know_is_refused() -> None:
     register("one", MediumOfOne())
     with pytest.raises(
-        ArgumentError, match=r"unknown option 'words' in .*: one: takes compact, map, node, snoop, word"
+        ArgumentError, match=r"unknown option 'words' in .*: one: takes compact, echo, map, node, snoop, word"
     ):
         await first_word("one:?words=7")
 

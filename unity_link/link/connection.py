@@ -34,7 +34,7 @@ from unity_link.protocol.configuration import Feature
 from unity_link.protocol.events import GroupsRestored, Interrupted, Opened, Taken, Unusable
 from unity_link.protocol.numbers import real_number
 from unity_link.protocol.session import Session
-from unity_link.transport import DriverUrl, name_of, node_of, takes_compact_form
+from unity_link.transport import DriverUrl, has_echo, name_of, node_of, takes_compact_form
 from unity_link.transport.stream import Stream
 
 if TYPE_CHECKING:
@@ -127,6 +127,7 @@ class Connection:
             choose_seed,
             resumes=resumes or reconnect is not None,
             compact=takes_compact_form(target),
+            echo=has_echo(target),
         )
         self._flow = Flow(self._session, self._runtime, self._happened, self._disconnected)
         self._opened: Waiter = self._new_waiter()

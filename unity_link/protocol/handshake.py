@@ -132,9 +132,10 @@ class Handshake:
         longest_try: seconds after which a question is asked again, at most, where the medium needs less than others.
         person: True for a session of somebody who types: it shuts nothing out, and its first ID is 0.
         compact: whether the compact form is asked for where the gateway has it, and no adapter gives back what is sent.
+        echo: True where an adapter is known to do so: then an echo, however long it is alone, says nothing.
     """
 
-    def __init__(
+    def __init__(  # noqa: PLR0913  (each is a choice of its own, by keyword)
         self,
         node: int | None,
         numbers: SessionNumbers,
@@ -145,10 +146,12 @@ class Handshake:
         longest_try: float = math.inf,
         person: bool = False,
         compact: bool = False,
+        echo: bool = False,
     ) -> None:
         self._wire_time = wire_time
         self._longest_try = longest_try
         self._questions = self._answers = 0
+        self._knows_echo = echo
         self.echoes = 0
         """Questions that came back."""
         self._node = node
@@ -195,6 +198,11 @@ class Handshake:
         return self._first & self.codec.ring - 1
 
     @property
+    def has_echo(self) -> bool:
+        """True if an adapter gives back what is sent."""
+        return self._knows_echo or self.echoes > 0
+
+    @property
     def byte_time(self) -> float:
         """Seconds that a byte can need on the wire, at most: as the answer to the last question came."""
         return self.round_trip / len(self._sent)
@@ -219,7 +227,7 @@ class Handshake:
         """Return what was heard, for the message of a time out."""
         if other := _protocol_of(self._text):
             return f"{other} answers there, no gateway: is it the right port?"
-        if self.echoes:
+        if self.echoes and not self._knows_echo:
             return ECHO
         if self._doubtful:
             return f"what answers is no gateway: it said {self._doubtful[:80]!r}"
@@ -287,7 +295,7 @@ class Handshake:
         if self.state is State.ASKED_SESSION:
             self.session = self._numbers.next(self.codec.info.last_session)
             self._asked_for[self.session] = now
-            self.compact = self._wants_compact and Feature.COMPACT in self.codec.info.features and not self.echoes
+            self.compact = self._wants_compact and Feature.COMPACT in self.codec.info.features and not self.has_echo
         framing, question = self.codec.framing, self._question()
         self._sent = framing.plain_request(question) if self._is_plain else framing.checked(question)
         if self.state is State.ASKED_PLAIN:
@@ -339,7 +347,7 @@ class Handshake:
             self.echoes += 1
             line = line[len(echo) :]
             if not line:
-                if not self._answers and now - self._echoed_at > ECHO_PATIENCE:
+                if not (self._answers or self._knows_echo) and now - self._echoed_at > ECHO_PATIENCE:
                     raise ConnectError(ECHO)
                 self._echoed_at = min(self._echoed_at, now)
                 return

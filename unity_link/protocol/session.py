@@ -89,10 +89,17 @@ class Session:
         choose: returns any number from 0 on, by which the number of a session and its first ID are chosen.
         resumes: whether requests that change nothing are sent again in a new session; otherwise they end with the old.
         compact: whether frames are in the compact form where the gateway has it.
+        echo: whether an adapter is known to give back what is sent; it is found out else.
     """
 
     def __init__(
-        self, node: int | None, choose: Callable[[], int], *, resumes: bool = False, compact: bool = False
+        self,
+        node: int | None,
+        choose: Callable[[], int],
+        *,
+        resumes: bool = False,
+        compact: bool = False,
+        echo: bool = False,
     ) -> None:
         self.counters = Counters()
         self.closed: LinkLostError | None = None
@@ -104,7 +111,7 @@ class Session:
         self._resumes = resumes
         self._now = 0.0
         self._rest = b""
-        self._wants_compact = compact
+        self._wants_compact, self._knows_echo = compact, echo
         self._packer: Packer | None = None
         self._unpacker: Unpacker | None = None
         """The two directions of the compact form, from the first session on that asked for it."""
@@ -294,6 +301,7 @@ class Session:
             wire_time=wire_time,
             longest_try=self._longest_try,
             compact=self._wants_compact,
+            echo=self._knows_echo,
         )
         if not self._takes_turns:
             self.output.append(self._handshake.take_output())
@@ -712,7 +720,7 @@ class Session:
         self._takes_turns = self._takes_turns and Feature.HALF_DUPLEX in info.features
         self._may_send = not self._takes_turns
         self._asked_alone, self._before_flood = False, (0.0, -1, 0, 0)
-        self._echo = Counter() if handshake.echoes else None
+        self._echo = Counter() if handshake.has_echo else None
         self._answers = Answers(
             self.codec, self.window, self.groups, self.counters, self._echo, takes_turns=self._takes_turns
         )

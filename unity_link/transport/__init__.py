@@ -50,7 +50,7 @@ _STAND_INS: dict[str, str] = {}
 _DEVICE_NAMES = frozenset({"ftdi", "ftdi-async"})
 """Schemes whose URLs have a device in a form of its own, such as ``ftdi:232h:SERIAL``, where others have host and port.
 """
-COMMON_OPTIONS = frozenset({"node", "snoop", "map", "compact"})
+COMMON_OPTIONS = frozenset({"node", "snoop", "map", "compact", "echo"})
 SNOOP_VARIABLE = "UNITY_LINK_SNOOP"
 """Environment variable with the path of the snoop of all connections whose URL names none."""
 _OPENING_TIMEOUT = 5.0
@@ -383,6 +383,11 @@ def node_of(target: DriverUrl | Medium) -> int | None:
 def takes_compact_form(target: DriverUrl | Medium) -> bool:
     """Return whether frames may be in compact form on a medium."""
     return not isinstance(target, DriverUrl) or target.compact
+
+
+def has_echo(target: DriverUrl | Medium) -> bool:
+    """Return whether a medium is known to give back what is sent."""
+    return isinstance(target, DriverUrl) and target.echo
 
 
 async def prepare(url: DriverUrl) -> None:

@@ -97,7 +97,7 @@ def open_bus(url: DriverUrl) -> MappedBus:
     """
     if url.host or not url.path:
         raise ArgumentError(f"{url.text} names no file: mmio:/dev/uio0 or mmio:FILE was expected")
-    for option in ("node", "snoop", "compact"):
+    for option in ("node", "snoop", "compact", "echo"):
         if option in url.options:
             raise ArgumentError(f"{option}= in {url.text} is for links with frames, and mapped memory has none")
     data_bits = url.integer("data_bits", 32)

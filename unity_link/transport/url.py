@@ -85,6 +85,11 @@ class DriverUrl(msgspec.Struct, frozen=True):
         return self.flag("compact", default=True)
 
     @property
+    def echo(self) -> bool:
+        """Return whether an adapter is known to give back what is sent."""
+        return self.flag("echo")
+
+    @property
     def snoop(self) -> str | None:
         """Path of the file that is to hold what passes, None where none is named."""
         name = self.options.get("snoop")
