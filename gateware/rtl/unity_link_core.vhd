@@ -428,6 +428,26 @@ begin
     );
 
   with_compact_rx : if compact generate
+    signal byte_in    : std_logic_vector(8 downto 0);
+    signal byte_valid : std_logic;
+    signal byte_ready : std_logic;
+  begin
+
+    -- The memory of the FIFO is as slow as all that a byte of a compact frame decides.
+    byte_register_inst : entity work.ul_stream_register
+      generic map (
+        width => 9
+      )
+      port map (
+        clk       => clk,
+        rst       => rst,
+        in_data   => fifo_out,
+        in_valid  => fifo_out_valid,
+        in_ready  => fifo_out_ready,
+        out_data  => byte_in,
+        out_valid => byte_valid,
+        out_ready => byte_ready
+      );
 
     compact_rx_inst : entity work.ul_compact_rx
       generic map (
@@ -438,10 +458,10 @@ begin
       port map (
         clk       => clk,
         rst       => rst,
-        in_data   => fifo_out(7 downto 0),
-        in_lost   => fifo_out(8),
-        in_valid  => fifo_out_valid,
-        in_ready  => fifo_out_ready,
+        in_data   => byte_in(7 downto 0),
+        in_lost   => byte_in(8),
+        in_valid  => byte_valid,
+        in_ready  => byte_ready,
         out_data  => character_in(7 downto 0),
         out_lost  => character_in(8),
         out_valid => character_valid,
