@@ -90,6 +90,8 @@ def _show(results: Results) -> None:
     _table("The limit of publishing, kHz", 0, head, tables.publish_rows(results))
     head = ("medium", "FIFOs", "line", "read", "write", "answers", "posts", "samples", "repeated")
     _table("Other media, modelled", 1, head, tables.media_rows(results.media))
+    head = ("medium", "gateway", "form", "time", "reads", "posts", "block words", "samples")
+    _table("Text and compact frames, thousands a second", 4, head, tables.form_rows(results.forms))
     head = ("the 18-DOF walker, in lines", "here", "paper", "its other solution")
     _table("Complexity", 1, head, tables.line_rows(results.lines))
     _table("What must hold", 5, ("what", "known", "found", "wanted", "met"), tables.check_rows(results.checks))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.crc import seed_of
 from unity_link.protocol.frames import in_session
 from unity_link.protocol.messages import Codec
@@ -27,14 +27,15 @@ OPENED_BYTES = len(OPENING) + CODEC.info.session_digits + len(b"\n")
 """Bytes of the answer: the request, the session that ended, and one more end."""
 
 
-def compiled_gateway() -> RtlGateway:
-    """Return the gateware itself.
+def compiled_gateway(*, compact: bool = False) -> RtlGateway:
+    """Return the gateware itself, with the compact form or without.
 
     Raises:
         ConnectError: where it can't be compiled here.
     """
     names = ("clock_hz", "id_digits", "crc_bits", "crc_polynomial", "groups", "base_frequency_millihertz")
-    return RtlGateway(choose({name: getattr(MODEL, name) for name in names}).name)
+    features = MODEL.features | Feature.COMPACT if compact else MODEL.features
+    return RtlGateway(choose({**{name: getattr(MODEL, name) for name in names}, "features": features}).name)
 
 
 def checked(body: bytes) -> bytes:

@@ -13,6 +13,7 @@ import msgspec
 import unity_link
 from benchmarks.paper.build import MODEL
 from benchmarks.paper.checks import check
+from benchmarks.paper.forms import measure_forms
 from benchmarks.paper.gateware import measure_gateware
 from benchmarks.paper.latency import measure_arrivals, measure_effects, measure_latencies
 from benchmarks.paper.lines import count_lines
@@ -148,6 +149,8 @@ def run_experiment(
     wall_clock = list(measure_wall_clock(plan.accesses)) if host_time else []
     tell("other media")
     media = list(measure_media(plan.media_accesses, plan.media_burst))
+    tell("text and compact frames")
+    forms = list(measure_forms(bench, plan.burst, plan.runs))
     results = Results(
         version=unity_link.__version__,
         date=f"{dt.datetime.now(dt.UTC):%Y-%m-%d}",
@@ -163,6 +166,7 @@ def run_experiment(
         sustained=sustained,
         wall_clock=wall_clock,
         media=media,
+        forms=forms,
         lines=count_lines(),
         checks=[],
     )

@@ -12,7 +12,17 @@ from unity_link.virtual.ft232h.port import Mode as Pins
 if TYPE_CHECKING:
     from unity_link.transport.ft232h.eeprom_image import ChannelType
 
-MediumName = Literal["UART, 1 Mbaud", "UART, 6 Mbaud", "UART, 12 Mbaud", "asynchronous FT245", "synchronous FT245"]
+MediumName = Literal[
+    "UART, 1 Mbaud",
+    "UART, 6 Mbaud",
+    "UART, 12 Mbaud",
+    "asynchronous FT245",
+    "synchronous FT245",
+    "shared FT245, CRC-16",
+]
+
+
+_POLYNOMIALS = {8: 0x07, 16: 0x1021}
 
 
 class Medium(msgspec.Struct, frozen=True):
@@ -27,6 +37,9 @@ class Medium(msgspec.Struct, frozen=True):
     """In each direction; of both together, where the bus carries one at a time."""
     fifo_bytes: int = 256
     """Bytes of each FIFO of the gateway."""
+    compact: bool = False
+    """True if frames of a session are in compact form."""
+    crc_bits: int = 8
 
     def of(self, info: GatewayInfo) -> GatewayInfo:
         """Return what a gateway says of itself that is built for it, and is otherwise like another one."""
@@ -34,8 +47,21 @@ class Medium(msgspec.Struct, frozen=True):
         if self.mode is Pins.UART:
             # Three wires: nothing stops the host, so it sends no more than the receive FIFO holds.
             features &= ~Feature.FLOW_CONTROL
+        if self.compact:
+            features |= Feature.COMPACT
         return msgspec.structs.replace(
-            info, receive_fifo_bytes=self.fifo_bytes, transmit_fifo_bytes=self.fifo_bytes, features=features
+            info,
+            receive_fifo_bytes=self.fifo_bytes,
+            transmit_fifo_bytes=self.fifo_bytes,
+            features=features,
+            crc_bits=self.crc_bits,
+            crc_polynomial=_POLYNOMIALS[self.crc_bits],
+        )
+
+    def with_compact_frames(self) -> Medium:
+        """Return the same with frames in compact form, which end in another character."""
+        return msgspec.structs.replace(
+            self, compact=True, options=self.options.replace("event_char=10", "event_char=202")
         )
 
 
@@ -54,3 +80,7 @@ MEDIA = (
     Medium("synchronous FT245", "mode=ft245-sync", Pins.SYNC_FIFO, "FIFO", 40e6),
 )
 FIFO_SIZES = (16, 256)
+SHARED = Medium("shared FT245, CRC-16", "mode=ft245-sync", Pins.SYNC_FIFO, "FIFO", 8e6, crc_bits=16)
+"""Both directions share what the asynchronous FIFO has for each, with a longer check."""
+FORMED = (ASYNCHRONOUS, _uart("UART, 12 Mbaud", 12), SHARED)
+"""Media on which text and compact frames are compared."""

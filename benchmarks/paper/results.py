@@ -244,6 +244,24 @@ class MediumFigures(msgspec.Struct, frozen=True, kw_only=True):
     """Requests that the link sent again, as something was lost."""
 
 
+class FormFigures(msgspec.Struct, frozen=True, kw_only=True):
+    """One form of frames on a medium, through the full stack: rates of long bursts, a second."""
+
+    medium: MediumName
+    gateway: GatewayKind
+    """The gateware itself, or its model in Python."""
+    compact: bool
+    """True if frames of the session are in compact form, False for text."""
+    measured: bool
+    """True if the program's time counts, too."""
+    reads: float
+    posts: float
+    block_words: float
+    """Words of blocks of 255."""
+    samples: float
+    """Samples of one word that come where more are due."""
+
+
 class Lines(msgspec.Struct, frozen=True, kw_only=True):
     """The interface of the 18-DOF walker, in lines that someone writes; those that are blank do not count."""
 
@@ -307,6 +325,7 @@ class Results(msgspec.Struct, frozen=True, kw_only=True):
     sustained: Sustained
     wall_clock: list[WallClock]
     media: list[MediumFigures]
+    forms: list[FormFigures]
     lines: Lines
     checks: list[Check]
 

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from benchmarks.paper.results import (
         Burst,
         Check,
+        FormFigures,
         GatewareFigures,
         Latency,
         Lines,
@@ -61,7 +62,13 @@ def to_markdown(results: Results, pictures: Sequence[tuple[str, str]] = ()) -> s
     parts += [_latencies(results.latencies), _throughputs(results.throughputs), _bursts(results.bursts)]
     if results.stamps:
         parts.append(_stamps(results.stamps))
-    parts += [_publishing(results), _media(results.media), _lines(results.lines), _not_without_a_board()]
+    parts += [
+        _publishing(results),
+        _media(results.media),
+        _forms(results.forms),
+        _lines(results.lines),
+        _not_without_a_board(),
+    ]
     parts += [_checks(results), _parameters(results)]
     return "\n".join(parts)
 
@@ -202,6 +209,18 @@ def media_rows(media: Iterable[MediumFigures]) -> Iterator[Row]:
             f"{row.posts_megabits:.2f}",
             f"{row.samples / 1e3:,.1f}",
             f"{row.repeated}",
+        )
+
+
+def form_rows(forms: Iterable[FormFigures]) -> Iterator[Row]:
+    """Return medium, gateway, form, time; thousands a second of reads, posts, words of blocks and samples."""
+    for row in forms:
+        yield (
+            row.medium,
+            "gateware" if row.gateway == "rtl" else "model",
+            "compact" if row.compact else "text",
+            "measured" if row.measured else "modelled",
+            *(f"{rate / 1e3:,.1f}" for rate in (row.reads, row.posts, row.block_words, row.samples)),
         )
 
 
@@ -397,6 +416,24 @@ def _media(media: Sequence[MediumFigures]) -> str:
         " itself. A request whose answer is late is repeated; none was lost."
     )
     return f"## Other media, other FIFOs\n\n{text}\n\n" + table(head, media_rows(media))
+
+
+def _forms(forms: Sequence[FormFigures]) -> str:
+    head = (
+        "medium",
+        "gateway",
+        "form",
+        "time",
+        "reads, thousands a second",
+        "posted writes",
+        "words of blocks of 255",
+        "samples of one word",
+    )
+    text = (
+        "Full stack, adaptive, long bursts, and samples where more are due than fit; the samples that did not fit were "
+        "counted as lost. On the shared FIFO both directions together have 8 MB/s, and the check has 16 bits."
+    )
+    return f"## Text and compact frames\n\n{text}\n\n" + table(head, form_rows(forms))
 
 
 def _lines(lines: Lines) -> str:

@@ -120,5 +120,5 @@ class Workbench(msgspec.Struct, frozen=True):
             step = min(STEP, self.medium.fifo_bytes // 2)
             model = VirtualGateway(self.medium.of(MODEL))
             return model, GatewayBoard(model, self.medium.mode, step=step)
-        gateware = compiled_gateway()
+        gateware = compiled_gateway(compact=self.medium.compact)
         return gateware, RtlBoard(gateware, self.timing.fifo_bytes_per_second)

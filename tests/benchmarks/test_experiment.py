@@ -289,7 +289,13 @@ def test_every_operation_has_a_table_without_and_with_send_immediate(results: Re
             assert all(len(row) == 7 for row in rows)
             assert all(re.fullmatch(r".*\d.*", row[3]) or row[3] == NOTHING for row in rows)
     assert "quick run" in page
-    for heading in ("Complexity", "Not without a board", "Other media, other FIFOs", "The limit of publishing"):
+    for heading in (
+        "Complexity",
+        "Not without a board",
+        "Other media, other FIFOs",
+        "Text and compact frames",
+        "The limit of publishing",
+    ):
         assert f"\n## {heading}\n" in page
 
 
@@ -302,6 +308,18 @@ def test_each_medium_is_there_with_both_fifos_and_none_is_faster_than_its_line(r
     lines = {row.medium: row.line_megabits for row in results.media}
     assert lines["synchronous FT245"] * 1e6 == published.value("with D2XX drivers", "ideal link")
     assert lines["UART, 12 Mbaud"] == 9.6
+
+
+def test_compact_frames_are_more_a_second_than_text_on_each_medium(results: Results) -> None:
+    modelled = {(row.medium, row.compact): row for row in results.forms if not row.measured}
+    media = {medium for medium, _ in modelled}
+    assert len(media) == 3
+    for medium in media:
+        text, compact = modelled[medium, False], modelled[medium, True]
+        assert compact.reads > 1.15 * text.reads
+        assert compact.posts >= text.posts
+        assert compact.block_words > 1.5 * text.block_words
+        assert compact.samples > 1.3 * text.samples
 
 
 def test_the_walker_takes_fewer_lines_than_the_papers() -> None:
