@@ -404,5 +404,6 @@ async def test_datagrams_are_snooped_as_the_frames_in_them(tmp_path: Path) -> No
         unity_link.connect(f"{url}?snoop={path}") as link,
     ):
         await link.write(0x10, 42)
-    assert passed(path, sent=True).endswith(checked(b"w000100000002A"))
-    assert passed(path, sent=False).endswith(answered(b"w000"))
+    # On a busy machine a request is sent again.
+    assert checked(b"w000100000002A") in passed(path, sent=True)
+    assert answered(b"w000") in passed(path, sent=False)
