@@ -27,15 +27,14 @@ OPENED_BYTES = len(OPENING) + CODEC.info.session_digits + len(b"\n")
 """Bytes of the answer: the request, the session that ended, and one more end."""
 
 
-def compiled_gateway(*, compact: bool = False) -> RtlGateway:
-    """Return the gateware itself, with the compact form or without.
+def compiled_gateway(features: Feature = MODEL.features) -> RtlGateway:
+    """Return the gateware itself, built with some features.
 
     Raises:
         ConnectError: where it can't be compiled here.
     """
     names = ("clock_hz", "id_digits", "crc_bits", "crc_polynomial", "groups", "base_frequency_millihertz")
-    features = MODEL.features | Feature.COMPACT if compact else MODEL.features
-    return RtlGateway(choose({**{name: getattr(MODEL, name) for name in names}, "features": features}).name)
+    return RtlGateway(choose({"features": features, **{name: getattr(MODEL, name) for name in names}}).name)
 
 
 def checked(body: bytes) -> bytes:

@@ -20,8 +20,6 @@ MediumName = Literal[
     "synchronous FT245",
     "shared FT245, CRC-16",
 ]
-
-
 _POLYNOMIALS = {8: 0x07, 16: 0x1021}
 
 
@@ -71,16 +69,17 @@ def _uart(name: MediumName, megabaud: int) -> Medium:
     return Medium(name, options, Pins.UART, "UART", megabaud * 1e5)
 
 
+UART_12 = _uart("UART, 12 Mbaud", 12)
 ASYNCHRONOUS = Medium("asynchronous FT245", "", Pins.FIFO, "FIFO", 8e6)
 MEDIA = (
     _uart("UART, 1 Mbaud", 1),
     _uart("UART, 6 Mbaud", 6),
-    _uart("UART, 12 Mbaud", 12),
+    UART_12,
     ASYNCHRONOUS,
     Medium("synchronous FT245", "mode=ft245-sync", Pins.SYNC_FIFO, "FIFO", 40e6),
 )
 FIFO_SIZES = (16, 256)
 SHARED = Medium("shared FT245, CRC-16", "mode=ft245-sync", Pins.SYNC_FIFO, "FIFO", 8e6, crc_bits=16)
 """Both directions share what the asynchronous FIFO has for each, with a longer check."""
-FORMED = (ASYNCHRONOUS, _uart("UART, 12 Mbaud", 12), SHARED)
+FORMED = (ASYNCHRONOUS, UART_12, SHARED)
 """Media on which text and compact frames are compared."""

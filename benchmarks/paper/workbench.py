@@ -115,10 +115,11 @@ class Workbench(msgspec.Struct, frozen=True):
             yield probe
 
     def _board(self) -> tuple[BareGateway, AttachedBoard]:
+        info = self.medium.of(MODEL)
         if self.gateway == "model":
             # Bytes come one by one: a step that fills a FIFO would look like an overflow.
             step = min(STEP, self.medium.fifo_bytes // 2)
-            model = VirtualGateway(self.medium.of(MODEL))
+            model = VirtualGateway(info)
             return model, GatewayBoard(model, self.medium.mode, step=step)
-        gateware = compiled_gateway(compact=self.medium.compact)
+        gateware = compiled_gateway(info.features)
         return gateware, RtlBoard(gateware, self.timing.fifo_bytes_per_second)

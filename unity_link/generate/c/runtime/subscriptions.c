@@ -239,7 +239,8 @@ static const char *plan(const ul_link *link, ul_subscription *subscription)
     subscription->capacity = places - 1;
     if (subscription->storage == NULL || places < 2)
         return "storage of UL_STORAGE(samples, addresses) words is needed";
-    if (subscription->trigger && !(features & UL_FEATURE_EXTERNAL_TRIGGERS)) return "the gateway was built without external triggers";
+    if (subscription->trigger && !(features & UL_FEATURE_EXTERNAL_TRIGGERS))
+        return "the gateway was built without external triggers";
     if (subscription->timestamps && !(features & UL_FEATURE_TIMESTAMPS))
         return "the gateway was built without timestamps";
     subscription->flags |= (subscription->trigger ? TRIGGER : 0)
