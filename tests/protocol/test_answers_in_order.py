@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import msgspec
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from support.open_at_once import open_at_once
@@ -63,7 +63,8 @@ class Slow(Session):
                 self._number(run, now)
                 if run.posted:
                     self._fence(now)
-        self._fence(now)
+        if self._fence(now):
+            self._admit(now, events)
 
     def submit_alone(self, request: Request, now: float) -> bytes:
         return b""
@@ -261,8 +262,14 @@ def assert_has_room_where_there_is_some(window: Window[Any]) -> None:
         assert window.has_room(size, posted=posted) == (window.room(size, posted=posted) > 0)
 
 
+FENCED_BY_TIME = [Turn(["R", "R", "R", "fence", "fence", "WS", "R"], [], None, 0.0, cancelled=False)]
+FENCED_BY_TIME += [Turn(["R"], [], None, 0.01, cancelled=True)]
+"""The ``h`` behind a posted write goes by the time, and leaves room for the read that waits."""
+
+
 @pytest.mark.parametrize("node", [None, 5], ids=["own medium", "shared medium"])
 @settings(max_examples=examples(120))
+@example(turns=FENCED_BY_TIME, before=[], credit=100)
 @given(turns=turns, before=st.sampled_from([[], LOSS]), credit=st.sampled_from([None, None, 20, 100, 500]))
 def test_answers_side_by_side_are_what_they_are_line_by_line(
     node: int | None, turns: list[Turn], before: list[Turn], credit: int | None

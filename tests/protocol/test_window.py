@@ -669,16 +669,16 @@ def test_answers_to_a_part_that_is_known_to_be_executed_and_one_that_is_not_clos
 
 
 @pytest.mark.parametrize("first", [0, 200])
-def test_the_requests_of_a_run_that_still_wait_are_counted_up_to_the_first_that_does_not(first: int) -> None:
+def test_the_parts_of_a_run_that_wait_are_those_that_are_not_answered(first: int) -> None:
     window: Window[Named] = Window(RING)
     for start in range(0, first, 100):
         window.send(Named("x", count=100), 0.0)
         window.answered(start, 100, now=0.0)
-    window.send(Named("m", count=100), 0.0)
-    assert window.waiting_from(first, 100) == 100
+    window.send(run := Named("m", count=100), 0.0)
     window.answered(first + 60 & 255, 1, now=0.0)
-    assert window.waiting_from(first, 100) == 60
-    assert window.waiting_from(first, 30) == 30
+    behind = first + 61 & 255
+    assert [*window.parts(first, first + 100 & 255)] == [(first, run, 0, 60), (behind, run, 61, 39)]
+    assert [*window.parts(first, first + 30 & 255)] == [(first, run, 0, 30)]
 
 
 def test_a_run_goes_round_the_ring() -> None:

@@ -17,13 +17,11 @@ class Allowance:
         byte_limit: most unconfirmed request bytes, or None where flow control protects the gateway's receive FIFO.
     """
 
-    __slots__ = ("_after_loss", "_came", "_most", "allowed", "byte_limit", "bytes", "loses")
+    __slots__ = ("_after_loss", "_came", "_most", "allowed", "byte_limit", "loses")
 
     def __init__(self, most: int, byte_limit: int | None) -> None:
         self._most = self.allowed = most
         self.byte_limit = byte_limit
-        self.bytes = 0
-        """Characters of the requests that are not known to be executed."""
         self.loses = False
         """True if fewer are kept in flight, for the line has lost some."""
         self._after_loss = self._came = 0
@@ -32,20 +30,21 @@ class Allowance:
         """Return for how many requests of `size` characters there is room while nothing is under way."""
         return self.allowed if self.byte_limit is None else min(self.allowed, max(1, self.byte_limit // size))
 
-    def room(self, outstanding: int, size: int, *, kept_free: bool) -> int:
+    def room(self, outstanding: int, outstanding_bytes: int, size: int, *, kept_free: bool) -> int:
         """Return how many more requests of `size` characters may be sent.
 
         Args:
             outstanding: requests that may still be lost.
+            outstanding_bytes: characters of those that are not known to be executed.
             size: of each that may be sent.
             kept_free: whether one more place is left.
         """
         # A window of one has no room for both.
         room = self.allowed - outstanding - (kept_free and self._most > 1)
         if self.byte_limit is not None:
-            by_bytes = (self.byte_limit - self.bytes) // size - kept_free
+            by_bytes = (self.byte_limit - outstanding_bytes) // size - kept_free
             # A request longer than the whole FIFO goes alone.
-            room = min(room, max(by_bytes, 0 if self.bytes else 1))
+            room = min(room, max(by_bytes, 0 if outstanding_bytes else 1))
         return room
 
     def lose(self) -> None:

@@ -143,7 +143,7 @@ class Answers:
             if rows < FEWEST_ROWS:
                 return start
             # Of those sent again, some may have been answered meanwhile.
-            rows = window.waiting_from(number, rows)
+            rows = next(window.parts(number, number + rows & self._mask)).length
             taken = run.accept_rows(offset, data[start : start + rows * run.reply_size], events)
             if not taken:
                 return start

@@ -36,9 +36,10 @@ class HostCodec(Codec):
         """Seed of what is sent."""
         self.seed_back = seed_of(session, from_gateway=True)
         """Seed of what the gateway sends."""
-        self.begun = self.framing.begun ^ self.seed
-        """Value with which the checks of what is sent begin, behind the prefix."""
-        self.begun_back = self.framing.begun ^ self.seed_back
+        framing = self.framing
+        self.begun = framing.crc.begun(framing.prefix, framing.begun ^ self.seed)
+        """Value with which the checks of what is sent begin, so that the seed is in them behind the prefix."""
+        self.begun_back = framing.crc.begun(framing.prefix, framing.begun ^ self.seed_back)
         """The same of what the gateway sends."""
 
     def confirmations(self, first: int, count: int) -> bytes:

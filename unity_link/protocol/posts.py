@@ -10,23 +10,26 @@ import math
 from typing import Generic
 
 from unity_link.protocol.constants import FENCE_DELAY
-from unity_link.protocol.ring import Part, R, Ring
+from unity_link.protocol.ring import R
 
 
 class Posts(Generic[R]):
     """Posted writes that were sent and not told as done."""
 
-    __slots__ = ("_bytes", "due", "executed", "failed", "mark", "unfenced")
+    __slots__ = ("bytes", "due", "executed", "failed", "first", "mark", "unfenced")
 
     def __init__(self) -> None:
         self.unfenced = 0
-        self._bytes = 0
+        self.bytes = 0
+        """Characters of the unfenced ones."""
         self.due = math.inf
         """Instant at which they are to be confirmed, if there are any."""
         self.mark = 0
         """ID behind the last request that is no posted write, while there are unfenced ones."""
-        self.executed: list[Part[R]] = []
-        """Parts of runs, in their order."""
+        self.executed: list[R | None] = []
+        """Runs of the executed ones by ID, from `first` on; None for what else was sent between them."""
+        self.first = 0
+        """ID of the first of `executed`, if there are any."""
         self.failed = 0
         """Number of those whose errors have come, in this session."""
 
@@ -35,24 +38,34 @@ class Posts(Generic[R]):
         if not self.unfenced:
             self.due, self.mark = now + FENCE_DELAY, run.first
         self.unfenced += run.count
-        self._bytes += run.size * run.count
+        self.bytes += run.size * run.count
 
     def sent_behind(self, run: R, after: int) -> None:
         """Record a run that is sent behind unfenced ones, the IDs of which end before `after`."""
         if run.is_fence:
-            self.unfenced = self._bytes = 0
+            self.unfenced = self.bytes = 0
             self.due = math.inf
         else:
             self.mark = after
 
-    def need_fence(self, now: float, allowed: int, byte_limit: int | None) -> bool:
-        """Return whether they have waited long enough, or are many enough, to be confirmed by an ``h``."""
-        many = byte_limit is not None and 4 * self._bytes >= byte_limit
-        return self.unfenced > 0 and (many or 4 * self.unfenced >= allowed or now >= self.due)
+    def keep(self, number: int, runs: list[R | None], mask: int) -> None:
+        """Record those that were executed, by ID from `number` on; None for what else was."""
+        between = (number - self.first & mask) - len(self.executed)
+        if self.executed:
+            runs = [*self.executed, *[None] * between, *runs]
+            number = self.first
+        self._begin(number, runs, mask)
 
-    def take_executed(self, before: int, ring: Ring[R]) -> list[Part[R]]:
-        """Return the executed ones whose IDs are before another, and forget them."""
-        mask, half = ring.mask, ring.mask >> 1
-        count = sum((before - part.number & mask) <= half for part in self.executed)
-        taken, self.executed = self.executed[:count], self.executed[count:]
+    def take_executed(self, before: int, mask: int) -> list[R | None]:
+        """Return the executed ones whose IDs are from `first` on and before another, and forget them."""
+        count = before - self.first & mask
+        if count > mask >> 1:
+            return []
+        taken, rest = self.executed[:count], self.executed[count:]
+        self._begin(before, rest, mask)
         return taken
+
+    def _begin(self, number: int, runs: list[R | None], mask: int) -> None:
+        """Let the executed ones be these; what stands before the first of them is left out."""
+        other = next((place for place, run in enumerate(runs) if run is not None), len(runs))
+        self.first, self.executed = number + other & mask, runs[other:]

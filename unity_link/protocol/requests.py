@@ -152,16 +152,14 @@ class Message(Run):
         """Return what stands behind the ID in a response that begins so; None where it is anything else, or damaged."""
         codec = self.codec
         framing = codec.framing
-        ending = -framing.ending_size
-        body = frame[codec.prefix_size : ending]
+        covered = frame[: -framing.ending_size]
         if (
             len(frame) == self.reply_size
-            and body.startswith(opening)
-            and frame[ending:] == framing.ending(body, codec.begun_back)
-            and LF not in body
-            and frame.startswith(framing.prefix)
+            and covered.startswith(opening)
+            and frame.endswith(framing.ending(covered, codec.begun_back))
+            and LF not in covered
         ):
-            return body[len(opening) :]
+            return covered[len(opening) :]
         return None
 
     def accept(self, offset: int, body: bytes, position: int, events: Events) -> bool:
@@ -279,7 +277,7 @@ class Request(Message, Awaited):
         self.fields = fields
         self.of_session = of_session
         self.opening = b""
-        """Beginning of the body, and of that of the answer: the command and the ID that the window gave."""
+        """Beginning of the frame, and of that of the answer: the command and the ID that the window gave."""
         self.sent = False
         """True if it was given an ID."""
         self.done = False
@@ -292,10 +290,9 @@ class Request(Message, Awaited):
     def encode(self) -> bytes:
         """Return the frame, under the ID that the window has given."""
         codec = self.codec
-        framing = codec.framing
-        self.opening = opening = codec.lower[self.command] + codec.id_text[self.first]
-        body = opening + self.fields
-        self.frames = frame = framing.prefix + body + framing.ending(body, codec.begun)
+        self.opening = codec.openings[self.command] + codec.id_text[self.first]
+        covered = self.opening + self.fields
+        self.frames = frame = covered + codec.framing.ending(covered, codec.begun)
         return frame
 
     def take_frame(self, offset: int, frame: bytes, events: Events) -> bool:  # noqa: ARG002
@@ -639,7 +636,7 @@ class BatchRun(Message):
     def take_frame(self, offset: int, frame: bytes, events: Events) -> bool:
         """Take the frame of the response to one message; False where it is anything else, or not as it usually is."""
         codec = self.codec
-        opening = codec.lower[self.command] + codec.id_text[self.first + offset & codec.ring - 1]
+        opening = codec.openings[self.command] + codec.id_text[self.first + offset & codec.ring - 1]
         data = self.data_of(frame, opening)
         return data is not None and self._take(self._start + offset, data, events)
 

@@ -15,6 +15,7 @@ IDs go round a ring of 16**id_digits numbers, on which the host keeps three mark
 
 from __future__ import annotations
 
+from itertools import groupby
 from typing import TYPE_CHECKING, Generic, NamedTuple, Self, TypeVar
 
 if TYPE_CHECKING:
@@ -27,7 +28,7 @@ class Run:
     A single request is a run of one. A run of many lets a batch be numbered, sent and answered in one step.
     """
 
-    __slots__ = ("count", "first", "posted", "reply_size", "sending", "size")
+    __slots__ = ("before", "count", "first", "posted", "reply_size", "sending", "size")
     is_fence = False
     """True of an ``h``, the answer to which counts the posted writes that failed."""
     places = 0
@@ -40,6 +41,8 @@ class Run:
         """The first ID, given by the window."""
         self.sending = 0
         """Place of the first request among all that were sent, given by the window."""
+        self.before = 0
+        """Characters of all requests of the session before the first, given by the window."""
         self.count = count
         """Number of requests."""
         self.size = size
@@ -109,41 +112,23 @@ class Ring(Generic[R]):
 
     def fill(self, first: int, count: int, run: R | None) -> None:
         """Let a run wait for the answers to some IDs, or nothing."""
-        beyond = first + count - self.mask - 1
-        if beyond > 0:
-            self.slots[:beyond] = [run] * beyond
-            count -= beyond
-        self.slots[first : first + count] = [run] * count
+        self.put(first, [run] * count)
 
-    def waiting_from(self, number: int, most: int) -> int:
-        """Return how many IDs from `number` on, of `most`, wait for answers to the same run as `number` does."""
-        run, end = self.slots[number], number + most
-        slots = self.slots[number:end] + self.slots[: max(0, end - self.mask - 1)]
-        if slots.count(run) == len(slots):
-            return len(slots)
-        return next(index for index, other in enumerate(slots) if other is not run)
+    def put(self, first: int, runs: list[R | None]) -> None:
+        """Let these wait for the answers to the IDs from `first` on, each to one; None is nothing."""
+        before_lap = min(len(runs), self.mask + 1 - first)
+        self.slots[first : first + before_lap] = runs[:before_lap]
+        self.slots[: len(runs) - before_lap] = runs[before_lap:]
 
     def parts(self, position: int, last: int) -> Iterator[Part[R]]:
         """Return the parts of runs that wait for answers from one ID on and before another."""
-        slots, mask = self.slots, self.mask
-        while position != last:
-            run = slots[position]
-            if run is None:
-                position = position + 1 & mask
-                continue
-            offset = position - run.first & mask
-            count = self.waiting_from(position, min(run.count - offset, last - position & mask))
-            yield Part(position, run, offset, count)
-            position = position + count & mask
+        return parts_of(self.between(position, last), position, self.mask)
 
     def behind_next_with_answer(self, position: int) -> int:
         """Return the ID behind the next request that has an answer; that of the next where all are posted writes."""
-        while position != self.next:
-            run = self.slots[position]
-            position = position + 1 & self.mask
-            if run is not None and not run.posted:
-                break
-        return position
+        runs = self.between(position, self.next)
+        answered = (place for place, run in enumerate(runs, 1) if run is not None and not run.posted)
+        return position + next(answered, len(runs)) & self.mask
 
     def advance(self) -> bool:
         """Move the oldest mark up over what is done; return whether it moved."""
@@ -154,3 +139,12 @@ class Ring(Generic[R]):
             done = next(place for place, run in enumerate(between) if run is not None)
         self.oldest = before + done & self.mask
         return done > 0
+
+
+def parts_of(runs: list[R | None], number: int, mask: int) -> Iterator[Part[R]]:
+    """Return the parts of the runs that stand for the IDs from `number` on, each for one; None is nothing."""
+    for run, same in groupby(runs):
+        count = len(list(same))
+        if run is not None:
+            yield Part(number, run, number - run.first & mask, count)
+        number = number + count & mask

@@ -253,10 +253,19 @@ class Session:
         out = self.output
         if out and self.window.allowance.loses:
             # Nothing may follow it for long.
-            self._send(self.codec.burst_end)
+            self.output.append(self.codec.burst_end)
+        if self._echo is not None:
+            self._expect_echoes(self._echo)
         data = b"".join(out if self._packer is None else map(self._packer.pack, out))
         out.clear()
         return data
+
+    def _expect_echoes(self, echo: Counter[bytes]) -> None:
+        """Record the lines that are sent now, for they may come back."""
+        if echo.total() > _MOST_ECHOES:
+            # They were damaged on the way.
+            echo.clear()
+        echo.update(line for line in b"".join(self.output).split(LF) if line)
 
     def describe_silence(self) -> str:
         """Return what was heard of a gateway that has not answered, for an error."""
@@ -378,7 +387,7 @@ class Session:
             source.sent = True
             self.counters.requests += 1
             window.send(source, now)
-            self._send(source.encode())
+            self.output.append(source.encode())
             if source.posted:
                 self._fence(now)
             return events
@@ -391,11 +400,9 @@ class Session:
         waiting.append(source)
         if self._answers is None:
             return events
-        if source is waiting[0] or waiting[0].unwanted():
+        if source is waiting[0] or waiting[0].unwanted() or self._fence(now):
             self._admit(now, events)
-        else:
-            # What is first has no room: it would have been sent by what made some.
-            self._fence(now)
+        # Else what is first has no room: it would have been sent by what made some.
         return events
 
     def _drop_unwanted(self) -> None:
@@ -424,7 +431,7 @@ class Session:
         """Assign IDs to a run, and send it."""
         self.counters.requests += run.count
         self.window.send(run, now)
-        self._send(run.encode())
+        self.output.append(run.encode())
 
     def _admit(self, now: float, events: Events) -> None:
         """Let sources into the window, in turn, as far as there is room."""
@@ -455,7 +462,8 @@ class Session:
             if posted:
                 self._fence(now)
                 size = 0
-        self._fence(now)
+        if self._fence(now):
+            self._admit(now, events)
 
     def _overlaps(self, source: Source) -> bool:
         """Return whether the words of a destructive read would take the place of some that are not answered."""
@@ -469,10 +477,15 @@ class Session:
                 return True
         return False
 
-    def _fence(self, now: float) -> None:
-        """Confirm posted writes by an ``h`` where it is time."""
-        if self.window.needs_fence(now):
+    def _fence(self, now: float) -> bool:
+        """Confirm posted writes by an ``h`` where it is time; return whether it was.
+
+        Then the place that was kept for it may be room for what waits.
+        """
+        needed = self.window.needs_fence(now)
+        if needed:
             self._number(Confirmation(self.codec), now)
+        return needed
 
     def _go_on(self, now: float, events: Events) -> None:
         """Send what answers have made room for, or shown to be lost."""
@@ -486,7 +499,7 @@ class Session:
     def _ask_whose(self) -> None:
         """Ask which session is under way: the answer says how far the line has come, too."""
         self.window.repetition.ask()
-        self._send(self.codec.framing.checked(b"K"))
+        self.output.append(self.codec.framing.checked(b"K"))
 
     def _repeat(self) -> None:
         """Send unanswered requests again; an ``h`` in place of those that are not wanted any more."""
@@ -499,19 +512,10 @@ class Session:
         for number, run, offset, count in window.repeat():
             self.counters.repetitions += count
             frames = self.codec.confirmations(number, count) if run.unwanted() else run.frames_of(offset, count)
-            self._send(frames)
+            self.output.append(frames)
             repeated = True
         if repeated and not window.allowance.loses:
-            self._send(self.codec.burst_end)
-
-    def _send(self, data: bytes) -> None:
-        self.output.append(data)
-        if self._echo is None:
-            return
-        if self._echo.total() > _MOST_ECHOES:
-            # They were damaged on the way.
-            self._echo.clear()
-        self._echo.update(line for line in data.split(LF) if line)
+            self.output.append(self.codec.burst_end)
 
     # Groups
 
@@ -640,7 +644,8 @@ class Session:
         if window.repetition.is_due():
             self._repeat()
             counters.timeouts += window.signs.timed_out and counters.repetitions > before
-        self._fence(now)
+        if self._fence(now):
+            self._admit(now, events)
         keep_alive_due = self._keep_alive_due
         if keep_alive_due is not None and now >= keep_alive_due:
             self._waiting.append(Confirmation(self.codec, of_session=True))

@@ -42,7 +42,7 @@ from unity_link.protocol.constants import SHORTEST_TIMEOUT
 from unity_link.protocol.loss import LossSigns
 from unity_link.protocol.posts import Posts
 from unity_link.protocol.repetition import NEVER, Repetition
-from unity_link.protocol.ring import Part, R, Ring
+from unity_link.protocol.ring import Part, R, Ring, parts_of
 from unity_link.protocol.round_trip import RoundTrip
 
 if TYPE_CHECKING:
@@ -71,7 +71,7 @@ class Window(Ring[R]):
         most: requests in flight, at most; None for half the ring.
     """
 
-    __slots__ = ("allowance", "posts", "repetition", "round_trip", "signs", "since")
+    __slots__ = ("_sent", "allowance", "posts", "repetition", "round_trip", "signs", "since")
 
     def __init__(
         self,
@@ -90,16 +90,25 @@ class Window(Ring[R]):
         self.signs = LossSigns()
         shortest = shortest_timeout if byte_limit is None else max(shortest_timeout, SHORTEST_TIMEOUT)
         self.round_trip = RoundTrip(byte_time, round_trip, shortest)
+        self._sent = 0
+        """Characters of all requests of the session."""
         self.since = 0.0
         """Instant of the last progress; while nothing is in flight, of the last request that was done."""
 
     @property
     def in_flight(self) -> int:
         """Number of IDs from the first on that was sent and is not done."""
-        executed = self.posts.executed
+        in_flight, posts = self.next - self.oldest & self.mask, self.posts
         # Either may be before the other.
-        held = self.next - executed[0].number & self.mask if executed else 0
-        return max(held, self.next - self.oldest & self.mask)
+        return max(in_flight, self.next - posts.first & self.mask) if posts.executed else in_flight
+
+    @property
+    def bytes(self) -> int:
+        """Characters of the requests that are not known to be executed."""
+        run = self.slots[self.executed]
+        if run is None or self.executed == self.next:
+            return 0
+        return self._sent - run.before - (self.executed - run.first & self.mask) * run.size
 
     def is_idle(self) -> bool:
         """Return whether nothing is in flight."""
@@ -123,17 +132,19 @@ class Window(Ring[R]):
         outstanding = self.unanswered_count
         if self.oldest != self.executed:
             outstanding -= self.between(self.oldest, self.executed).count(None)
-        room = self.allowance.room(outstanding, size, kept_free=kept_free)
+        room = self.allowance.room(outstanding, self.bytes, size, kept_free=kept_free)
         return max(0, min(room, (self.mask >> 1) + 1 - self.in_flight - kept_free))
 
     def has_room(self, size: int, *, posted: bool) -> bool:
         """Return whether one more request of `size` characters may be sent now."""
-        allowance = self.allowance
-        in_flight = self.next - self.oldest & self.mask
-        if not in_flight and not self.posts.unfenced and not self.posts.executed:
+        in_flight, posts = self.next - self.oldest & self.mask, self.posts
+        if posts.executed:
+            in_flight = max(in_flight, self.next - posts.first & self.mask)
+        elif not in_flight:
             return True
+        allowance, repetition = self.allowance, self.repetition
         # What is done and still in flight would give more room, which is seldom needed.
-        if self.in_flight + 1 < allowance.allowed and allowance.byte_limit is None and not self.repetition.is_due():
+        if in_flight + 1 < allowance.allowed and allowance.byte_limit is None and repetition.start == repetition.end:
             return True
         return self.room(size, posted=posted) > 0
 
@@ -143,7 +154,8 @@ class Window(Ring[R]):
         run.first = first
         run.sending = repetition.sent
         repetition.sent += count
-        self.allowance.bytes += run.size * count
+        run.before = self._sent
+        self._sent += run.size * count
         if count == 1:
             self.slots[first] = run
         else:
@@ -158,13 +170,16 @@ class Window(Ring[R]):
             self.posts.sent_behind(run, self.next)
         trip = self.round_trip
         if trip.timed is None and now >= trip.next_measurement:
-            trip.begin(first, now, self.allowance.bytes, run.reply_size)
+            trip.begin(first, now, self.bytes, run.reply_size)
 
     def needs_fence(self, now: float) -> bool:
         """Return whether posted writes have waited long enough, or are many enough, to be confirmed by an ``h``."""
-        if not self.posts.unfenced or self.repetition.is_due():
+        posts, allowance, repetition = self.posts, self.allowance, self.repetition
+        if not posts.unfenced or repetition.start != repetition.end:
             return False
-        return self.posts.need_fence(now, self.allowance.allowed, self.allowance.byte_limit)
+        limit = allowance.byte_limit
+        many = 4 * posts.unfenced >= allowance.allowed or (limit is not None and 4 * posts.bytes >= limit)
+        return many or now >= posts.due
 
     def repeat(self) -> list[Part[R]]:
         """Return what is to be sent again now, in order."""
@@ -183,7 +198,7 @@ class Window(Ring[R]):
         if self.distance(never) < self.distance(self.executed):
             never = self.executed
         return chain(
-            _with_outcome(self.posts.executed, Outcome.EXECUTED),
+            _with_outcome(parts_of(self.posts.executed, self.posts.first, self.mask), Outcome.EXECUTED),
             _with_outcome(self.parts(self.oldest, self.executed), Outcome.EXECUTED),
             _with_outcome(self.parts(self.executed, never), Outcome.UNKNOWN),
             _with_outcome(self.parts(never, self.next), Outcome.NOT_EXECUTED),
@@ -204,15 +219,12 @@ class Window(Ring[R]):
 
     def answered_alone(self, now: float) -> None:
         """Record the answer to the oldest request, while it is quiet."""
-        number, allowance = self.oldest, self.allowance
-        run = self.slots[number]
-        assert run is not None
+        number = self.oldest
         if self.round_trip.timed == number:
             self.round_trip.end(now)
         self.slots[number] = None
-        allowance.bytes -= run.size
-        if allowance.loses:
-            allowance.came_through(1)
+        if self.allowance.loses:
+            self.allowance.came_through(1)
         self.oldest = self.executed = number + 1 & self.mask
         self.since = now
 
@@ -231,10 +243,7 @@ class Window(Ring[R]):
         if trip.is_doubled and repetition.sending(run, last) == repetition.first_sending(run, last):
             trip.undo_doubling()
         self._confirm(number)
-        # Those before `executed` have left the FIFO already.
-        beyond = self.distance(after) - self.distance(self.executed)
-        if beyond > 0:
-            self.allowance.bytes -= self._size(after, beyond)
+        if self.distance(after) > self.distance(self.executed):
             self.executed = after
         self.fill(number, count, None)
         if self.allowance.loses:
@@ -264,7 +273,7 @@ class Window(Ring[R]):
         """
         posts = self.posts
         self._confirm(number + 1 & self.mask)
-        executed = posts.take_executed(number, self)
+        first, executed = posts.first, posts.take_executed(number, self.mask)
         asked = [part for part in self.parts(self.oldest, number) if part.run.is_question]
         if not executed and not asked:
             return True
@@ -272,11 +281,11 @@ class Window(Ring[R]):
             for part in asked:
                 self.answered(part.number, part.length, now)
             return True
-        for part in executed:
+        for part in parts_of(executed, first, self.mask):
             self.fill(part.number, part.length, part.run.question(part.offset, part.length))
-        if executed and self.distance(executed[0].number) > self.mask >> 1:
+        if executed and self.distance(first) > self.mask >> 1:
             # Otherwise an earlier ``h`` has gone back further.
-            self.oldest = executed[0].number
+            self.oldest = first
         self.signs.timed_out = False
         self._repeat(self.oldest, number + 1 & self.mask, now)
         return False
@@ -358,13 +367,13 @@ class Window(Ring[R]):
             return posts.due
         if self.next == self.oldest:
             return None
-        expiry = self.since + self.round_trip.time_out(self.allowance.bytes, self._next_reply_size())
+        expiry = self.since + self.round_trip.time_out(self.bytes, self._next_reply_size())
         return expiry if repeating else min(expiry, posts.due)
 
     @property
     def longest_answer(self) -> float:
         """Seconds after which no answer can come any more to the oldest request, if it was sent just now."""
-        return self.round_trip.longest(self.allowance.bytes, self._next_reply_size())
+        return self.round_trip.longest(self.bytes, self._next_reply_size())
 
     def resume(self, now: float) -> None:
         """Record that the turn has come in which something is sent again: the time for its answer begins."""
@@ -393,29 +402,18 @@ class Window(Ring[R]):
         run = self.slots[last]
         return 0 if run is None else run.reply_size
 
-    def _size(self, end: int, count: int) -> int:
-        """Return how many characters the last requests before an ID have."""
-        first = end - count & self.mask
-        run = self.slots[first]
-        if run is not None and self.slots[end - 1] is run:
-            return run.size * count
-        return sum([run.size for run in self.between(first, end) if run is not None])
-
     def _confirm(self, expected: int) -> bool:
         """Move `executed` up, if it is not so far; the posted writes that it passes are executed."""
         if self.distance(expected) <= self.distance(self.executed):
             return False
-        size = posted = 0
-        for part in self.parts(self.executed, expected):
-            size += part.run.size * part.length
-            if part.run.posted:
-                posted += part.length
-                self.posts.executed.append(part)
-                self.fill(part.number, part.length, None)
-        self.allowance.bytes -= size
+        number, runs = self.executed, self.between(self.executed, expected)
+        posts = [run if run is not None and run.posted else None for run in runs]
         self.executed = expected
-        if self.allowance.loses:
-            self.allowance.came_through(posted)
+        if any(posts):
+            self.posts.keep(number, posts, self.mask)
+            self.put(number, [None if post is not None else run for post, run in zip(posts, runs, strict=True)])
+            if self.allowance.loses:
+                self.allowance.came_through(len(posts) - posts.count(None))
         return True
 
     def _news(self, now: float) -> None:
