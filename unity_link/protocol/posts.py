@@ -16,16 +16,18 @@ from unity_link.protocol.ring import R
 class Posts(Generic[R]):
     """Posted writes that were sent and not told as done."""
 
-    __slots__ = ("bytes", "due", "executed", "failed", "first", "mark", "unfenced")
+    __slots__ = ("before", "due", "executed", "failed", "first", "mark", "start", "unfenced")
 
     def __init__(self) -> None:
-        self.unfenced = 0
-        self.bytes = 0
-        """Characters of the unfenced ones."""
+        self.unfenced = False
+        """True if some are unfenced."""
+        self.start = self.mark = 0
+        """IDs of the first unfenced one, and behind the last request that is no posted write since, if there are any.
+        """
+        self.before = 0
+        """Characters of all requests before the first unfenced one."""
         self.due = math.inf
         """Instant at which they are to be confirmed, if there are any."""
-        self.mark = 0
-        """ID behind the last request that is no posted write, while there are unfenced ones."""
         self.executed: list[R | None] = []
         """Runs of the executed ones by ID, from `first` on; None for what else was sent between them."""
         self.first = 0
@@ -33,18 +35,16 @@ class Posts(Generic[R]):
         self.failed = 0
         """Number of those whose errors have come, in this session."""
 
-    def sent(self, run: R, now: float) -> None:
-        """Record a run of posted writes that is sent."""
-        if not self.unfenced:
-            self.due, self.mark = now + FENCE_DELAY, run.first
-        self.unfenced += run.count
-        self.bytes += run.size * run.count
+    def begin(self, run: R, now: float) -> None:
+        """Record the first posted writes behind the last ``h``."""
+        self.unfenced = True
+        self.start = self.mark = run.first
+        self.before, self.due = run.before, now + FENCE_DELAY
 
     def sent_behind(self, run: R, after: int) -> None:
         """Record a run that is sent behind unfenced ones, the IDs of which end before `after`."""
         if run.is_fence:
-            self.unfenced = self.bytes = 0
-            self.due = math.inf
+            self.unfenced, self.due = False, math.inf
         else:
             self.mark = after
 
@@ -54,7 +54,7 @@ class Posts(Generic[R]):
         if self.executed:
             runs = [*self.executed, *[None] * between, *runs]
             number = self.first
-        self._begin(number, runs, mask)
+        self._hold(number, runs, mask)
 
     def take_executed(self, before: int, mask: int) -> list[R | None]:
         """Return the executed ones whose IDs are from `first` on and before another, and forget them."""
@@ -62,10 +62,10 @@ class Posts(Generic[R]):
         if count > mask >> 1:
             return []
         taken, rest = self.executed[:count], self.executed[count:]
-        self._begin(before, rest, mask)
+        self._hold(before, rest, mask)
         return taken
 
-    def _begin(self, number: int, runs: list[R | None], mask: int) -> None:
+    def _hold(self, number: int, runs: list[R | None], mask: int) -> None:
         """Let the executed ones be these; what stands before the first of them is left out."""
         other = next((place for place, run in enumerate(runs) if run is not None), len(runs))
         self.first, self.executed = number + other & mask, runs[other:]

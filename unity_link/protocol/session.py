@@ -388,7 +388,7 @@ class Session:
             self.counters.requests += 1
             window.send(source, now)
             self.output.append(source.encode())
-            if source.posted:
+            if window.posts.unfenced and window.needs_fence(now):
                 self._fence(now)
             return events
         if self.closed is not None:

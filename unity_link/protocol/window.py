@@ -127,7 +127,7 @@ class Window(Ring[R]):
         """
         if self.repetition.is_due():
             return 0
-        kept_free = posted or self.posts.unfenced > 0
+        kept_free = posted or self.posts.unfenced
         # What is not known to be executed, or executed and not answered, may still be lost.
         outstanding = self.unanswered_count
         if self.oldest != self.executed:
@@ -139,7 +139,8 @@ class Window(Ring[R]):
         """Return whether one more request of `size` characters may be sent now."""
         in_flight, posts = self.next - self.oldest & self.mask, self.posts
         if posts.executed:
-            in_flight = max(in_flight, self.next - posts.first & self.mask)
+            held = self.next - posts.first & self.mask
+            in_flight = max(in_flight, held)
         elif not in_flight:
             return True
         allowance, repetition = self.allowance, self.repetition
@@ -164,7 +165,8 @@ class Window(Ring[R]):
             self.since = now
         self.next = first + count & self.mask
         if run.posted:
-            self.posts.sent(run, now)
+            if not self.posts.unfenced:
+                self.posts.begin(run, now)
             return
         if self.posts.unfenced:
             self.posts.sent_behind(run, self.next)
@@ -178,8 +180,11 @@ class Window(Ring[R]):
         if not posts.unfenced or repetition.start != repetition.end:
             return False
         limit = allowance.byte_limit
-        many = 4 * posts.unfenced >= allowance.allowed or (limit is not None and 4 * posts.bytes >= limit)
-        return many or now >= posts.due
+        return (
+            4 * (self.next - posts.start & self.mask) >= allowance.allowed
+            or now >= posts.due
+            or (limit is not None and 4 * (self._sent - posts.before) >= limit)
+        )
 
     def repeat(self) -> list[Part[R]]:
         """Return what is to be sent again now, in order."""
@@ -272,7 +277,9 @@ class Window(Ring[R]):
         Otherwise each is asked for, and the ``h`` is sent once more behind them.
         """
         posts = self.posts
-        self._confirm(number + 1 & self.mask)
+        self._confirm(number)
+        if self.executed == number:
+            self.executed = number + 1 & self.mask
         first, executed = posts.first, posts.take_executed(number, self.mask)
         asked = [part for part in self.parts(self.oldest, number) if part.run.is_question]
         if not executed and not asked:
@@ -407,11 +414,13 @@ class Window(Ring[R]):
         if self.distance(expected) <= self.distance(self.executed):
             return False
         number, runs = self.executed, self.between(self.executed, expected)
-        posts = [run if run is not None and run.posted else None for run in runs]
         self.executed = expected
-        if any(posts):
+        different = set(runs)
+        others = {run for run in different if run is None or not run.posted}
+        if len(others) < len(different):
+            posts = [None if run in others else run for run in runs] if others else runs
             self.posts.keep(number, posts, self.mask)
-            self.put(number, [None if post is not None else run for post, run in zip(posts, runs, strict=True)])
+            self.put(number, [run if run in others else None for run in runs] if others else [None] * len(runs))
             if self.allowance.loses:
                 self.allowance.came_through(len(posts) - posts.count(None))
         return True
