@@ -9,7 +9,6 @@ from unity_link.protocol.compact import (
     COMMANDS,
     END,
     ESCAPE,
-    FEWEST_FRAMES,
     START,
     STUFFED,
     CompactForm,
@@ -89,7 +88,7 @@ def frames(draw: st.DrawFn, form: CompactForm, command: str = "") -> bytes:
 def alike(draw: st.DrawFn, form: CompactForm) -> bytes:
     """Return frames of one command, most of one length, side by side."""
     frame = draw(frames(form, draw(st.sampled_from(COMMANDS))))
-    count = draw(st.integers(FEWEST_FRAMES, 30))
+    count = draw(st.integers(2, 30))
     text = bytearray(frame * count)
     head = len(frame) - 1 - 8
     for at in draw(st.lists(st.integers(0, count - 1))):
@@ -116,6 +115,13 @@ def test_frames_of_one_length_are_packed_and_unpacked_together_as_one_by_one(dat
     assert packed == one_by_one(form, text)
     assert packed.count(START) == packed.count(END) == text.count(b"\n")
     assert as_sent(form, Unpacker(form).unpack(packed)) == text
+
+
+@given(st.data())
+def test_frames_of_any_lengths_are_packed_together_as_one_by_one(data: st.DataObject) -> None:
+    form = data.draw(FORMS)
+    text = b"".join(data.draw(st.lists(alike(form) | frames(form), min_size=1)))
+    assert Packer(form).pack(text) == one_by_one(form, text)
 
 
 @given(st.data())

@@ -1,13 +1,14 @@
 """The compact form of frames (docs/protocol.md, "The compact form"): two digits a byte, between bytes that no text has.
 
 It is the same frame, with the CRC of its text: what is above this module sees text, and both forms mix at any time.
-Many frames of one command and one length, side by side, are taken together (`unity_link.protocol.compact_rows`).
+Frames side by side are taken together: in hex digits with a space between bytes, no byte is taken for another.
 """
 
 from __future__ import annotations
 
 import dataclasses
 import re
+from itertools import groupby
 from typing import TYPE_CHECKING, Final
 
 from unity_link.protocol.configuration import Feature
@@ -22,7 +23,6 @@ from unity_link.protocol.frames import (
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
-    from types import ModuleType
 
     from unity_link.protocol.configuration import GatewayInfo
 
@@ -33,16 +33,17 @@ STUFFED: Final = COMPACT_STUFFED
 RESERVED: Final = COMPACT_RESERVED
 COMMANDS: Final = ("r", "rm", "rq", "w", "wm", "wq", "wk", "ws", "h", "gn", "gx", "gp", "i", "n", "x", "P")
 """Commands that have this form, each at its number."""
-FEWEST_FRAMES: Final = 8
-"""Frames that are worth a turn of numpy."""
 _ADDRESSED: Final = frozenset(("r", "rm", "rq", "w", "wm", "wq", "wk", "ws"))
 """Commands whose requests name an address."""
 _STUFFING: Final = [(bytes((byte,)), ESCAPE + bytes((byte ^ STUFFED,))) for byte in ESCAPE + RESERVED[:-1]]
 """Bytes and what stands for them; the escape comes first, for it is in what stands for the others."""
+_SPACED_STUFFING: Final = [(f" {byte.hex(' ')}", f" {stuffed.hex(' ')}") for byte, stuffed in _STUFFING]
+"""The same in hex digits, a space before each byte."""
+_BETWEEN: Final = f" {END.hex()} {START.hex()}"
 _SAMPLE: Final = COMMANDS.index("P")
 _FIRST_LETTER: Final = ord("g")
 _ESCAPED = re.compile(rb"\xd3(.?)", re.DOTALL)
-_DIGITS = re.compile(r"[0-9A-F]*").fullmatch
+_DIGITS: Final = b"0123456789ABCDEF"
 _FRAME = re.compile(rb"\xb5[^\n\r\xb5\xca]*\xca\n?|[^\n\xb5\xca]*\n")
 _PIECE = re.compile(rb"\xb5([^\n\r\xb5\xca]*)([\n\r\xb5\xca])|([\n\r])|(\xca)|[^\n\r\xb5\xca]+")
 
@@ -98,21 +99,38 @@ class Packer:
 
     def pack(self, frames: bytes) -> bytes:
         """Return frames, whole ones, with those that have a compact form in it, and the others as they are."""
-        size = frames.find(b"\n") + 1
-        if size == len(frames):
+        if frames.find(b"\n") == len(frames) - 1:
             return self.pack_one(frames)
+        packed = self._pack_equal(frames)
+        if packed:
+            return packed
+        groups = [[*group] for _, group in groupby(frames.splitlines(keepends=True), len)]
+        return b"".join([self._pack_equal(b"".join(group)) or b"".join(map(self.pack_one, group)) for group in groups])
+
+    def _pack_equal(self, frames: bytes) -> bytes:
+        """Return two frames or more of one command and one length in compact form; nothing where they are not that."""
+        size = frames.find(b"\n") + 1
         count = len(frames) // size if size else 0
+        head, at = self._head(frames)
+        begin = frames[:at]
         if (
-            count >= FEWEST_FRAMES
-            and not self._prefix_size
-            and frames[size - 1 :: size] == b"\n" * count
-            and len(frames) == size * count
+            count < 2
+            or len(frames) != size * count
+            or not head
+            or self._prefix_size
+            or (size - 1 - at + len(head)) % 2
+            or frames[size - 1 :: size] != b"\n" * count
+            or frames.count(b"\n" + begin) != count - 1
+            or frames.translate(None, _DIGITS) != (begin + b"\n") * count
         ):
-            head, at = self._head(frames)
-            packed: bytes = _rows().pack(frames, count, at, head) if head else b""
-            if packed:
-                return packed
-        return b"".join(map(self.pack_one, frames.splitlines(keepends=True)))
+            return b""
+        digits = head + frames[at:-1].decode().replace("\n" + begin.decode(), head)
+        spaced = " " + bytes.fromhex(digits).hex(" ")
+        width = 3 * (len(spaced) // (3 * count))
+        lines = "\n".join([spaced[start : start + width] for start in range(0, len(spaced), width)])
+        for byte, stuffed in _SPACED_STUFFING:
+            lines = lines.replace(byte, stuffed)
+        return START + bytes.fromhex(lines.replace("\n", _BETWEEN)) + END
 
     def _head(self, frame: bytes) -> tuple[str, int]:
         """Return the number of the command of a frame and what fills up, and where the digits begin; or nothing."""
@@ -123,14 +141,12 @@ class Packer:
     def pack_one(self, frame: bytes) -> bytes:
         """Return one frame in compact form if it has one, and as it is otherwise."""
         head, at = self._head(frame)
-        if not head or frame[-1:] != b"\n":
+        digits = frame[1 : self._prefix_size] + head.encode() + frame[at:-1]
+        if not head or frame[-1:] != b"\n" or (self._prefix_size and frame[:1] != b"Z"):
             return frame
-        digits = frame[at:-1].decode("latin-1")
-        text = frame[1 : self._prefix_size].decode("latin-1") + head + digits
-        if len(text) % 2 or not _DIGITS(text) or (self._prefix_size and frame[:1] != b"Z"):
+        if len(digits) % 2 or digits.translate(None, _DIGITS):
             return frame
-        content = bytes.fromhex(text)
-        return START + _stuffed(content) + self._end
+        return START + _stuffed(bytes.fromhex(digits.decode())) + self._end
 
 
 class Unpacker:
@@ -167,8 +183,7 @@ class Unpacker:
             return b""
         if data.isascii():
             return data
-        found = _PIECE.fullmatch(data)
-        return self._text(found[1]) + b"\n" if found is not None and found[2] == END else b""
+        return self._text_of_frames(data) if data.count(END) == 1 else b""
 
     def unpack(self, data: bytes) -> bytes:
         """Return the text of what has arrived; a compact frame comes with its end."""
@@ -180,12 +195,50 @@ class Unpacker:
                 self._in_line = data[-1] not in b"\n\r"
             return data
         text = b""
-        count = data.count(END)
-        if count >= FEWEST_FRAMES and not self._has_node and not self._in_line and data.startswith(START):
-            end = data.rindex(END) + 1
-            if text := _rows().unpack(data[:end], count, self._heads):
-                data = data[end:]
+        if not self._in_line:
+            whole = data[: data.rfind(END) + 1]
+            text = self._text_of_frames(whole)
+            if text:
+                data = data[len(whole) :]
         return text + b"".join(self._pieces(data))
+
+    def _text_of_frames(self, data: bytes) -> bytes:
+        """Return the text of compact frames side by side; nothing where they are not that, or not whole."""
+        count = data.count(START)
+        if data[:1] != START or data[-1:] != END or data.count(END) != count or b"\n" in data or b"\r" in data:
+            return b""
+        if count == 1:
+            return self._text(data[1:-1]) + b"\n"
+        spaced = data.hex(" ")[2:-3].replace(_BETWEEN, "\n")
+        if self._has_node or spaced.count("\n") != count - 1:
+            return b""
+        if ESCAPE in data:
+            size = len(spaced)
+            for byte, stuffed in reversed(_SPACED_STUFFING):
+                spaced = spaced.replace(stuffed, byte)
+            if size - len(spaced) != 3 * data.count(ESCAPE):
+                return b""
+        digits = spaced.replace(" ", "").upper()
+        _, after = self._command(digits)
+        begin = digits[:after]
+        if digits.count("\n" + begin) == count - 1:
+            # All are of one command.
+            text = self._line(begin) + digits[after:].replace("\n" + begin, "\n" + self._line(begin))
+        else:
+            text = "\n".join(map(self._line, digits.split("\n")))
+        return text.encode() + b"\n"
+
+    def _command(self, digits: str) -> tuple[str, int]:
+        """Return the letters of the command of a frame, and how many of its digits stand for them."""
+        if not digits:
+            return "", 0
+        command, fill = self._heads[int(digits[0], 16)]
+        return command, 1 + len(fill)
+
+    def _line(self, digits: str) -> str:
+        """Return the text of a frame without its line end, given the digits behind its start."""
+        command, after = self._command(digits)
+        return command + digits[after:]
 
     def _pieces(self, data: bytes) -> Iterable[bytes]:
         at = 0
@@ -218,10 +271,7 @@ class Unpacker:
         prefix = ""
         if self._has_node and text:
             prefix, text = "Z" + text[:2], text[2:]
-        if not text:
-            return prefix.encode()
-        command, fill = self._heads[int(text[0], 16)]
-        return (prefix + command + text[1 + len(fill) :]).encode()
+        return (prefix + self._line(text)).encode()
 
 
 def text_of(info: GatewayInfo, *, from_gateway: bool) -> Callable[[bytes], bytes]:
@@ -240,13 +290,6 @@ def is_sample(frame: bytes, prefix: bytes) -> bool:
     """Return whether a frame of a gateway, in either form, is a sample; `prefix` is that of its text."""
     # Behind its number a sample has a digit that fills up, whatever the widths are.
     return frame.startswith((prefix + b"P", START + _stuffed(bytes.fromhex(prefix[1:].decode())) + b"\xf0"))
-
-
-def _rows() -> ModuleType:
-    """Return the module that takes frames together, which needs numpy."""
-    from unity_link.protocol import compact_rows
-
-    return compact_rows
 
 
 def _stuffed(content: bytes) -> bytes:

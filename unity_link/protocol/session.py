@@ -256,9 +256,9 @@ class Session:
             self.output.append(self.codec.burst_end)
         if self._echo is not None:
             self._expect_echoes(self._echo)
-        data = b"".join(out if self._packer is None else map(self._packer.pack, out))
+        data = b"".join(out)
         out.clear()
-        return data
+        return data if self._packer is None else self._packer.pack(data)
 
     def _expect_echoes(self, echo: Counter[bytes]) -> None:
         """Record the lines that are sent now, for they may come back."""
