@@ -219,6 +219,9 @@ architecture rtl of unity_link_core is
   signal fifo_out        : std_logic_vector(8 downto 0);
   signal fifo_out_valid  : std_logic;
   signal fifo_out_ready  : std_logic;
+  signal byte_in         : std_logic_vector(8 downto 0);
+  signal byte_valid      : std_logic;
+  signal byte_ready      : std_logic;
   signal character_in    : std_logic_vector(8 downto 0);
   signal character_valid : std_logic;
   signal character_ready : std_logic;
@@ -427,27 +430,23 @@ begin
       level     => open
     );
 
-  with_compact_rx : if compact generate
-    signal byte_in    : std_logic_vector(8 downto 0);
-    signal byte_valid : std_logic;
-    signal byte_ready : std_logic;
-  begin
+  -- The memory of the FIFO is as slow as all that a byte decides.
+  rx_register_inst : entity work.ul_stream_register
+    generic map (
+      width => 9
+    )
+    port map (
+      clk       => clk,
+      rst       => rst,
+      in_data   => fifo_out,
+      in_valid  => fifo_out_valid,
+      in_ready  => fifo_out_ready,
+      out_data  => byte_in,
+      out_valid => byte_valid,
+      out_ready => byte_ready
+    );
 
-    -- The memory of the FIFO is as slow as all that a byte of a compact frame decides.
-    byte_register_inst : entity work.ul_stream_register
-      generic map (
-        width => 9
-      )
-      port map (
-        clk       => clk,
-        rst       => rst,
-        in_data   => fifo_out,
-        in_valid  => fifo_out_valid,
-        in_ready  => fifo_out_ready,
-        out_data  => byte_in,
-        out_valid => byte_valid,
-        out_ready => byte_ready
-      );
+  with_compact_rx : if compact generate
 
     compact_rx_inst : entity work.ul_compact_rx
       generic map (
@@ -472,20 +471,9 @@ begin
 
   without_compact_rx : if not compact generate
 
-    rx_register_inst : entity work.ul_stream_register
-      generic map (
-        width => 9
-      )
-      port map (
-        clk       => clk,
-        rst       => rst,
-        in_data   => fifo_out,
-        in_valid  => fifo_out_valid,
-        in_ready  => fifo_out_ready,
-        out_data  => character_in,
-        out_valid => character_valid,
-        out_ready => character_ready
-      );
+    character_in    <= byte_in;
+    character_valid <= byte_valid;
+    byte_ready      <= character_ready;
 
   end generate without_compact_rx;
 
@@ -1016,7 +1004,7 @@ begin
   tx_data   <= tx_entry(7 downto 0);
   tx_valid  <= tx_waits;
   tx_leaves <= tx_waits and tx_ready;
-  is_active <= fifo_out_valid or character_valid or datalink_busy or decoder_busy or hold or writer_busy or sending_busy
+  is_active <= fifo_out_valid or byte_valid or character_valid or datalink_busy or decoder_busy or hold or writer_busy or sending_busy
                or packing_busy or tx_waits;
   active    <= is_active;
 
