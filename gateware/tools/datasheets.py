@@ -12,6 +12,7 @@ The entities that are generated from a spec are shown by those of one example (`
 
 from __future__ import annotations
 
+import argparse
 import re
 import sys
 from typing import TYPE_CHECKING
@@ -224,6 +225,7 @@ def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
 
 def main() -> int:
     """Write all pages and pictures; returns the exit status."""
+    argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args()
     from gateware.bench.datasheets.stories import PICTURES, pictures
 
     for name, page in sheets().items():

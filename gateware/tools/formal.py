@@ -14,6 +14,7 @@ What was found of a design is kept in the user's cache, under a hash of the desi
 
 from __future__ import annotations
 
+import argparse
 import dataclasses
 import os
 import re
@@ -283,6 +284,7 @@ def _symbiyosys(work: Path) -> subprocess.CompletedProcess[str]:
 
 def main() -> int:
     """Prove all; returns the exit status."""
+    argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args()
     status = 0
     for proof in PROOFS:
         try:

@@ -9,6 +9,7 @@ runs this again.
 
 from __future__ import annotations
 
+import argparse
 import graphlib
 import re
 import sys
@@ -138,6 +139,7 @@ def _core(files: list[str]) -> str:
 
 def main() -> int:
     """Write all; returns the exit status."""
+    argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args()
     for name, text in (lists() | constraints()).items():
         path = GATEWARE / name
         path.parent.mkdir(exist_ok=True)

@@ -8,6 +8,7 @@ so there is no Fmax, and no word on whether it fits. A result is kept as those o
 
 from __future__ import annotations
 
+import argparse
 import collections
 import dataclasses
 import json
@@ -129,6 +130,7 @@ def results() -> dict[str, Any]:
 
 def main() -> int:
     """Map all; returns the exit status."""
+    argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args()
     found: dict[str, dict[str, dict[str, int]]] = {target: {} for target in TARGETS}
     try:
         for name in MAPPED:

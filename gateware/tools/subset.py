@@ -9,6 +9,7 @@ moves if it mentions a signal, a variable or a port of its file.
 
 from __future__ import annotations
 
+import argparse
 import re
 import sys
 from pathlib import Path
@@ -174,7 +175,9 @@ def _line(node: Node) -> int:
 
 def main() -> int:
     """Check files; returns the exit status."""
-    chosen = [Path(name) for name in sys.argv[1:]]
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("files", nargs="*", type=Path, help="default: the gateware")
+    chosen = parser.parse_args().files
     status = 0
     for path in chosen or [*vhdl_sources(), *sorted((GATEWARE / "boards").rglob("*.vhd"))]:
         for fault in faults(path.read_text()):

@@ -11,6 +11,7 @@ core.
 
 from __future__ import annotations
 
+import argparse
 import dataclasses
 import inspect
 import json
@@ -149,7 +150,7 @@ class Configuration:
     """Seeds of the placer by devices, where it is not 1: with one in many the router does not end."""
 
 
-_MINIMAL: dict[str, object] = {
+MINIMAL: dict[str, object] = {
     "groups": 0,
     "block_words": 16,
     "bus_timeout": 255,
@@ -157,21 +158,22 @@ _MINIMAL: dict[str, object] = {
     "tx_fifo_depth": 128,
     **dict.fromkeys(OPTIONAL, False),
 }
+"""The least gateway that a host talks to."""
 # The widths of the paper's gateway.
 _SHORT: dict[str, object] = {"id_digits": 2, "crc_bits": 8, "crc_polynomial": f"{0x07:032b}"}
 CONFIGURATIONS = {
     "default": Configuration("unity_link_fifo"),
     "compact": Configuration("unity_link_fifo", {"compact": True}),
-    "minimal": Configuration("unity_link_fifo", _MINIMAL),
-    "minimal_short": Configuration("unity_link_fifo", {**_MINIMAL, **_SHORT}),
+    "minimal": Configuration("unity_link_fifo", MINIMAL),
+    "minimal_short": Configuration("unity_link_fifo", {**MINIMAL, **_SHORT}),
     "uart": Configuration("unity_link", {"physical": "uart"}),
     "ft245": Configuration("unity_link", {"physical": "ft245"}),
     "ft245_sync": Configuration("unity_link", {"physical": "ft245_sync"}),
     "rmii": Configuration("unity_link", {"physical": "rmii", "block_words": 160}, devices=("ecp5",)),
     "w5500": Configuration("unity_link", {"physical": "w5500", "block_words": 160}, devices=("ecp5",)),
-    "minimal_uart": Configuration("unity_link", {"physical": "uart", **_MINIMAL}),
+    "minimal_uart": Configuration("unity_link", {"physical": "uart", **MINIMAL}),
     # With all that a gateway has by default it takes more RAM blocks than an HX8K has.
-    "minimal_rmii": Configuration("unity_link", {"physical": "rmii", **_MINIMAL}, devices=("ice40",)),
+    "minimal_rmii": Configuration("unity_link", {"physical": "rmii", **MINIMAL}, devices=("ice40",)),
     "wide": Configuration(
         "unity_link_fifo",
         {"data_bits": 64, "groups": 8, "id_digits": 3, "crc_bits": 32, "crc_polynomial": f"{0x04C11DB7:032b}"},
@@ -458,7 +460,9 @@ def _crossings_table(result: Result) -> list[str]:
 
 def main() -> int:
     """Synthesise; returns the exit status."""
-    wanted = sys.argv[1] if len(sys.argv) > 1 else ""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("wanted", nargs="?", default="", help="part of the names of the rows")
+    wanted = parser.parse_args().wanted
     limits = budget()
     results: dict[tuple[str, str], Result] = {}
     faults: list[str] = []

@@ -9,6 +9,7 @@ GHDL converts each; Yosys looks for faults in it and maps it to the cells of its
 
 from __future__ import annotations
 
+import argparse
 import os
 import sys
 import tempfile
@@ -95,7 +96,9 @@ def faults(tried: dict[str, Callable[[], None]]) -> dict[str, str]:
 
 def main() -> int:
     """Try them; returns the exit status."""
-    wanted = sys.argv[1] if len(sys.argv) > 1 else ""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("wanted", nargs="?", default="", help="part of the names of those to try")
+    wanted = parser.parse_args().wanted
     chosen = {name: attempt for name, attempt in designs().items() if wanted in name}
     if not chosen:
         sys.stderr.write(f"no top and no board has {wanted!r} in its name: those are {', '.join(designs())}\n")

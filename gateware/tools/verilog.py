@@ -5,24 +5,17 @@ python -m gateware.tools.verilog [FOLDER]
 
 from __future__ import annotations
 
+import argparse
 import sys
 from pathlib import Path
 from typing import NamedTuple
 
+from gateware.tools.synth import MINIMAL
 from unity_link.errors import UnityLinkError
 from unity_link.gateware.cache import GATEWARE
 from unity_link.gateware.release import release
-from unity_link.virtual.generics import OPTIONAL
 
 _FOLDER = GATEWARE.parent / "build" / "verilog"
-_MINIMAL: dict[str, object] = {
-    "groups": 0,
-    "block_words": 16,
-    "bus_timeout": 255,
-    "rx_fifo_depth": 128,
-    "tx_fifo_depth": 128,
-    **dict.fromkeys(OPTIONAL, False),
-}
 
 
 class Release(NamedTuple):
@@ -54,7 +47,7 @@ RELEASES = {
     "unity_link_minimal_uart": Release(
         "The least gateway that a host talks to, on a UART of 1 Mbaud, at 50 MHz.",
         "unity_link",
-        {"physical": "uart", **_MINIMAL},
+        {"physical": "uart", **MINIMAL},
     ),
     "unity_link_ft245": Release(
         "The gateway on an FT245 (asynchronous), at 50 MHz.", "unity_link", {"physical": "ft245"}
@@ -71,7 +64,9 @@ RELEASES = {
 
 def main() -> int:
     """Write all files; returns the exit status."""
-    folder = Path(sys.argv[1]) if len(sys.argv) > 1 else _FOLDER
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("folder", nargs="?", type=Path, default=_FOLDER, help="default: build/verilog")
+    folder = parser.parse_args().folder
     try:
         texts = {name: chosen.text(name) for name, chosen in RELEASES.items()}
         folder.mkdir(parents=True, exist_ok=True)

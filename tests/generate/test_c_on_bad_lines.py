@@ -3,20 +3,24 @@
 from __future__ import annotations
 
 import itertools
+import random
 import subprocess
 from typing import TYPE_CHECKING
 
 import pytest
 
 from generate.peers import simulate
-from generate.programs import HERE, PATIENCE, SANITIZED, C, Driven, Simulated, output
+from generate.programs import HERE, PATIENCE, SANITIZED, C, Driven, Simulated, SimulatedLine, output
 from support.changed_ports import make_sane
+from support.events_read import CLEARED, QUEUE, Cleared, Numbers
 from support.floods import FLOODS
+from support.makers import CRC_32, SLOW, simulated
+from unity_link.protocol.configuration import Feature
 from unity_link.protocol.constants import ECHO_PATIENCE
 from unity_link.protocol.handshake import ECHO
 from unity_link.protocol.session import FLOODED
 from unity_link.virtual import VirtualGateway
-from unity_link.virtual.faults import Straying
+from unity_link.virtual.faults import Noise, NoisyLine, Straying
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -210,3 +214,26 @@ def test_where_one_in_five_is_lost_each_way_a_link_is_opened_within_five_seconds
     with Simulated(driver, losing) as client:
         client.words("connect test:0.003 5")
         client("close")
+
+
+@pytest.mark.parametrize("amount", [2_000, pytest.param(100_000, marks=pytest.mark.campaign)])
+@pytest.mark.parametrize("compact", [False, True], ids=["text", "compact"])
+def test_no_event_of_a_queue_or_a_register_that_a_read_clears_is_lost_where_bytes_are_damaged(
+    driver: Path, amount: int, *, compact: bool
+) -> None:
+    fields = {"features": 0x7F | Feature.COMPACT, **CRC_32} if compact else SLOW
+    gateway, draw, cleared = simulated(**fields), random.Random(4), Cleared()
+    gateway.attach(Numbers(), [QUEUE])
+    gateway.attach(cleared, [CLEARED])
+    seen: list[int] = []
+    line = NoisyLine(gateway, Noise(1, flip=0.01), Noise(2, flip=0.01))
+    with SimulatedLine(driver, line) as client:
+        client.words("connect test: 5")
+        while len(seen) < amount:
+            seen += client.words(f"rqueue {QUEUE:X} {draw.randrange(1, 9):X}")
+            assert client.words(f"rqueue {CLEARED:X} 1") == [cleared.made.popleft()]
+            assert not cleared.made
+        repeated, *_ = client.words("statistics")[2:]
+        client.words("close")
+    assert repeated
+    assert seen == list(range(1, len(seen) + 1))

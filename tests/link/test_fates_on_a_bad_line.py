@@ -5,11 +5,11 @@ from __future__ import annotations
 import asyncio
 import itertools
 import random
-from collections import deque
 
 import pytest
 
 import unity_link
+from support.events_read import CLEARED, QUEUE, Cleared, Numbers
 from support.makers import BUS_ERROR, BUS_TIMEOUT, RTL, SLOW, Maker, compiled, simulated, with_failing
 from support.simulated_time import run_simulated
 from unity_link import BusError, BusTimeoutError, Link
@@ -18,7 +18,6 @@ from unity_link.virtual.faults import Noise, NoisyLine
 
 LOSS = 0.002
 DAMAGE = 0.01
-QUEUE, CLEARED = 0xD0, 0xD4
 MAKERS = {"sim": simulated, "rtl": compiled}
 ON_BOTH = pytest.mark.parametrize("kind", ["sim", RTL])
 FORMS = pytest.mark.parametrize("compact", [False, True], ids=["text", "compact"])
@@ -64,35 +63,6 @@ def test_no_failed_write_or_post_is_reported_as_done_where_bytes_are_lost(
             assert link.statistics.repetitions
 
     run_simulated(run())
-
-
-class Numbers:
-    """A queue that gives each number once."""
-
-    def __init__(self) -> None:
-        self._next = itertools.count(1)
-
-    def read(self, offset: int, now: float) -> int:
-        return next(self._next)
-
-    def write(self, offset: int, value: int, now: float) -> None:
-        raise NotImplementedError
-
-
-class Cleared:
-    """A register that has other events after each read, which clears what it gives."""
-
-    def __init__(self) -> None:
-        self._draw = random.Random(5)
-        self.made: deque[int] = deque()
-
-    def read(self, offset: int, now: float) -> int:
-        given = self._draw.getrandbits(32)
-        self.made.append(given)
-        return given
-
-    def write(self, offset: int, value: int, now: float) -> None:
-        raise NotImplementedError
 
 
 @pytest.mark.parametrize("amount", [2_000, pytest.param(100_000, marks=pytest.mark.campaign)])

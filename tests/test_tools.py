@@ -1,0 +1,23 @@
+"""The gateware's tools show what they are for, and refuse what they do not know, before they do anything."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+
+from unity_link.gateware.cache import GATEWARE
+
+TOOLS = sorted(
+    path.stem for path in (GATEWARE / "tools").glob("*.py") if 'if __name__ == "__main__"' in path.read_text()
+)
+
+
+@pytest.mark.parametrize("tool", TOOLS)
+def test_a_tool_shows_its_usage_and_refuses_an_unknown_option(tool: str) -> None:
+    for option, status in (("--help", 0), ("--no-such-option", 2)):
+        command = [sys.executable, "-m", f"gateware.tools.{tool}", option]
+        done = subprocess.run(command, cwd=GATEWARE.parent, capture_output=True, text=True, check=False, timeout=60)
+        assert (done.returncode, done.stdout.startswith("usage: ")) == (status, status == 0)
+        assert "Traceback" not in done.stderr
