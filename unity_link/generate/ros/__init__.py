@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from unity_link.generate import GeneratedFile
 from unity_link.generate.python.classes import module_name
 from unity_link.generate.ros.topics import SI, message_type, topic_names
-from unity_link.protocol.configuration import Feature
+from unity_link.protocol.configuration import PROTOCOL_VERSION, Feature
 from unity_link.protocol.frames import TOKEN_LINE
 from unity_link.protocol.messages import GroupFlag
 from unity_link.spec import KindName, ParameterReference
@@ -86,10 +86,14 @@ def runtime(interface: Interface, templates: Templates, dot: str) -> Iterator[Ge
     """
     own = templates.of("ros", {})
     own.origin = templates.origin
+    protocol = {
+        "version": PROTOCOL_VERSION,
+        "token_line": TOKEN_LINE.decode(),
+        "group_flags": {flag.name: flag.value for flag in GroupFlag},
+        "has_timestamps": int(Feature.TIMESTAMPS),
+    }
     for name in RUNTIME:
-        yield GeneratedFile(
-            name, own.render(name, dot=dot, token_line=TOKEN_LINE.decode(), has_timestamps=int(Feature.TIMESTAMPS))
-        )
+        yield GeneratedFile(name, own.render(name, dot=dot, **protocol))
     yield GeneratedFile(
         "robot.py",
         own.render(
