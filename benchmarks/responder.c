@@ -3,7 +3,8 @@
  * It speaks the wire protocol in checked form (words of 32 bits, addresses of up to 16) and executes r, rm, w, wm, ws, h
  * and the group commands on plain memory. It trusts its wire: the session is in the checks of what it sends, and it
  * looks at no check, no ID and no error.
- * Groups that run publish in turn, as fast as the wire takes it, without timestamps.
+ * Groups that run publish in turn, as fast as the wire takes it, without timestamps. Where the session asks for it, its
+ * frames are in the compact form.
  *
  * usage: responder FD CONFIGURATION     (the answer to Q, by which it sends)
  *
@@ -37,6 +38,7 @@ static struct group {
 } groups[GROUPS];
 static int running, turn;
 static uint8_t runs[GROUPS];
+static int compact; /* of the session under way */
 static int datagrams, asked, asked_plainly;
 static uint32_t number; /* of the session under way, 0 for none */
 static uint32_t session, offer = 1, sent_datagrams;
@@ -44,6 +46,11 @@ static struct sockaddr_storage host;
 static socklen_t host_length;
 
 static const char digit[] = "0123456789ABCDEF";
+
+/* The compact form: its bytes, and the commands that have it, each at its number. */
+enum { START = 0xB5, END = 0xCA, ESCAPE = 0xD3, STUFFED = 0x40 };
+static const char *const commands[] = {"r", "rm", "rq", "w",  "wm", "wq", "wk", "ws",
+                                       "h", "gn", "gx", "gp", "i",  "n",  "x",  "P"};
 
 /* A CRC of any width stands at the upper end of 32 bits, so that one table does. */
 static void make_table(uint32_t polynomial)
@@ -68,6 +75,72 @@ static void put(const char *text, size_t length)
     out_length += length;
 }
 
+static uint32_t get_hex(const char *text, int digits)
+{
+    uint32_t value = 0;
+    for (int i = 0; i < digits; i++)
+        value = value << 4 | (uint32_t)(text[i] <= '9' ? text[i] - '0' : text[i] - 'A' + 10);
+    return value;
+}
+
+/* Put the frame that begins at `start` into the compact form, if it has one. Where there is an odd number of digits, one
+ * fills up. */
+static void pack(size_t start)
+{
+    static char text[MOST];
+    size_t letters = out[start + 1] > 'F' ? 2 : 1, length = out_length - 1 - start, held;
+    uint32_t command = 0;
+
+    while (strlen(commands[command]) != letters || memcmp(commands[command], out + start, letters) != 0)
+        if (++command == sizeof commands / sizeof *commands)
+            return;
+    text[0] = digit[command];
+    text[1] = '0';
+    held = 2 - (length - letters) % 2;
+    memcpy(text + held, out + start + letters, length - letters);
+    held += length - letters;
+    out_length = start;
+    out[out_length++] = (char)START;
+    for (size_t at = 0; at < held; at += 2) {
+        uint32_t byte = get_hex(text + at, 2);
+        if (byte == START || byte == END || byte == ESCAPE || byte == '\n' || byte == '\r') {
+            out[out_length++] = (char)ESCAPE;
+            byte ^= STUFFED;
+        }
+        out[out_length++] = (char)byte;
+    }
+    out[out_length++] = (char)END;
+}
+
+/* Return the text of a compact frame, from its start on and without its end, and its length. */
+static const char *unpack(const char *frame, size_t *length)
+{
+    static char text[MOST * 2];
+    char *to = text;
+    uint8_t first = (uint8_t)frame[1];
+    size_t from = 1;
+
+    if (first == ESCAPE)
+        first = (uint8_t)frame[++from] ^ STUFFED;
+    const char *command = commands[first >> 4];
+    int addressed = command[0] == 'r' || command[0] == 'w';
+    int odd = (1 + id_digits + crc_bits / 4 + (addressed ? address_digits : 0)) % 2;
+    while (*command)
+        *to++ = *command++;
+    if (!odd)
+        *to++ = digit[first & 15];
+    for (size_t at = from + 1; at < *length; at++) {
+        uint8_t byte = (uint8_t)frame[at];
+        if (byte == ESCAPE)
+            byte = (uint8_t)frame[++at] ^ STUFFED;
+        *to++ = digit[byte >> 4];
+        *to++ = digit[byte & 15];
+    }
+    *to = '\n';
+    *length = (size_t)(to - text);
+    return text;
+}
+
 /* Requests with an ID and samples have the session in their check. */
 static void end_frame(size_t start)
 {
@@ -77,6 +150,8 @@ static void end_frame(size_t start)
         crc = crc_table[crc >> 24 ^ (uint8_t)out[i]] ^ crc << 8;
     put_hex(crc >> (32 - crc_bits), crc_bits / 4);
     out[out_length++] = '\n';
+    if (seeded && compact)
+        pack(start);
 }
 
 /* The header of a datagram is made behind the frames. What answers a question is outside the count. */
@@ -100,7 +175,10 @@ static void send_datagrams(void)
 {
     const char *end = out + out_length, *from = out, *to = out;
     while (to < end) {
-        const char *next = (const char *)memchr(to, '\n', (size_t)(end - to)) + 1;
+        const char *next = to;
+        while (*next != '\n' && (uint8_t)*next != END)
+            next++;
+        next++;
         if (to > from && next - from > DATAGRAM - HEADER) {
             send_datagram(from, (size_t)(to - from));
             from = to;
@@ -125,14 +203,6 @@ static void flush(void)
             sent += (size_t)n;
     }
     out_length = 0;
-}
-
-static uint32_t get_hex(const char *text, int digits)
-{
-    uint32_t value = 0;
-    for (int i = 0; i < digits; i++)
-        value = value << 4 | (uint32_t)(text[i] <= '9' ? text[i] - '0' : text[i] - 'A' + 10);
-    return value;
 }
 
 /* Its fields are those of the wire protocol: version, data bits, address bits, ID digits, CRC bits, polynomial, ... */
@@ -173,7 +243,10 @@ static void answer(const char *frame, size_t length)
             put(configuration, strlen(configuration));
         else if (fields_length > 0) {
             put(frame + 1, (size_t)opening);
+            uint32_t asks_compact = 1u << (4 * session_digits - 1);
             number = get_hex(frame + 1 + id_digits, session_digits);
+            compact = (number & asks_compact) != 0;
+            number &= asks_compact - 1;
             running = 0;
         }
         if (frame[0] == 'K')
@@ -274,9 +347,11 @@ static void serve(void)
         held += (size_t)n;
         char *frame = in;
         for (char *at = in; at < in + held; at++)
-            if (*at == '\n' || *at == '\r') {
-                if (at > frame)
-                    answer(frame, (size_t)(at - frame));
+            if (*at == '\n' || *at == '\r' || (compact && (uint8_t)*at == END)) {
+                size_t length = (size_t)(at - frame);
+                const char *text = (uint8_t)*at == END ? unpack(frame, &length) : frame;
+                if (length > 0)
+                    answer(text, length);
                 frame = at + 1;
                 if (out_length > sizeof out - 8192)
                     flush();

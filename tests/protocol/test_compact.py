@@ -88,7 +88,8 @@ def frames(draw: st.DrawFn, form: CompactForm, command: str = "") -> bytes:
 def alike(draw: st.DrawFn, form: CompactForm) -> bytes:
     """Return frames of one command, most of one length, side by side."""
     frame = draw(frames(form, draw(st.sampled_from(COMMANDS))))
-    count = draw(st.integers(2, 30))
+    # Few bytes and many: both ways.
+    count = draw(st.integers(2, 30) | st.integers(60, 120))
     text = bytearray(frame * count)
     head = len(frame) - 1 - 8
     for at in draw(st.lists(st.integers(0, count - 1))):

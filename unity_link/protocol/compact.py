@@ -1,7 +1,8 @@
 """The compact form of frames (docs/protocol.md, "The compact form"): two digits a byte, between bytes that no text has.
 
 It is the same frame, with the CRC of its text: what is above this module sees text, and both forms mix at any time.
-Frames side by side are taken together: in hex digits with a space between bytes, no byte is taken for another.
+Frames side by side are taken together, cut where an end and a start meet; where they are many bytes, of one command and
+one length, by numpy (`unity_link.protocol.compact_rows`).
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ from unity_link.protocol.frames import (
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
+    from types import ModuleType
 
     from unity_link.protocol.configuration import GatewayInfo
 
@@ -33,13 +35,12 @@ STUFFED: Final = COMPACT_STUFFED
 RESERVED: Final = COMPACT_RESERVED
 COMMANDS: Final = ("r", "rm", "rq", "w", "wm", "wq", "wk", "ws", "h", "gn", "gx", "gp", "i", "n", "x", "P")
 """Commands that have this form, each at its number."""
+MANY_BYTES: Final = 1024
+"""Bytes in compact form that are worth a turn of numpy."""
 _ADDRESSED: Final = frozenset(("r", "rm", "rq", "w", "wm", "wq", "wk", "ws"))
 """Commands whose requests name an address."""
 _STUFFING: Final = [(bytes((byte,)), ESCAPE + bytes((byte ^ STUFFED,))) for byte in ESCAPE + RESERVED[:-1]]
 """Bytes and what stands for them; the escape comes first, for it is in what stands for the others."""
-_SPACED_STUFFING: Final = [(f" {byte.hex(' ')}", f" {stuffed.hex(' ')}") for byte, stuffed in _STUFFING]
-"""The same in hex digits, a space before each byte."""
-_BETWEEN: Final = f" {END.hex()} {START.hex()}"
 _SAMPLE: Final = COMMANDS.index("P")
 _FIRST_LETTER: Final = ord("g")
 _ESCAPED = re.compile(rb"\xd3(.?)", re.DOTALL)
@@ -124,13 +125,14 @@ class Packer:
             or frames.translate(None, _DIGITS) != (begin + b"\n") * count
         ):
             return b""
+        if len(frames) >= 2 * MANY_BYTES:
+            packed: bytes = _rows().pack(frames, count, at, head)
+            return packed
         digits = head + frames[at:-1].decode().replace("\n" + begin.decode(), head)
-        spaced = " " + bytes.fromhex(digits).hex(" ")
-        width = 3 * (len(spaced) // (3 * count))
-        lines = "\n".join([spaced[start : start + width] for start in range(0, len(spaced), width)])
-        for byte, stuffed in _SPACED_STUFFING:
-            lines = lines.replace(byte, stuffed)
-        return START + bytes.fromhex(lines.replace("\n", _BETWEEN)) + END
+        contents = bytes.fromhex(digits)
+        width = len(contents) // count
+        stuffed = [_stuffed(contents[start : start + width]) for start in range(0, len(contents), width)]
+        return START + (END + START).join(stuffed) + END
 
     def _head(self, frame: bytes) -> tuple[str, int]:
         """Return the number of the command of a frame and what fills up, and where the digits begin; or nothing."""
@@ -209,24 +211,22 @@ class Unpacker:
             return b""
         if count == 1:
             return self._text(data[1:-1]) + b"\n"
-        spaced = data.hex(" ")[2:-3].replace(_BETWEEN, "\n")
-        if self._has_node or spaced.count("\n") != count - 1:
+        contents = data[1:-1].split(END + START)
+        if self._has_node or len(contents) != count:
             return b""
+        if len(data) >= MANY_BYTES and (text := _rows().unpack(data, count, self._heads)):
+            return bytes(text)
         if ESCAPE in data:
-            size = len(spaced)
-            for byte, stuffed in reversed(_SPACED_STUFFING):
-                spaced = spaced.replace(stuffed, byte)
-            if size - len(spaced) != 3 * data.count(ESCAPE):
-                return b""
-        digits = spaced.replace(" ", "").upper()
+            contents = [_unstuffed(content) if ESCAPE in content else content for content in contents]
+        digits = "\n".join([content.hex() for content in contents]).upper()
         _, after = self._command(digits)
         begin = digits[:after]
         if digits.count("\n" + begin) == count - 1:
             # All are of one command.
-            text = self._line(begin) + digits[after:].replace("\n" + begin, "\n" + self._line(begin))
+            lines = self._line(begin) + digits[after:].replace("\n" + begin, "\n" + self._line(begin))
         else:
-            text = "\n".join(map(self._line, digits.split("\n")))
-        return text.encode() + b"\n"
+            lines = "\n".join(map(self._line, digits.split("\n")))
+        return lines.encode() + b"\n"
 
     def _command(self, digits: str) -> tuple[str, int]:
         """Return the letters of the command of a frame, and how many of its digits stand for them."""
@@ -290,6 +290,13 @@ def is_sample(frame: bytes, prefix: bytes) -> bool:
     """Return whether a frame of a gateway, in either form, is a sample; `prefix` is that of its text."""
     # Behind its number a sample has a digit that fills up, whatever the widths are.
     return frame.startswith((prefix + b"P", START + _stuffed(bytes.fromhex(prefix[1:].decode())) + b"\xf0"))
+
+
+def _rows() -> ModuleType:
+    """Return the module that takes frames together, which needs numpy."""
+    from unity_link.protocol import compact_rows
+
+    return compact_rows
 
 
 def _stuffed(content: bytes) -> bytes:

@@ -1,0 +1,96 @@
+"""The compact form of many frames of one command and one length, side by side, by numpy: `compact` gives the same."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from unity_link.protocol.frames import (
+    COMPACT_END,
+    COMPACT_ESCAPE,
+    COMPACT_RESERVED,
+    COMPACT_START,
+    COMPACT_STUFFED,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+_IS_RESERVED = np.isin(np.arange(256), np.frombuffer(COMPACT_RESERVED, np.uint8))
+_NO_DIGIT = 0x80
+_DIGITS = np.full(256, _NO_DIGIT, np.uint8)
+_DIGITS[np.frombuffer(b"0123456789ABCDEF", np.uint8)] = np.arange(16)
+
+
+def pack(frames: bytes, count: int, at: int, head: str) -> bytes:
+    """Return frames in compact form; nothing if they are not all of one command, and sound.
+
+    Args:
+        frames: of one length.
+        count: of the frames.
+        at: characters before the digits of a frame.
+        head: number of the command, and the digit that fills up.
+    """
+    rows = np.frombuffer(frames, np.uint8).reshape(count, -1)
+    if (rows[:, :at] != rows[0, :at]).any():
+        return b""
+    first = np.frombuffer(head.encode(), np.uint8)
+    size = len(first) + rows.shape[1] - 1 - at
+    if size % 2:
+        return b""
+    digits = np.empty((count, size), np.uint8)
+    digits[:, : len(first)] = _DIGITS[first]
+    digits[:, len(first) :] = _DIGITS[rows[:, at:-1]]
+    if digits.max() == _NO_DIGIT:
+        return b""
+    packed = np.empty((count, size // 2 + 2), np.uint8)
+    packed[:, 0], packed[:, -1] = COMPACT_START[0], COMPACT_END[0]
+    packed[:, 1:-1] = digits[:, ::2] << 4 | digits[:, 1::2]
+    reserved = _IS_RESERVED[packed]
+    reserved[:, 0] = reserved[:, -1] = False
+    places = reserved.ravel().nonzero()[0]
+    if not len(places):
+        return packed.tobytes()
+    stuffed = np.repeat(packed.ravel(), 1 + reserved.ravel())
+    places += np.arange(len(places))
+    stuffed[places] = COMPACT_ESCAPE[0]
+    stuffed[places + 1] ^= COMPACT_STUFFED
+    return stuffed.tobytes()
+
+
+def unpack(data: bytes, count: int, heads: Sequence[tuple[str, str]]) -> bytes:
+    """Return the text of compact frames; nothing if they are not all of one command and length, and whole.
+
+    Args:
+        data: what begins with a start and ends with an end.
+        count: of the ends.
+        heads: for each number of a command its letters and the digit that fills up.
+    """
+    packed = np.frombuffer(data, np.uint8)
+    starts, ends = (packed == COMPACT_START[0]).nonzero()[0], (packed == COMPACT_END[0]).nonzero()[0]
+    if len(starts) != count or (starts[1:] != ends[:-1] + 1).any() or b"\n" in data or b"\r" in data:
+        return b""
+    sizes = ends - starts + 1
+    escapes = packed == COMPACT_ESCAPE[0]
+    places = escapes.nonzero()[0]
+    if len(places):
+        if escapes[places + 1].any() or (packed[places + 1] == COMPACT_END[0]).any():
+            return b""
+        packed = packed.copy()
+        packed[places + 1] ^= COMPACT_STUFFED
+        packed = packed[~escapes]
+        sizes -= np.add.reduceat(escapes, starts, dtype=sizes.dtype)
+    size = int(sizes[0])
+    if (sizes != size).any() or size <= 2:
+        return b""
+    rows = packed.reshape(count, size)
+    if (rows[:, 1] >> 4 != rows[0, 1] >> 4).any():
+        return b""
+    command, fill = heads[int(rows[0, 1]) >> 4]
+    first = np.frombuffer(command.encode(), np.uint8)
+    digits = np.frombuffer(rows[:, 1:-1].tobytes().hex().upper().encode(), np.uint8).reshape(count, -1)
+    digits = digits[:, 1 + len(fill) :]
+    text = np.empty((count, len(first) + digits.shape[1] + 1), np.uint8)
+    text[:, : len(first)], text[:, len(first) : -1], text[:, -1] = first, digits, ord("\n")
+    return text.tobytes()
