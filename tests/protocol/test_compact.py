@@ -136,6 +136,14 @@ def test_damaged_frames_of_one_length_become_the_text_that_they_become_byte_by_b
 
 
 @given(st.data())
+def test_line_ends_between_frames_are_empty_lines(data: st.DataObject) -> None:
+    form = data.draw(FORMS)
+    groups = data.draw(st.lists(alike(form), min_size=1, max_size=4))
+    sent = b"".join(Packer(form).pack(group) + b"\n" for group in groups)
+    assert Unpacker(form).unpack(sent) == expanded(form, sent)
+
+
+@given(st.data())
 def test_frames_come_out_as_they_went_in_whatever_pieces_they_arrive_in(data: st.DataObject) -> None:
     form = data.draw(FORMS)
     text = b"".join(data.draw(st.lists(frames(form))))

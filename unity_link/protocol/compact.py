@@ -196,13 +196,18 @@ class Unpacker:
             if data:
                 self._in_line = data[-1] not in b"\n\r"
             return data
-        text = b""
-        if not self._in_line:
-            whole = data[: data.rfind(END) + 1]
+        found: list[bytes] = []
+        while not self._in_line and data.startswith(START):
+            # A line end stands behind each datagram, and behind each frame on a shared medium.
+            end = data.find(b"\n")
+            whole = data[: data.rfind(END, 0, len(data) if end < 0 else end) + 1]
             text = self._text_of_frames(whole)
-            if text:
-                data = data[len(whole) :]
-        return text + b"".join(self._pieces(data))
+            if not text:
+                break
+            ends = data[len(whole) :].startswith(b"\n")
+            found += (text, b"\n" * ends)
+            data = data[len(whole) + ends :]
+        return b"".join((*found, *self._pieces(data)))
 
     def _text_of_frames(self, data: bytes) -> bytes:
         """Return the text of compact frames side by side; nothing where they are not that, or not whole."""
