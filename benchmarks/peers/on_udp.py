@@ -27,12 +27,12 @@ _PACKET = (4 * (345 + 3)) / 345
 
 def races(stack: ExitStack, size: Size) -> list[Race]:
     """Return the races on this medium."""
-    ours = Ours(stack, "udp", size)
+    ours, compact = (Ours(stack, "udp", size, compact=form) for form in (False, True))
     uhal = _Uhal(stack, size)
     return [
         Race("a read, one after the other", MEDIUM, "", [*ours.lone(), uhal.lone()]),
-        Race("many reads", MEDIUM, "reads", [*ours.many(), *uhal.many()]),
-        Race("a block of 65,536 words", MEDIUM, "words", [*ours.block(), *uhal.block()]),
+        Race("many reads", MEDIUM, "reads", [*ours.many(), *compact.many(), *uhal.many()]),
+        Race("a block of 65,536 words", MEDIUM, "words", [*ours.block(), *compact.block(), *uhal.block()]),
     ]
 
 

@@ -16,12 +16,15 @@ from benchmarks.measure import seconds
 from benchmarks.peers.race import BLOCK, Contender, Size, median_of
 from benchmarks.responder import GATEWAY, LOOPBACK, exchange, responder
 from unity_link import blocking
+from unity_link.protocol.compact import CompactForm, Packer
+from unity_link.protocol.configuration import Feature
 
 if TYPE_CHECKING:
     from contextlib import ExitStack
 
 LONE, LONE_BLOCKING = "Unity-Link, `await link.read`", "Unity-Link, `blocking`"
 TASKS, MANY, BLOCKS = "Unity-Link, 256 tasks", "Unity-Link, `read_many`", "Unity-Link, `read_block`"
+COMPACT = " in compact frames"
 _TASKS = 256
 _WIDE = msgspec.structs.replace(GATEWAY, address_bits=16)
 _FRAME = 255
@@ -35,13 +38,15 @@ class Ours:
         stack: in which the responders run.
         medium: ``pty``, ``tcp`` or ``udp``.
         size: of the work.
+        compact: whether frames are in the compact form.
     """
 
-    def __init__(self, stack: ExitStack, medium: str, size: Size) -> None:
+    def __init__(self, stack: ExitStack, medium: str, size: Size, *, compact: bool = False) -> None:
         self._size = size
-        self._url, self._wide_url = (
-            _url(medium, stack.enter_context(responder(info, medium))) for info in (GATEWAY, _WIDE)
-        )
+        self._compact = compact
+        more = Feature.COMPACT if compact else Feature(0)
+        infos = [msgspec.structs.replace(info, features=info.features | more) for info in (GATEWAY, _WIDE)]
+        self._url, self._wide_url = (_url(medium, stack.enter_context(responder(info, medium))) for info in infos)
 
     def lone(self) -> list[Contender]:
         """Return the ways to read a word after the other."""
@@ -49,12 +54,17 @@ class Ours:
 
     def many(self) -> list[Contender]:
         """Return the ways to read many words."""
-        return [Contender(TASKS, self._read_by_tasks), Contender(MANY, self._read_many)]
+        return [Contender(self._named(TASKS), self._read_by_tasks), Contender(self._named(MANY), self._read_many)]
 
     def block(self) -> list[Contender]:
         """Return the way to read a block."""
         answer = exchange(_WIDE, "RM", 0, _FRAME, reads=[0] * _FRAME)[1]
-        return [Contender(BLOCKS, self._read_blocks, wire=len(answer) / _FRAME)]
+        if self._compact:
+            answer = Packer(CompactForm.of(_WIDE, from_gateway=True)).pack(answer)
+        return [Contender(self._named(BLOCKS), self._read_blocks, wire=len(answer) / _FRAME)]
+
+    def _named(self, name: str) -> str:
+        return name + COMPACT * self._compact
 
     def _read_alone(self) -> float:
         async def work() -> float:

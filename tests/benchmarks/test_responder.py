@@ -10,6 +10,7 @@ import pytest
 import unity_link
 from benchmarks.responder import GATEWAY, LOOPBACK, exchange, responder
 from support.compilers import needs_c
+from unity_link.protocol.configuration import Feature
 
 pytestmark = needs_c
 WIDTHS = [
@@ -18,21 +19,26 @@ WIDTHS = [
     msgspec.structs.replace(GATEWAY, address_bits=13, crc_bits=32, crc_polynomial=0x04C11DB7),
 ]
 
+STUFFED = 0xB5CAD30A
+"""Word of bytes that the compact form escapes."""
+
 
 async def work(url: str, info: unity_link.GatewayInfo) -> None:
     async with unity_link.connect(url, timeout=60) as link:
         assert link.gateway == info
         assert await link.read(0x0B) == 0x0B0B0B0B
-        await link.write_block(0x10, [1, 2, 3])
-        assert (await link.read_many([0x11, 0x12, 0x13])).tolist() == [2, 3, 0x13131313]
+        await link.write_block(0x10, [1, STUFFED, 3])
+        assert (await link.read_many([0x11, 0x12, 0x13])).tolist() == [STUFFED, 3, 0x13131313]
         assert (await link.read_block(0, 256)).tolist()[0x12:] == [3, *(n * 0x01010101 for n in range(0x13, 256))]
         async with link.subscribe([0x10, 0x11], divisor=1, timestamps=False) as samples:
-            assert (await anext(samples)).values.tolist() == [1, 2]
+            assert (await anext(samples)).values.tolist() == [1, STUFFED]
         assert link.statistics.damaged_frames == 0
 
 
+@pytest.mark.parametrize("form", [Feature(0), Feature.COMPACT], ids=["text", "compact"])
 @pytest.mark.parametrize("info", WIDTHS, ids=["usual", "short", "long"])
-def test_it_answers_a_link_with_the_widths_it_was_told(info: unity_link.GatewayInfo) -> None:
+def test_it_answers_a_link_with_the_widths_it_was_told(info: unity_link.GatewayInfo, form: Feature) -> None:
+    info = msgspec.structs.replace(info, features=info.features | form)
     with responder(info) as path:
         asyncio.run(work(f"serial:{path}", info))
 
@@ -46,7 +52,7 @@ def test_it_answers_one_link_after_the_other_over_a_network(medium: str) -> None
 
 async def read_once_more(url: str) -> None:
     async with unity_link.connect(url, timeout=60) as link:
-        assert await link.read(0x11) == 2
+        assert await link.read(0x11) == STUFFED
 
 
 @pytest.mark.parametrize("info", WIDTHS, ids=["usual", "short", "long"])
