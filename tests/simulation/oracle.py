@@ -367,7 +367,7 @@ class Listening:
 # Whether they agree
 
 _WRITES = frozenset({"write", "write_masked", "write_block", "write_queue", "write_many", "post", "post_many"})
-_POSTED = frozenset({"post", "post_many"})
+POSTED = frozenset({"post", "post_many"})
 _SINGLE = frozenset({"write", "write_masked", "post"})
 _BLOCKS = frozenset({"write_block", "write_queue"})
 
@@ -394,10 +394,10 @@ class Oracle:
         if error is not None and not self._expected(ask, error):
             raise WorldError("an unexpected error", f"{ask} raised {error!r}")
         if ask.kind in _WRITES:
-            failing = ask.kind not in _POSTED and any(address in FAILING for address, _ in ask.words)
+            failing = ask.kind not in POSTED and any(address in FAILING for address, _ in ask.words)
             if failing and error is None and ask.told is not None:
                 raise WorldError("a failed write reported as done", str(ask))
-            if ask.kind not in _POSTED:
+            if ask.kind not in POSTED:
                 self._judge_write(ask)
             for address, word in ask.words:
                 self._judge_once(ask, address, word)
@@ -509,7 +509,7 @@ class Oracle:
 
     def _judge_posted(self, log: LinkLog) -> None:
         """Check that a fence tells of each write that its task has posted, and the exit of all, unless it was done."""
-        posted = [ask for ask in log.asks if ask.kind in _POSTED and ask.error is None and ask.told is not None]
+        posted = [ask for ask in log.asks if ask.kind in POSTED and ask.error is None and ask.told is not None]
         recorder = log.recorder
         for fence in log.asks:
             if fence.kind not in ("fence", "exit") or fence.told is None:

@@ -16,7 +16,7 @@ from simulation.answers import judge_answers
 from simulation.clock import LivelockError, SimulatedLoop
 from simulation.medium import Network
 from simulation.nodes import Wire
-from simulation.oracle import MOST_WAITING, LinkLog, Oracle, Tap, WorldError
+from simulation.oracle import MOST_WAITING, POSTED, LinkLog, Oracle, Tap, WorldError
 from simulation.plan import BURST, WIRE, Draw, GatewayPlan, Mishap, Plan, gateway_of, node_of
 from simulation.programs import Program
 from simulation.sendings import watched
@@ -184,6 +184,9 @@ class World:
                 continue
             for ask in [ask for log in program.logs if log.opened < at for ask in log.asks]:
                 if ask.asked <= at or ask.cancelled or ask.told is None or ask.kind == "exit":
+                    continue
+                if ask.error is None and ask.kind in POSTED:
+                    # It is on its way, and what follows it tells.
                     continue
                 if ask.error is None:
                     raise WorldError("a link that goes on beside another host", f"{ask}, {at:.6f}")
