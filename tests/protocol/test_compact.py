@@ -135,6 +135,18 @@ def test_damaged_frames_of_one_length_become_the_text_that_they_become_byte_by_b
     assert Unpacker(form).unpack(bytes(damaged)) == expanded(form, bytes(damaged))
 
 
+@given(
+    FORMS,
+    st.lists(st.sampled_from([b"", b"\x00", b"\x90", b"\x04\x05", ESCAPE + b"\x93", ESCAPE]) | st.binary(max_size=4)),
+)
+@example(REQUESTS, [b"", b"\x00\x00"])
+def test_frames_of_any_contents_side_by_side_make_the_text_that_they_make_byte_by_byte(
+    form: CompactForm, contents: list[bytes]
+) -> None:
+    sent = b"".join(START + content + END for content in contents)
+    assert Unpacker(form).unpack(sent) == expanded(form, sent)
+
+
 @given(st.data())
 def test_line_ends_between_frames_are_empty_lines(data: st.DataObject) -> None:
     form = data.draw(FORMS)

@@ -224,9 +224,10 @@ class Unpacker:
         if ESCAPE in data:
             contents = [_unstuffed(content) if ESCAPE in content else content for content in contents]
         digits = "\n".join([content.hex() for content in contents]).upper()
-        _, after = self._command(digits)
+        # The first may be empty.
+        _, after = self._command(digits[:1].strip())
         begin = digits[:after]
-        if digits.count("\n" + begin) == count - 1:
+        if begin and digits.count("\n" + begin) == count - 1:
             # All are of one command.
             lines = self._line(begin) + digits[after:].replace("\n" + begin, "\n" + self._line(begin))
         else:
