@@ -4,3 +4,12 @@
 compiles, `synth` what `gateware/RESULTS.md` shows, `mapped` what `gateware/mapped.json` has. Each result is kept under
 a hash of what it was made from.
 """
+
+from __future__ import annotations
+
+import argparse
+
+
+def parser_of(about: str | None) -> argparse.ArgumentParser:
+    """Return the parser of the command line of a tool, which shows the tool's docstring as it is written."""
+    return argparse.ArgumentParser(description=about, formatter_class=argparse.RawDescriptionHelpFormatter)

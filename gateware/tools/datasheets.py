@@ -12,12 +12,11 @@ The entities that are generated from a spec are shown by those of one example (`
 
 from __future__ import annotations
 
-import argparse
 import re
 import sys
 from typing import TYPE_CHECKING
 
-from gateware.tools import generated, mapped
+from gateware.tools import generated, mapped, parser_of
 from gateware.tools.cores import cores
 from gateware.tools.entity import Entity, Group, read_entity
 from gateware.tools.synth import CONFIGURATIONS, DEVICES, RESULTS
@@ -225,7 +224,7 @@ def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
 
 def main() -> int:
     """Write all pages and pictures; returns the exit status."""
-    argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args()
+    parser_of(__doc__).parse_args()
     from gateware.bench.datasheets.stories import PICTURES, pictures
 
     for name, page in sheets().items():

@@ -14,7 +14,6 @@ What was found of a design is kept in the user's cache, under a hash of the desi
 
 from __future__ import annotations
 
-import argparse
 import dataclasses
 import os
 import re
@@ -25,6 +24,7 @@ import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from gateware.tools import parser_of
 from gateware.tools.cores import cores
 from unity_link.gateware.cache import GATEWARE, cache_folder, hash_of, kept
 from unity_link.gateware.convert import ConversionError, to_verilog
@@ -284,7 +284,7 @@ def _symbiyosys(work: Path) -> subprocess.CompletedProcess[str]:
 
 def main() -> int:
     """Prove all; returns the exit status."""
-    argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args()
+    parser_of(__doc__).parse_args()
     status = 0
     for proof in PROOFS:
         try:

@@ -9,13 +9,13 @@ runs this again.
 
 from __future__ import annotations
 
-import argparse
 import graphlib
 import re
 import sys
 from typing import TYPE_CHECKING
 
 import unity_link
+from gateware.tools import parser_of
 from gateware.tools.constraints import constraints
 from unity_link.gateware import LICENCE
 from unity_link.gateware.cache import GATEWARE, LIBRARY, vhdl_sources
@@ -139,7 +139,7 @@ def _core(files: list[str]) -> str:
 
 def main() -> int:
     """Write all; returns the exit status."""
-    argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args()
+    parser_of(__doc__).parse_args()
     for name, text in (lists() | constraints()).items():
         path = GATEWARE / name
         path.parent.mkdir(exist_ok=True)

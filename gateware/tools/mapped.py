@@ -8,7 +8,6 @@ so there is no Fmax, and no word on whether it fits. A result is kept as those o
 
 from __future__ import annotations
 
-import argparse
 import collections
 import dataclasses
 import json
@@ -19,6 +18,7 @@ import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from gateware.tools import parser_of
 from gateware.tools.synth import CONFIGURATIONS, checked, converted
 from unity_link.boards.families import FAMILIES
 from unity_link.boards.loading import load_board
@@ -130,7 +130,7 @@ def results() -> dict[str, Any]:
 
 def main() -> int:
     """Map all; returns the exit status."""
-    argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter).parse_args()
+    parser_of(__doc__).parse_args()
     found: dict[str, dict[str, dict[str, int]]] = {target: {} for target in TARGETS}
     try:
         for name in MAPPED:

@@ -9,12 +9,12 @@ moves if it mentions a signal, a variable or a port of its file.
 
 from __future__ import annotations
 
-import argparse
 import re
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
+from gateware.tools import parser_of
 from gateware.tools.syntax import child, is_within, nodes, parse, text_of
 from unity_link.gateware.cache import GATEWARE, vhdl_sources
 
@@ -175,12 +175,18 @@ def _line(node: Node) -> int:
 
 def main() -> int:
     """Check files; returns the exit status."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = parser_of(__doc__)
     parser.add_argument("files", nargs="*", type=Path, help="default: the gateware")
     chosen = parser.parse_args().files
     status = 0
     for path in chosen or [*vhdl_sources(), *sorted((GATEWARE / "boards").rglob("*.vhd"))]:
-        for fault in faults(path.read_text()):
+        try:
+            text = path.read_text()
+        except (OSError, UnicodeDecodeError) as error:
+            sys.stderr.write(f"{path} cannot be read: {error}\n")
+            status = 1
+            continue
+        for fault in faults(text):
             sys.stderr.write(f"{path}:{fault.line}: {fault.sentence}\n")
             status = 1
     return status

@@ -11,7 +11,6 @@ core.
 
 from __future__ import annotations
 
-import argparse
 import dataclasses
 import inspect
 import json
@@ -22,7 +21,7 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from gateware.tools import placed
+from gateware.tools import parser_of, placed
 from gateware.tools.cores import cores
 from gateware.tools.placed import Crossing, Pin, Placed
 from gateware.tools.shell import SHELL, shelled
@@ -460,7 +459,7 @@ def _crossings_table(result: Result) -> list[str]:
 
 def main() -> int:
     """Synthesise; returns the exit status."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = parser_of(__doc__)
     parser.add_argument("wanted", nargs="?", default="", help="part of the names of the rows")
     wanted = parser.parse_args().wanted
     limits = budget()

@@ -9,7 +9,6 @@ GHDL converts each; Yosys looks for faults in it and maps it to the cells of its
 
 from __future__ import annotations
 
-import argparse
 import os
 import sys
 import tempfile
@@ -17,6 +16,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from gateware.tools import parser_of
 from gateware.tools.synth import CONFIGURATIONS, Configuration, map_only
 from unity_link.boards.build import design_of, synthesise, top_text
 from unity_link.boards.families import FAMILIES
@@ -96,7 +96,7 @@ def faults(tried: dict[str, Callable[[], None]]) -> dict[str, str]:
 
 def main() -> int:
     """Try them; returns the exit status."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = parser_of(__doc__)
     parser.add_argument("wanted", nargs="?", default="", help="part of the names of those to try")
     wanted = parser.parse_args().wanted
     chosen = {name: attempt for name, attempt in designs().items() if wanted in name}

@@ -5,11 +5,11 @@ python -m gateware.tools.verilog [FOLDER]
 
 from __future__ import annotations
 
-import argparse
 import sys
 from pathlib import Path
 from typing import NamedTuple
 
+from gateware.tools import parser_of
 from gateware.tools.synth import MINIMAL
 from unity_link.errors import UnityLinkError
 from unity_link.gateware.cache import GATEWARE
@@ -64,7 +64,7 @@ RELEASES = {
 
 def main() -> int:
     """Write all files; returns the exit status."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = parser_of(__doc__)
     parser.add_argument("folder", nargs="?", type=Path, default=_FOLDER, help="default: build/verilog")
     folder = parser.parse_args().folder
     try:

@@ -14,8 +14,7 @@ from generate.programs import HERE, PATIENCE, SANITIZED, C, Driven, Simulated, S
 from support.changed_ports import make_sane
 from support.events_read import CLEARED, QUEUE, Cleared, Numbers
 from support.floods import FLOODS
-from support.makers import CRC_32, SLOW, simulated
-from unity_link.protocol.configuration import Feature
+from support.makers import COMPACT, SLOW, simulated
 from unity_link.protocol.constants import ECHO_PATIENCE
 from unity_link.protocol.handshake import ECHO
 from unity_link.protocol.session import FLOODED
@@ -221,8 +220,7 @@ def test_where_one_in_five_is_lost_each_way_a_link_is_opened_within_five_seconds
 def test_no_event_of_a_queue_or_a_register_that_a_read_clears_is_lost_where_bytes_are_damaged(
     driver: Path, amount: int, *, compact: bool
 ) -> None:
-    fields = {"features": 0x7F | Feature.COMPACT, **CRC_32} if compact else SLOW
-    gateway, draw, cleared = simulated(**fields), random.Random(4), Cleared()
+    gateway, draw, cleared = simulated(**(COMPACT if compact else SLOW)), random.Random(4), Cleared()
     gateway.attach(Numbers(), [QUEUE])
     gateway.attach(cleared, [CLEARED])
     seen: list[int] = []

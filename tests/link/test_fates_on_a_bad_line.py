@@ -10,10 +10,9 @@ import pytest
 
 import unity_link
 from support.events_read import CLEARED, QUEUE, Cleared, Numbers
-from support.makers import BUS_ERROR, BUS_TIMEOUT, RTL, SLOW, Maker, compiled, simulated, with_failing
+from support.makers import BUS_ERROR, BUS_TIMEOUT, COMPACT, RTL, SLOW, Maker, compiled, simulated, with_failing
 from support.simulated_time import run_simulated
 from unity_link import BusError, BusTimeoutError, Link
-from unity_link.protocol.configuration import Feature
 from unity_link.virtual.faults import Noise, NoisyLine
 
 LOSS = 0.002
@@ -25,8 +24,7 @@ FORMS = pytest.mark.parametrize("compact", [False, True], ids=["text", "compact"
 
 def maker_of(kind: str, *, compact: bool) -> tuple[Maker, dict[str, int]]:
     """Return a maker of gateways, and the fields of one."""
-    fields = {"features": 0x7F | Feature.COMPACT, "crc_bits": 32, "crc_polynomial": 0x04C11DB7} if compact else SLOW
-    return MAKERS[kind], fields
+    return MAKERS[kind], COMPACT if compact else SLOW
 
 
 async def write_some(link: Link, draw: random.Random) -> int:

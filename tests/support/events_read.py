@@ -1,4 +1,7 @@
-"""Devices that give each event once, to the read that clears it: a queue of numbers, and a register."""
+"""Devices that give each event once, to the read that clears it: a queue of numbers, and a register.
+
+Writes to them fail.
+"""
 
 from __future__ import annotations
 
@@ -6,27 +9,28 @@ import itertools
 import random
 from collections import deque
 
+from unity_link.virtual.faults import Failing
+
 QUEUE, CLEARED = 0xD0, 0xD4
 """Addresses at which tests attach them."""
 
 
-class Numbers:
+class Numbers(Failing):
     """A queue that gives each number once."""
 
     def __init__(self) -> None:
+        super().__init__()
         self._next = itertools.count(1)
 
     def read(self, offset: int, now: float) -> int:
         return next(self._next)
 
-    def write(self, offset: int, value: int, now: float) -> None:
-        raise NotImplementedError
 
-
-class Cleared:
+class Cleared(Failing):
     """A register that has other events after each read, which clears what it gives."""
 
     def __init__(self) -> None:
+        super().__init__()
         self._draw = random.Random(5)
         self.made: deque[int] = deque()
 
@@ -34,6 +38,3 @@ class Cleared:
         given = self._draw.getrandbits(32)
         self.made.append(given)
         return given
-
-    def write(self, offset: int, value: int, now: float) -> None:
-        raise NotImplementedError

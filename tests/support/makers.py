@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 BUS_ERROR, BUS_TIMEOUT = 0xE0, 0xE8
 """Addresses of which every access fails, in a gateway `with_failing`."""
 CRC_32 = {"crc_bits": 32, "crc_polynomial": 0x04C11DB7}
+COMPACT = {"features": GatewayInfo().features | Feature.COMPACT, **CRC_32}
 SHORT = {"id_digits": 2, "crc_bits": 8, "crc_polynomial": 0x07}
 """The shortest frames, which are those of the paper."""
 SLOW = {"base_frequency_millihertz": 1_000_000}

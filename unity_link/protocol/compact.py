@@ -216,11 +216,11 @@ class Unpacker:
             return b""
         if count == 1:
             return self._text(data[1:-1]) + b"\n"
-        contents = data[1:-1].split(END + START)
-        if self._has_node or len(contents) != count:
+        if self._has_node or data.count(END + START) != count - 1:
             return b""
         if len(data) >= MANY_BYTES and (text := _rows().unpack(data, count, self._heads)):
             return bytes(text)
+        contents = data[1:-1].split(END + START)
         if ESCAPE in data:
             contents = [_unstuffed(content) if ESCAPE in content else content for content in contents]
         digits = "\n".join([content.hex() for content in contents]).upper()

@@ -50,11 +50,11 @@ class Posts(Generic[R]):
 
     def keep(self, number: int, runs: list[R | None], mask: int) -> None:
         """Record those that were executed, by ID from `number` on; None for what else was."""
-        between = (number - self.first & mask) - len(self.executed)
-        if self.executed:
-            runs = [*self.executed, *[None] * between, *runs]
-            number = self.first
-        self._hold(number, runs, mask)
+        if not self.executed:
+            self._hold(number, runs, mask)
+            return
+        self.executed += [None] * ((number - self.first & mask) - len(self.executed))
+        self.executed += runs
 
     def take_executed(self, before: int, mask: int) -> list[R | None]:
         """Return the executed ones whose IDs are from `first` on and before another, and forget them."""

@@ -254,18 +254,18 @@ class Session:
         if out and self.window.allowance.loses:
             # Nothing may follow it for long.
             self.output.append(self.codec.burst_end)
-        if self._echo is not None:
-            self._expect_echoes(self._echo)
         data = b"".join(out)
         out.clear()
+        if self._echo is not None:
+            self._expect_echoes(self._echo, data)
         return data if self._packer is None else self._packer.pack(data)
 
-    def _expect_echoes(self, echo: Counter[bytes]) -> None:
-        """Record the lines that are sent now, for they may come back."""
+    def _expect_echoes(self, echo: Counter[bytes], data: bytes) -> None:
+        """Record the lines of what is sent now, for they may come back."""
         if echo.total() > _MOST_ECHOES:
             # They were damaged on the way.
             echo.clear()
-        echo.update(line for line in b"".join(self.output).split(LF) if line)
+        echo.update(line for line in data.split(LF) if line)
 
     def describe_silence(self) -> str:
         """Return what was heard of a gateway that has not answered, for an error."""

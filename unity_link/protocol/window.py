@@ -137,15 +137,11 @@ class Window(Ring[R]):
 
     def has_room(self, size: int, *, posted: bool) -> bool:
         """Return whether one more request of `size` characters may be sent now."""
-        in_flight, posts = self.next - self.oldest & self.mask, self.posts
-        if posts.executed:
-            held = self.next - posts.first & self.mask
-            in_flight = max(in_flight, held)
-        elif not in_flight:
+        in_flight, allowance = self.in_flight, self.allowance
+        if not in_flight:
             return True
-        allowance, repetition = self.allowance, self.repetition
         # What is done and still in flight would give more room, which is seldom needed.
-        if in_flight + 1 < allowance.allowed and allowance.byte_limit is None and repetition.start == repetition.end:
+        if in_flight + 1 < allowance.allowed and allowance.byte_limit is None and not self.repetition.is_due():
             return True
         return self.room(size, posted=posted) > 0
 
@@ -176,8 +172,8 @@ class Window(Ring[R]):
 
     def needs_fence(self, now: float) -> bool:
         """Return whether posted writes have waited long enough, or are many enough, to be confirmed by an ``h``."""
-        posts, allowance, repetition = self.posts, self.allowance, self.repetition
-        if not posts.unfenced or repetition.start != repetition.end:
+        posts, allowance = self.posts, self.allowance
+        if not posts.unfenced or self.repetition.is_due():
             return False
         limit = allowance.byte_limit
         return (
