@@ -42,6 +42,7 @@ static int compact; /* of the session under way */
 static int datagrams, asked, asked_plainly;
 static uint32_t number; /* of the session under way, 0 for none */
 static uint32_t session, offer = 1, sent_datagrams;
+static uint32_t offered; /* in the header of the datagram under way */
 static struct sockaddr_storage host;
 static socklen_t host_length;
 
@@ -248,6 +249,11 @@ static void answer(const char *frame, size_t length)
             compact = (number & asks_compact) != 0;
             number &= asks_compact - 1;
             running = 0;
+            if (!asked) {
+                session = offered;
+                offer = session + 1;
+                sent_datagrams = 0;
+            }
         }
         if (frame[0] == 'K')
             put_hex(ended, session_digits);
@@ -301,7 +307,7 @@ static void publish(void)
     }
 }
 
-/* Read; of a datagram the frames behind its header. A K behind a header opens the session. */
+/* Read; of a datagram the frames behind its header. */
 static ssize_t receive(char *in, size_t room)
 {
     if (!datagrams)
@@ -315,11 +321,7 @@ static ssize_t receive(char *in, size_t room)
         return n;
     frames++;
     n -= frames - in;
-    if (n > 0 && *frames == 'K') {
-        session = get_hex(in + 1, 8);
-        offer = session + 1;
-        sent_datagrams = 0;
-    }
+    offered = get_hex(in + 1, 8);
     memmove(in, frames, (size_t)n);
     return n;
 }
