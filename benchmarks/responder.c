@@ -355,7 +355,7 @@ static void serve(void)
                 if (length > 0)
                     answer(text, length);
                 frame = at + 1;
-                if (out_length > sizeof out - 8192)
+                if (out_length > 4096)
                     flush();
             }
         held -= (size_t)(frame - in);

@@ -366,6 +366,14 @@ def test_a_host_takes_nothing_else_than_newer_datagrams_of_its_session(datagram:
     assert host.take(CHECKED(b"U4F1C0A3200000002") + CHECKED(b"r000")) == CHECKED(b"r000")
 
 
+@pytest.mark.parametrize(
+    ("sent", "taken"),
+    [(b"\xb5\x01\xca", b"\xb5\x01\xca"), (b"\xb5\x01\xca\n", b"\xb5\x01\xca"), (b"r00", b"r00\n")],
+)
+def test_a_line_end_stands_behind_text_and_none_behind_a_compact_frame(sent: bytes, taken: bytes) -> None:
+    assert opened_host().take(CHECKED(b"U4F1C0A3200000001") + sent) == taken
+
+
 @pytest.mark.parametrize("refusal", [CHECKED(b"U4F1C0A3200000000") + CHECKED(b"X0A"), b"U4F1C0A3200000000\r\nX0A\r\n"])
 def test_a_host_is_told_that_its_session_is_over(refusal: bytes) -> None:
     with pytest.raises(ConnectError, match="the gateway was reset, or another program has opened a session with it"):

@@ -105,6 +105,9 @@ def _fetch(root: Path) -> None:
             # No installed package counts: its version would be asked for.
             "-oDir::State::status=/dev/null",
             "-oAPT::Sandbox::User=root",
+            # Without these a list that was not fetched is only warned of, and its packages are said not to exist.
+            "-oAcquire::Retries=3",
+            "-oAPT::Update::Error-Mode=any",
         ]
         try:
             for command in ("update", "download"):

@@ -36,11 +36,16 @@ RESERVED: Final = COMPACT_RESERVED
 COMMANDS: Final = ("r", "rm", "rq", "w", "wm", "wq", "wk", "ws", "h", "gn", "gx", "gp", "i", "n", "x", "P")
 """Commands that have this form, each at its number."""
 MANY_BYTES: Final = 1024
-"""Bytes in compact form that are worth a turn of numpy."""
+"""Bytes in compact form that are worth a turn of numpy to be packed."""
+MANY: Final = 8192
+"""Bytes that are worth one to be unpacked, where each frame counts as `EACH` more."""
+EACH: Final = 100
 _ADDRESSED: Final = frozenset(("r", "rm", "rq", "w", "wm", "wq", "wk", "ws"))
 """Commands whose requests name an address."""
 _STUFFING: Final = [(bytes((byte,)), ESCAPE + bytes((byte ^ STUFFED,))) for byte in ESCAPE + RESERVED[:-1]]
 """Bytes and what stands for them; the escape comes first, for it is in what stands for the others."""
+_PLAIN: Final = [bytes((byte ^ STUFFED,)) for byte in range(256)]
+"""The byte that is meant, for each that stands behind an escape."""
 _SAMPLE: Final = COMMANDS.index("P")
 _FIRST_LETTER: Final = ord("g")
 _ESCAPED = re.compile(rb"\xd3(.?)", re.DOTALL)
@@ -163,6 +168,8 @@ class Unpacker:
 
     def __init__(self, form: CompactForm) -> None:
         self._heads = form.heads()
+        self._commands = [(command, 1 + len(fill)) for command, fill in self._heads]
+        """Letters for each number of a command, and how many digits stand for them."""
         self._has_node = form.has_node
         self.reset()
 
@@ -172,6 +179,8 @@ class Unpacker:
         """A compact frame without its end, from its start on."""
         self._in_line = False
         """True behind text without its line end."""
+        self._behind_end = False
+        """True right behind an end."""
 
     @property
     def begins_answer(self) -> bool:
@@ -180,15 +189,17 @@ class Unpacker:
         return len(self._begun) > at and self._begun[at] >> 4 != _SAMPLE
 
     def unpack_whole(self, data: bytes) -> bytes:
-        """Return the text of what is one frame, nothing where it is not, or something has come before."""
-        if self._begun or self._in_line:
+        """Return the text of what is one frame, nothing where it is not, or something has come before, and of nodes."""
+        if self._begun or self._in_line or self._has_node:
             return b""
         if data.isascii():
             return data
-        return self._text_of_frames(data) if data.count(END) == 1 else b""
+        return self._text_of_few(data) if data.count(END) == 1 else b""
 
     def unpack(self, data: bytes) -> bytes:
         """Return the text of what has arrived; a compact frame comes with its end."""
+        if self._has_node and data:
+            data = self._without_line_ends(data)
         if self._begun:
             data = self._begun + data
             self._begun = b""
@@ -196,21 +207,34 @@ class Unpacker:
             if data:
                 self._in_line = data[-1] not in b"\n\r"
             return data
-        found: list[bytes] = []
-        while not self._in_line and data.startswith(START):
-            # A line end stands behind each datagram, and behind each frame on a shared medium.
-            end = data.find(b"\n")
-            whole = data[: data.rfind(END, 0, len(data) if end < 0 else end) + 1]
-            text = self._text_of_frames(whole)
-            if not text:
-                break
-            ends = data[len(whole) :].startswith(b"\n")
-            found += (text, b"\n" * ends)
-            data = data[len(whole) + ends :]
-        return b"".join((*found, *self._pieces(data)))
+        if self._in_line or not data.startswith(START):
+            return b"".join(self._pieces(data))
+        # A line end may stand behind frames; only whole ones are taken together.
+        end = data.find(b"\n")
+        whole = data[: data.rfind(END, 0, len(data) if end < 0 else end) + 1]
+        text = self._text_of_frames(whole)
+        return b"".join((text, *self._pieces(data[len(whole) :] if text else data)))
+
+    def _without_line_ends(self, data: bytes) -> bytes:
+        """Return what has arrived without the line ends behind ends: on a shared medium they belong to frames."""
+        if self._behind_end:
+            data = data.removeprefix(b"\n")
+        self._behind_end = data.endswith(END)
+        return data.replace(END + b"\n", END)
 
     def _text_of_frames(self, data: bytes) -> bytes:
         """Return the text of compact frames side by side; nothing where they are not that, or not whole."""
+        size = len(data) + EACH * data.count(START)
+        if size < MANY or self._has_node or b"\n" in data or b"\r" in data:
+            return self._text_of_few(data)
+        text, size = _rows().unpack(data, self._heads)
+        if size in (0, len(data)):
+            return bytes(text) or self._text_of_few(data)
+        others = self._text_of_few(data[size:])
+        return text + others if others else b""
+
+    def _text_of_few(self, data: bytes) -> bytes:
+        """Return the same as `_text_of_frames`, by way of their contents one by one."""
         count = data.count(START)
         if data[:1] != START or data[-1:] != END or data.count(END) != count or b"\n" in data or b"\r" in data:
             return b""
@@ -218,33 +242,17 @@ class Unpacker:
             return self._text(data[1:-1]) + b"\n"
         if self._has_node or data.count(END + START) != count - 1:
             return b""
-        if len(data) >= MANY_BYTES and (text := _rows().unpack(data, count, self._heads)):
-            return bytes(text)
         contents = data[1:-1].split(END + START)
         if ESCAPE in data:
             contents = [_unstuffed(content) if ESCAPE in content else content for content in contents]
-        digits = "\n".join([content.hex() for content in contents]).upper()
-        # The first may be empty.
-        _, after = self._command(digits[:1].strip())
-        begin = digits[:after]
-        if begin and digits.count("\n" + begin) == count - 1:
-            # All are of one command.
-            lines = self._line(begin) + digits[after:].replace("\n" + begin, "\n" + self._line(begin))
-        else:
-            lines = "\n".join(map(self._line, digits.split("\n")))
-        return lines.encode() + b"\n"
+        return "\n".join([*map(self._line, contents), ""]).encode()
 
-    def _command(self, digits: str) -> tuple[str, int]:
-        """Return the letters of the command of a frame, and how many of its digits stand for them."""
-        if not digits:
-            return "", 0
-        command, fill = self._heads[int(digits[0], 16)]
-        return command, 1 + len(fill)
-
-    def _line(self, digits: str) -> str:
-        """Return the text of a frame without its line end, given the digits behind its start."""
-        command, after = self._command(digits)
-        return command + digits[after:]
+    def _line(self, content: bytes) -> str:
+        """Return the text of a frame of no node without its line end, given its bytes without escapes."""
+        if not content:
+            return ""
+        command, after = self._commands[content[0] >> 4]
+        return command + content.hex().upper()[after:]
 
     def _pieces(self, data: bytes) -> Iterable[bytes]:
         at = 0
@@ -273,11 +281,10 @@ class Unpacker:
         """Return the text of what stands between start and end, without its line end."""
         if ESCAPE in content:
             content = _unstuffed(content)
-        text = content.hex().upper()
         prefix = ""
-        if self._has_node and text:
-            prefix, text = "Z" + text[:2], text[2:]
-        return (prefix + self._line(text)).encode()
+        if self._has_node and content:
+            prefix, content = f"Z{content[0]:02X}", content[1:]
+        return (prefix + self._line(content)).encode()
 
 
 def text_of(info: GatewayInfo, *, from_gateway: bool) -> Callable[[bytes], bytes]:
@@ -315,10 +322,8 @@ def _stuffed(content: bytes) -> bytes:
 
 def _unstuffed(content: bytes) -> bytes:
     """Return bytes without their escapes."""
-    found = content
-    for byte, stuffed in reversed(_STUFFING):
-        found = found.replace(stuffed, byte)
-    if len(found) + content.count(ESCAPE) == len(content):
-        return found
-    # Behind one stands what needs none: it was damaged.
+    before, *others = content.split(ESCAPE)
+    if b"" not in others:
+        return before + b"".join([_PLAIN[part[0]] + part[1:] for part in others])
+    # Behind one stands another, or nothing: it was damaged.
     return _ESCAPED.sub(lambda pair: bytes(byte ^ STUFFED for byte in pair[1]), content)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -16,6 +16,8 @@ from unity_link.protocol.frames import (
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+
+    import numpy.typing as npt
 
 _IS_RESERVED = np.isin(np.arange(256), np.frombuffer(COMPACT_RESERVED, np.uint8))
 _DIGITS = np.zeros(256, np.uint8)
@@ -52,36 +54,50 @@ def pack(frames: bytes, count: int, at: int, head: str) -> bytes:
     return stuffed.tobytes()
 
 
-def unpack(data: bytes, count: int, heads: Sequence[tuple[str, str]]) -> bytes:
-    """Return the text of compact frames side by side; nothing if they are not all of one command and length, and sound.
+def unpack(data: bytes, heads: Sequence[tuple[str, str]]) -> tuple[bytes, int]:
+    """Return the text of the compact frames of one command and one length with which data begins, and their size in it.
+
+    Nothing and 0 if data is anything but sound frames side by side.
 
     Args:
-        data: of the frames, which have no start, end or line end within.
-        count: of the frames.
+        data: bytes without line ends, at least one.
         heads: for each number of a command its letters and the digit that fills up.
     """
     packed = np.frombuffer(data, np.uint8)
     starts, ends = (packed == COMPACT_START[0]).nonzero()[0], (packed == COMPACT_END[0]).nonzero()[0]
+    if not len(starts) or len(starts) != len(ends) or starts[0] != 0 or ends[-1] != len(data) - 1:
+        return b"", 0
+    if (starts[1:] != ends[:-1] + 1).any():
+        return b"", 0
     sizes = ends - starts + 1
     escapes = packed == COMPACT_ESCAPE[0]
     places = escapes.nonzero()[0]
     if len(places):
-        if escapes[places + 1].any() or (packed[places + 1] == COMPACT_END[0]).any():
-            return b""
+        escaped = packed[places + 1]
+        if (escaped == COMPACT_ESCAPE[0]).any() or (escaped == COMPACT_END[0]).any():
+            return b"", 0
         packed = packed.copy()
-        packed[places + 1] ^= COMPACT_STUFFED
+        packed[places + 1] = escaped ^ COMPACT_STUFFED
         packed = packed[~escapes]
-        sizes -= np.add.reduceat(escapes, starts, dtype=sizes.dtype)
+        until = np.searchsorted(places, ends)
+        sizes -= until
+        sizes[1:] += until[:-1]
     size = int(sizes[0])
-    if (sizes != size).any() or size <= 2:
-        return b""
-    rows = packed.reshape(count, size)
-    if (rows[:, 1] >> 4 != rows[0, 1] >> 4).any():
-        return b""
+    if size <= 2:
+        return b"", 0
+    count = _equal(sizes)
+    rows = packed[: count * size].reshape(count, size)
+    count = _equal(rows[:, 1] >> 4)
     command, fill = heads[int(rows[0, 1]) >> 4]
     first = np.frombuffer(command.encode(), np.uint8)
-    digits = np.frombuffer(rows[:, 1:-1].tobytes().hex().upper().encode(), np.uint8).reshape(count, -1)
+    digits = np.frombuffer(rows[:count, 1:-1].tobytes().hex().upper().encode(), np.uint8).reshape(count, -1)
     digits = digits[:, 1 + len(fill) :]
     text = np.empty((count, len(first) + digits.shape[1] + 1), np.uint8)
     text[:, : len(first)], text[:, len(first) : -1], text[:, -1] = first, digits, ord("\n")
-    return text.tobytes()
+    return text.tobytes(), int(ends[count - 1]) + 1
+
+
+def _equal(values: npt.NDArray[Any]) -> int:
+    """Return how many values, from the first on, are equal to it."""
+    differ = values != values[0]
+    return int(differ.argmax()) if differ.any() else len(values)

@@ -19,7 +19,7 @@ from unity_link.errors import ConnectError, UnsupportedError
 from unity_link.protocol.compact import START, cut, text_of
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.crc import Crc
-from unity_link.protocol.frames import LARGEST_DATAGRAM, FrameError, Framing, datagrams
+from unity_link.protocol.frames import COMPACT_END, LARGEST_DATAGRAM, LF, FrameError, Framing, datagrams
 from unity_link.protocol.messages import ErrorCode, RequestError
 from unity_link.protocol.reception import Reception
 
@@ -172,7 +172,10 @@ class HostDatagrams:
             return b""
         if read.number == _OUTSIDE and self._is_refusal(read.frames):
             raise ConnectError("the gateway was reset, or another program has opened a session with it")
-        return read.frames if self.counts.takes(read.number) else b""
+        if not self.counts.takes(read.number):
+            return b""
+        # A line end behind a compact frame would be an empty line.
+        return read.frames[:-1] if read.frames.endswith(COMPACT_END + LF) else read.frames
 
     def _take_offer(self, datagram: bytes, read: Datagram | None) -> bytes:
         if read is None:

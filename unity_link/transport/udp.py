@@ -29,7 +29,7 @@ OPTIONS = frozenset({"interface", "ttl"})
 MOST_TTL = 255
 RECEIVE_BUFFER = 1 << 22
 """Bytes that wait in the system, as far as it allows so many: those of the blocks that are asked for at a time."""
-LARGE = 1024
+LARGE = 512
 """Bytes of a datagram behind which there are probably others."""
 LARGEST = 65_536
 LONGEST_TRY = 0.2

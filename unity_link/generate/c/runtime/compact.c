@@ -83,7 +83,10 @@ static size_t expand(ul_link *link, char *to, const char *from, size_t size)
     char *at = to;
     for (size_t index = 0; index < size; index++) {
         unsigned byte = (unsigned char)from[index];
-        bool ends_line = is_line_end(from[index]);
+        bool ends_line = is_line_end(from[index]), follows_end = link->follows_end;
+        link->follows_end = link->node >= 0 && byte == COMPACT_END;
+        /* On a shared medium it belongs to the frame. */
+        if (follows_end && byte == CHECKED_END) continue;
         if (byte == COMPACT_START) {
             if (link->in_compact || link->in_line) *at++ = CHECKED_END;
             link->in_compact = true;

@@ -84,8 +84,9 @@ static size_t take_datagram(ul_link *link, char *at, size_t size)
     }
     size_t left = frames.size;
     memmove(at, frames.at, left);
+    if (left == 0 || left == size || (link->compact && at[left - 1] == (char)COMPACT_END)) return left;
     /* A frame that was cut at the end of its datagram does not spoil the next. */
-    if (left > 0 && left < size && at[left - 1] != CHECKED_END) at[left++] = CHECKED_END;
+    if (at[left - 1] != CHECKED_END) at[left++] = CHECKED_END;
     return left;
 }
 
