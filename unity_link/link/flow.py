@@ -78,7 +78,10 @@ class Flow:
         Raises:
             LinkLostError: where the link has ended.
         """
-        self.go_on(self.session.submit(source, self.now()))
+        events = self.session.submit(source, self.now())
+        # Else what is to be sent goes with what came before it in this turn.
+        if events or not self._flushing or self.seat is not None:
+            self.go_on(events)
 
     def ask(self, request: Request) -> Waiter:
         """Submit a request that has an answer to the session, and return the waiter for that.

@@ -143,7 +143,7 @@ class Answers:
             if rows < FEWEST_ROWS:
                 return start
             # Of those sent again, some may have been answered meanwhile.
-            rows = next(window.parts(number, number + rows & self._mask)).length
+            rows = window.alike(number, rows)
             taken = run.accept_rows(offset, data[start : start + rows * run.reply_size], events)
             if not taken:
                 return start

@@ -15,13 +15,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from unity_link.errors import ArgumentError
-from unity_link.protocol.crc import byte_table
+from unity_link.protocol.crc import Crc, byte_table
 from unity_link.protocol.frames import LF
 from unity_link.protocol.numbers import whole_number
 
 if TYPE_CHECKING:
     from unity_link.protocol.configuration import GatewayInfo
-    from unity_link.protocol.crc import Crc
     from unity_link.protocol.frames import Framing
 
 Words: TypeAlias = NDArray[np.unsignedinteger[Any]]
@@ -167,21 +166,25 @@ def crc_rows(crc: Crc, rows: NDArray[np.uint8], begun: int = 0) -> NDArray[np.ui
         rows: the bytes.
         begun: value with which the CRC of each row begins.
     """
-    length = rows.shape[1]
-    table, places = _column_table(crc.bits, crc.polynomial, length)
+    table, places = _begun_table(crc.bits, crc.polynomial, rows.shape[1], begun)
     # In columns, as numpy reduces few long rows in less time than many short ones.
     crcs = np.bitwise_xor.reduce(table.take(rows.T + places), axis=0)
-    if begun:
-        crcs ^= crcs.dtype.type(_behind_zeros(crc, length, begun))
     octets = crcs.astype(crcs.dtype.newbyteorder(">")).view(np.uint8)
     digits: NDArray[np.uint8] = _HEX_OF_BYTE.take(octets).view(np.uint8).reshape(-1, crc.digits)
     return digits
 
 
-@lru_cache(maxsize=256)
-def _behind_zeros(crc: Crc, length: int, begun: int) -> int:
-    """Return what a value has become in a CRC by so many characters."""
-    return crc.of(bytes(length), begun)
+@lru_cache(maxsize=64)
+def _begun_table(
+    bits: int, polynomial: int, length: int, begun: int
+) -> tuple[NDArray[np.unsignedinteger], NDArray[np.intp]]:
+    """Return the tables of `_column_table` for CRCs that begin with a value: the first column adds what it becomes."""
+    table, places = _column_table(bits, polynomial, length)
+    if not begun:
+        return table, places
+    table = table.copy()
+    table[:256] ^= table.dtype.type(Crc(bits, polynomial).of(bytes(length), begun))
+    return table, places
 
 
 @lru_cache(maxsize=64)

@@ -110,6 +110,13 @@ class Ring(Generic[R]):
         between = self.between(first, last)
         return len(between) - between.count(None)
 
+    def alike(self, number: int, count: int) -> int:
+        """Return how many IDs from one on, of so many at most, wait for answers to the same run."""
+        runs = self.between(number, number + count & self.mask)
+        if runs.count(runs[0]) == count:
+            return count
+        return next(place for place, run in enumerate(runs) if run is not runs[0])
+
     def fill(self, first: int, count: int, run: R | None) -> None:
         """Let a run wait for the answers to some IDs, or nothing."""
         self.put(first, [run] * count)
@@ -126,9 +133,16 @@ class Ring(Generic[R]):
 
     def behind_next_with_answer(self, position: int) -> int:
         """Return the ID behind the next request that has an answer; that of the next where all are posted writes."""
-        runs = self.between(position, self.next)
-        answered = (place for place, run in enumerate(runs, 1) if run is not None and not run.posted)
-        return position + next(answered, len(runs)) & self.mask
+        slots, mask, end = self.slots, self.mask, self.next
+        while position != end:
+            run = slots[position]
+            if run is None:
+                position = position + 1 & mask
+            elif run.posted:
+                position = run.first + run.count & mask
+            else:
+                return position + 1 & mask
+        return end
 
     def advance(self) -> bool:
         """Move the oldest mark up over what is done; return whether it moved."""

@@ -551,7 +551,7 @@ class Session:
             return None
         window.signs.heard = True
         self.counters.responses += 1
-        window.answered_alone(now)
+        window.answered_quietly(1, now)
         return request
 
     def receive(self, data: bytes, now: float) -> Events:

@@ -71,7 +71,7 @@ class Window(Ring[R]):
         most: requests in flight, at most; None for half the ring.
     """
 
-    __slots__ = ("_sent", "allowance", "posts", "repetition", "round_trip", "signs", "since")
+    __slots__ = ("_free", "_sent", "_unawaited", "allowance", "posts", "repetition", "round_trip", "signs", "since")
 
     def __init__(
         self,
@@ -92,6 +92,10 @@ class Window(Ring[R]):
         self.round_trip = RoundTrip(byte_time, round_trip, shortest)
         self._sent = 0
         """Characters of all requests of the session."""
+        self._free = 0
+        """Number of requests of any size for which there is room at least, as far as it was asked."""
+        self._unawaited = first
+        """ID before which no answer is awaited, as far as it was asked."""
         self.since = 0.0
         """Instant of the last progress; while nothing is in flight, of the last request that was done."""
 
@@ -137,13 +141,13 @@ class Window(Ring[R]):
 
     def has_room(self, size: int, *, posted: bool) -> bool:
         """Return whether one more request of `size` characters may be sent now."""
-        in_flight, allowance = self.in_flight, self.allowance
-        if not in_flight:
+        if self._free > 0 or not self.in_flight:
             return True
-        # What is done and still in flight would give more room, which is seldom needed.
-        if in_flight + 1 < allowance.allowed and allowance.byte_limit is None and not self.repetition.is_due():
-            return True
-        return self.room(size, posted=posted) > 0
+        room = self.room(size, posted=posted)
+        if self.allowance.byte_limit is None:
+            # Answers make more, and what makes less forgets it; a place is left for an ``h``.
+            self._free = room - 1
+        return room > 0
 
     def send(self, run: R, now: float) -> None:
         """Assign IDs to a run that is now sent. The caller has seen that there is room (an ``h`` needs none)."""
@@ -152,6 +156,7 @@ class Window(Ring[R]):
         run.sending = repetition.sent
         repetition.sent += count
         run.before = self._sent
+        self._free -= count
         self._sent += run.size * count
         if count == 1:
             self.slots[first] = run
@@ -173,13 +178,15 @@ class Window(Ring[R]):
     def needs_fence(self, now: float) -> bool:
         """Return whether posted writes have waited long enough, or are many enough, to be confirmed by an ``h``."""
         posts, allowance = self.posts, self.allowance
-        if not posts.unfenced or self.repetition.is_due():
-            return False
         limit = allowance.byte_limit
         return (
-            4 * (self.next - posts.start & self.mask) >= allowance.allowed
-            or now >= posts.due
-            or (limit is not None and 4 * (self._sent - posts.before) >= limit)
+            posts.unfenced
+            and (
+                4 * (self.next - posts.start & self.mask) >= allowance.allowed
+                or now >= posts.due
+                or (limit is not None and 4 * (self._sent - posts.before) >= limit)
+            )
+            and not self.repetition.is_due()
         )
 
     def repeat(self) -> list[Part[R]]:
@@ -218,15 +225,18 @@ class Window(Ring[R]):
             and self.signs.place == NEVER
         )
 
-    def answered_alone(self, now: float) -> None:
-        """Record the answer to the oldest request, while it is quiet."""
-        number = self.oldest
-        if self.round_trip.timed == number:
-            self.round_trip.end(now)
-        self.slots[number] = None
+    def answered_quietly(self, count: int, now: float) -> None:
+        """Record the answers to the oldest requests, all of which wait for one, while it is quiet."""
+        number, trip = self.oldest, self.round_trip
+        if trip.timed is not None and trip.timed - number & self.mask < count:
+            trip.end(now)
+        if count == 1:
+            self.slots[number] = None
+        else:
+            self.fill(number, count, None)
         if self.allowance.loses:
-            self.allowance.came_through(1)
-        self.oldest = self.executed = number + 1 & self.mask
+            self.allowance.came_through(count)
+        self.oldest = self.executed = number + count & self.mask
         self.since = now
 
     def answered(self, number: int, count: int, now: float) -> None:
@@ -235,6 +245,9 @@ class Window(Ring[R]):
         run, beginning = self.slots[last], self.slots[number]
         if run is None or beginning is None:
             raise ValueError(f"no request with ID {number} waits for an answer")
+        if number == self.oldest and self.is_quiet():
+            self.answered_quietly(count, now)
+            return
         trip, repetition = self.round_trip, self.repetition
         if trip.timed is not None and trip.timed - number & self.mask < count:
             trip.end(now)
@@ -277,7 +290,9 @@ class Window(Ring[R]):
         if self.executed == number:
             self.executed = number + 1 & self.mask
         first, executed = posts.first, posts.take_executed(number, self.mask)
-        asked = [part for part in self.parts(self.oldest, number) if part.run.is_question]
+        asked = []
+        if self.open(self.oldest, number):
+            asked = [part for part in self.parts(self.oldest, number) if part.run.is_question]
         if not executed and not asked:
             return True
         if failed == posts.failed:
@@ -401,8 +416,11 @@ class Window(Ring[R]):
 
     def _next_reply_size(self) -> int:
         """Return how many characters the next answer has, 0 where none is awaited."""
-        last = self.behind_next_with_answer(self.oldest) - 1 & self.mask
+        if self.distance(self._unawaited) > self.unanswered_count:
+            self._unawaited = self.oldest
+        last = self.behind_next_with_answer(self._unawaited) - 1 & self.mask
         run = self.slots[last]
+        self._unawaited = last
         return 0 if run is None else run.reply_size
 
     def _confirm(self, expected: int) -> bool:
@@ -478,6 +496,7 @@ class Window(Ring[R]):
     def _repeat(self, start: int, end: int, now: float) -> None:
         """Repeat all requests without an answer from `start` on and before `end`, besides those already due."""
         self.repetition.begin(start, end)
+        self._free, self._unawaited = 0, self.oldest
         self.round_trip.timed = None
         self.since = now
 
