@@ -104,7 +104,7 @@ async def test_a_field_needs_a_gateway_with_masked_writes() -> None:
     without = GatewayInfo(features=GatewayInfo().features & ~Feature.MASKED_WRITE)
     async with unity_link.connect(VirtualGateway(without)) as link:
         robot = ROBOT(link)
-        with pytest.raises(UnsupportedError, match="without masked writes"):
+        with pytest.raises(UnsupportedError, match="without masked write"):
             await robot.enable.set(True)
         # All that is written in a word can be written at once.
         await Group(robot.enable, robot.level).set([True, 3])

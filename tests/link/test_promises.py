@@ -514,7 +514,7 @@ async def test_a_subscription_is_entered_once(make_modelled: Maker) -> None:
 async def test_samples_that_a_gateway_cannot_send_at_once_are_refused() -> None:
     features = int(unity_link.GatewayInfo().features & ~Feature.SEND_IMMEDIATE)
     async with unity_link.connect(f"sim:?features={features}") as link:
-        with pytest.raises(UnsupportedError, match="built without send-immediate"):
+        with pytest.raises(UnsupportedError, match="built without send immediate"):
             link.subscribe([1], rate_hz=100, immediate=True)
 
 

@@ -314,10 +314,9 @@ async def test_send_immediate_has_three_modes(link: Link, mode: Any) -> None:
 
 
 BARE: dict[str, Callable[[Link], Awaitable[object]]] = {
-    "masked writes": lambda link: link.write_masked(0, 0, 0),
-    "queue reads": lambda link: link.read_queue(0, 1),
-    "queue writes": lambda link: link.write_queue(0, [1]),
-    "send-immediate": lambda link: link.send_immediate("off"),
+    "masked write": lambda link: link.write_masked(0, 0, 0),
+    "queue commands": lambda link: link.read_queue(0, 1),
+    "send immediate": lambda link: link.send_immediate("off"),
 }
 
 

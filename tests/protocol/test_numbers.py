@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.numbers import as_decimal, feature_names
+from unity_link.protocol.configuration import Feature
+from unity_link.protocol.numbers import as_decimal
 
 
 @pytest.mark.parametrize(("word", "text"), [(0, "0"), (0x7F, "127"), (0x80, "128 or -128"), (0xFF, "255 or -1")])
@@ -14,5 +14,4 @@ def test_a_word_that_may_be_a_negative_number_is_written_as_both(word: int, text
 
 
 def test_features_are_written_by_their_names() -> None:
-    info = GatewayInfo(features=Feature.FLOW_CONTROL | Feature.GROUPS)
-    assert feature_names(info) == ["groups", "flow control"]
+    assert (Feature.FLOW_CONTROL | Feature.GROUPS).words == "groups, flow control"

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 from unity_link.cli.arguments import DEFAULT_TIMEOUT, Json, Timeout, Url
 from unity_link.cli.output import print_json, print_parts
 from unity_link.cli.running import run
-from unity_link.protocol.numbers import feature_names
 
 if TYPE_CHECKING:
     import typer
@@ -60,7 +59,7 @@ async def _round_trip(link: Link) -> float:
 
 def _fields(gateway: GatewayInfo) -> dict[str, Any]:
     fields = {name: getattr(gateway, name) for name in gateway.__struct_fields__}
-    return fields | {"features": feature_names(gateway)}
+    return fields | {"features": [feature.words for feature in gateway.features]}
 
 
 def _print(url: str, rows: list[tuple[str, str]], round_trip: float) -> None:
@@ -86,7 +85,7 @@ def describe(gateway: GatewayInfo) -> list[tuple[str, str]]:
         ("publishing", f"{gateway.groups} groups of up to {gateway.group_words} words, {base:,.10g} Hz / 1 to 65535"),
         ("clock", f"{gateway.clock_hz:,} Hz"),
         ("FIFOs", f"{gateway.receive_fifo_bytes} bytes in, {gateway.transmit_fifo_bytes} bytes out"),
-        ("features", ", ".join(feature_names(gateway)) or "none"),
+        ("features", gateway.features.words or "none"),
         ("map" if Feature.FINGERPRINT in gateway.features else "build", f"0x{gateway.build_id:08X}"),
     ]
 

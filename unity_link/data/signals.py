@@ -131,7 +131,7 @@ class Writable(Proxy[T], Generic[T, S]):
             ArgumentError: for a value outside of the limits, or that the kind cannot say. Nothing was sent. With `at`,
                 also for a signal that is not timed, and while a timeline feeds its schedule.
             NotArmedError: where a lease guards it that is not armed. Nothing was written.
-            UnsupportedError: for a field, where the gateway was built without masked writes.
+            UnsupportedError: for a field, where the gateway was built without masked write.
         """
         if at is not None:
             from unity_link.cores.timeline import set_at

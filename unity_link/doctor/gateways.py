@@ -20,7 +20,6 @@ from unity_link.errors import UnsupportedError
 from unity_link.link.connecting import connect
 from unity_link.protocol.configuration import PROTOCOL_VERSION, Feature
 from unity_link.protocol.frames import COMPACT_END, LF
-from unity_link.protocol.numbers import feature_names
 from unity_link.spec.comparing import compare
 
 if TYPE_CHECKING:
@@ -73,7 +72,7 @@ async def check_gateway(url: DriverUrl, link: Link, interface: Interface | None)
         "gateway",
         f"protocol version {info.protocol_version:02X}, as this host's {PROTOCOL_VERSION:02X}; "
         f"words of {info.data_bits} bits, addresses of {info.address_bits}; "
-        f"{', '.join(feature_names(info)) or 'no features'}",
+        f"{info.features.words or 'no features'}",
     )
     yield await _check_map(link, interface)
     rate = bytes_per_second(url)

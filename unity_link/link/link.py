@@ -270,9 +270,9 @@ class Link(OfLink, Connection):
             The whole word as it was before.
 
         Raises:
-            UnsupportedError: where the gateway was built without masked writes.
+            UnsupportedError: where the gateway was built without masked write.
         """
-        self._require(Feature.MASKED_WRITE, "masked writes")
+        self._require(Feature.MASKED_WRITE)
         where, what, bits = self._whole_address(address), self._whole_word(value), self._whole_word(mask)
         codec = self._session.codec
         fields = codec.fields("WK", where, bits, what)
@@ -405,7 +405,7 @@ class Link(OfLink, Connection):
 
     async def read_queue(self, address: int, count: int) -> Words:
         """Read the same address `count` times: a FIFO port. Like `read_block` otherwise."""
-        self._require(Feature.QUEUE_COMMANDS, "queue reads")
+        self._require(Feature.QUEUE_COMMANDS)
         where, size = self._whole_address(address), self._whole_count(count)
         return await self._read_words("RQ", where, size, step=0)
 
@@ -417,7 +417,7 @@ class Link(OfLink, Connection):
 
     async def write_queue(self, address: int, values: ArrayLike) -> None:
         """Write all `values` to the same address: a FIFO port. Like `write_block` otherwise."""
-        self._require(Feature.QUEUE_COMMANDS, "queue writes")
+        self._require(Feature.QUEUE_COMMANDS)
         words = self._words(values)
         where = self._whole_address(address)
         self._whole_count(len(words))
@@ -513,17 +513,17 @@ class Link(OfLink, Connection):
             OutOfRangeError: when the block is entered, where the gateway refuses the group: for a rate on a half-duplex
                 medium, or while other programs have all groups of a shared gateway.
         """
-        self._require(Feature.GROUPS, "groups")
+        self._require(Feature.GROUPS)
         if timestamps is None:
             timestamps = Feature.TIMESTAMPS in self.gateway.features
         needs = (
-            (trigger, Feature.EXTERNAL_TRIGGERS, "external triggers"),
-            (timestamps, Feature.TIMESTAMPS, "timestamps"),
-            (immediate, Feature.SEND_IMMEDIATE, "send-immediate"),
+            (trigger, Feature.EXTERNAL_TRIGGERS),
+            (timestamps, Feature.TIMESTAMPS),
+            (immediate, Feature.SEND_IMMEDIATE),
         )
-        for wanted, feature, name in needs:
+        for wanted, feature in needs:
             if wanted:
-                self._require(feature, name)
+                self._require(feature)
         flags = GroupFlag(0)
         if rate_hz is not None or divisor is not None:
             flags |= GroupFlag.PERIODIC
@@ -555,7 +555,7 @@ class Link(OfLink, Connection):
             UnsupportedError: where the gateway was built without it.
         """
         check_mode(mode)
-        self._require(Feature.SEND_IMMEDIATE, "send-immediate")
+        self._require(Feature.SEND_IMMEDIATE)
         await self._ask("I", _SEND_IMMEDIATE[mode])
         if self._flow.stream is not None:
             await self._flow.stream.choose_send_immediate(mode)
@@ -608,7 +608,7 @@ class Link(OfLink, Connection):
         if write:
             command = "WQ" if to_queue else "WM"
             if to_queue:
-                self._require(Feature.QUEUE_COMMANDS, "queue writes")
+                self._require(Feature.QUEUE_COMMANDS)
             request = Request(codec, command, codec.fields(command, address, self._words(write)), 0)
         else:
             # Imported here, not in the callback that takes the answer.
@@ -667,9 +667,9 @@ class Link(OfLink, Connection):
             raise ArgumentError(f"a rate of {rate:g} Hz was asked for, expected {lowest:.3g} to {base:g} Hz")
         return round(base / rate)
 
-    def _require(self, feature: Feature, name: str) -> None:
+    def _require(self, feature: Feature) -> None:
         if feature not in self.gateway.features:
-            raise UnsupportedError(f"the gateway was built without {name}")
+            raise UnsupportedError(f"the gateway was built without {feature.words}")
 
     def _whole_address(self, address: int) -> int:
         where, highest = whole_number(address, "an address"), self._session.codec.highest_address

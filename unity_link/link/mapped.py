@@ -88,9 +88,9 @@ class MappedLink(Link):
             self._left = TURN
             await self._runtime.sleep(0)
 
-    def _require(self, feature: Feature, name: str) -> None:
+    def _require(self, feature: Feature) -> None:
         if feature not in self.gateway.features:
-            raise UnsupportedError(f"mapped memory has no {name}")
+            raise UnsupportedError(f"mapped memory has no {feature.words}")
 
     async def send_immediate(self, mode: SendImmediate) -> None:
         """Return: every answer comes at once."""

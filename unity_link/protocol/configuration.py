@@ -49,6 +49,11 @@ class Feature(enum.IntFlag):
     COMPACT = 2048
     """It takes and sends the frames of a session in compact form, too."""
 
+    @property
+    def words(self) -> str:
+        """Names in words of the features in a set: ``masked write, queue commands``."""
+        return ", ".join((feature.name or "unknown").lower().replace("_", " ") for feature in self)
+
 
 class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
     """The configuration of one gateway. The defaults are the gateware's, with all the groups that the protocol has."""

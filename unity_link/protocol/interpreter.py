@@ -22,7 +22,7 @@ from unity_link.protocol.messages import (
     RequestError,
     parse_numbers,
 )
-from unity_link.protocol.numbers import Format, address_text, as_decimal, feature_names, in_form, in_words
+from unity_link.protocol.numbers import Format, address_text, as_decimal, in_form, in_words
 from unity_link.protocol.overheard_session import OverheardSession
 
 if TYPE_CHECKING:
@@ -329,8 +329,7 @@ def _when(flags: int, divisor: int) -> str:
 
 def _configuration(text: bytes) -> str:
     info = GatewayInfo.from_hex(text)
-    features = ", ".join(feature_names(info)) or "no features"
-    return f"this gateway has {summary(info)}; {features}"
+    return f"this gateway has {summary(info)}; {info.features.words or 'no features'}"
 
 
 def summary(info: GatewayInfo) -> str:

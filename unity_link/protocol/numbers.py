@@ -86,8 +86,3 @@ def as_decimal(word: int, bits: int) -> str:
 def address_text(address: int, info: GatewayInfo) -> str:
     """Write an address in hex, in the width that it has."""
     return f"0x{address:0{info.address_digits}X}"
-
-
-def feature_names(info: GatewayInfo) -> list[str]:
-    """Return the names of what a gateway was built with."""
-    return [(feature.name or "unknown").lower().replace("_", " ") for feature in info.features]
