@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 import cocotb
 
-from gateware.bench.compact.cases import damaged, form_of, frames
+from gateware.bench.compact.cases import damaged, form_of, frames, text_of
 from gateware.bench.streams import Sink, Source, start
-from unity_link.protocol.compact import Packer, Unpacker
+from unity_link.protocol.compact import Packer
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
@@ -34,11 +34,11 @@ async def frames_in_both_forms_become_their_text(dut: SimHandleBase) -> None:
     form, rng = form_of(dut, from_gateway=False), random.Random(1)
     for pause in (0.0, 0.4):
         packed = Packer(form).pack(frames(form, rng, 300))
-        assert not any(await _pass(dut, [*packed], Unpacker(form).unpack(packed), pause))
+        assert not any(await _pass(dut, [*packed], text_of(form, packed), pause))
 
 
 @cocotb.test
 async def damaged_bytes_become_what_they_are_to_the_host(dut: SimHandleBase) -> None:
     form, rng = form_of(dut, from_gateway=False), random.Random(2)
     data = damaged(Packer(form).pack(frames(form, rng, 600)), rng) + b"\n"
-    await _pass(dut, [*data], Unpacker(form).unpack(data), 0.0)
+    await _pass(dut, [*data], text_of(form, data), 0.0)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from unity_link.protocol.compact import COMMANDS, RESERVED, CompactForm
+from unity_link.protocol.compact import COMMANDS, END, RESERVED, CompactForm, Unpacker
 
 if TYPE_CHECKING:
     import random
@@ -17,6 +17,11 @@ def form_of(dut: SimHandleBase, *, from_gateway: bool) -> CompactForm:
     address_digits = 0 if from_gateway else int(dut.address_digits.value)
     has_node = dut.node.value.to_signed() >= 0
     return CompactForm(int(dut.id_digits.value), 4, address_digits, from_gateway=from_gateway, has_node=has_node)
+
+
+def text_of(form: CompactForm, data: bytes) -> bytes:
+    """Return the text that a gateway makes: a line end behind an end is an empty frame to it, on any medium."""
+    return Unpacker(form).unpack(data.replace(END + b"\n", END + b"\n\n") if form.has_node else data)
 
 
 def frames(form: CompactForm, rng: random.Random, count: int) -> bytes:
