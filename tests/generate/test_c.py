@@ -59,9 +59,11 @@ from generate.programs import (
     linked,
     output,
 )
+from support.recorded_bus import RecordedBus
 from support.searching import examples
 from support.simulated_host import LineOfASession, SimulatedHost, outcome_of
 from support.spec_examples import FIGURE_1, specs
+from support.valve import Uncounting
 from unity_link.errors import Outcome, UnsupportedError
 from unity_link.generate.c.layout import Layout
 from unity_link.protocol.configuration import Feature, GatewayInfo
@@ -1114,6 +1116,18 @@ def test_posted_writes_that_a_reset_gateway_does_not_do_are_told_by_the_fence(dr
         assert client("post 10 3") == f"{LOST_NOT_EXECUTED}posted write at 0x10: {WAS_RESET} known not to be executed"
         assert client("close").startswith(f"{LOST_NOT_EXECUTED}posted write")
         assert gateway.bus_log.writes == []
+
+
+def test_posted_writes_go_on_where_each_fence_is_answered_by_an_error(driver: Path) -> None:
+    gateway = Uncounting(TWO_DIGITS)
+    bus = RecordedBus(gateway)
+    with Simulated(driver, gateway.receive) as client:
+        client.words("connect test: 5")
+        for value in range(400):
+            client.words(f"post 10 {value:X}")
+        assert client.words("fence") == []
+        client.words("close")
+    assert bus.writes == [(0x10, value) for value in range(400)]
 
 
 def test_what_is_told_of_writes_at_a_reset_is_true_whatever_the_line_loses(driver: Path) -> None:

@@ -6,6 +6,8 @@ import re
 from typing import TYPE_CHECKING, Any
 
 from unity_link.protocol.frames import in_session
+from unity_link.protocol.messages import ErrorCode
+from unity_link.virtual import VirtualGateway
 from unity_link.virtual.gateway import Gateway
 
 if TYPE_CHECKING:
@@ -14,6 +16,7 @@ if TYPE_CHECKING:
     from unity_link import GatewayInfo
     from unity_link.link.connection import Connection
     from unity_link.protocol.host_codec import HostCodec
+    from unity_link.protocol.messages import DecodedRequest
 
 
 class Valve(Gateway):
@@ -64,6 +67,16 @@ class Valve(Gateway):
 
     def advance(self, now: float, room: int | None = None) -> bytes:
         return self.gateway.advance(now, room)
+
+
+class Uncounting(VirtualGateway):
+    """Answers each ``h`` by an error, as a server does while its gateway is away; it knows how each request ended."""
+
+    def _execute(self, request: DecodedRequest, now: float) -> bytes:
+        if request.command != "H" or request.id is None:
+            return super()._execute(request, now)
+        self._session.state.fail(request.id, ErrorCode.BUS_TIMEOUT, posted=False)
+        return self._codec.error(ErrorCode.BUS_TIMEOUT, request.id)
 
 
 def numbers_in(sent: bytes, info: GatewayInfo) -> list[int]:

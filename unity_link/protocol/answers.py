@@ -363,6 +363,8 @@ class Answers:
             return
         offset = number - run.first & self._mask
         if head == 1 and body[0] == _LOWER_X:
+            if run.is_fence and not window.told(number, _UNCOUNTED, now):
+                return
             self._counters.errors += 1
             if run.is_question or not run.reply_size:
                 window.post_failed()
@@ -381,7 +383,7 @@ class Answers:
         codec = self.codec
         if not (run.is_fence or run.unwanted()) or len(count) != self.codec.info.id_digits:
             return True
-        return self.window.told(number, codec.id_number.get(count, -1), now)
+        return self.window.told(number, codec.id_number.get(count, _UNCOUNTED), now)
 
     def _receive_error(self, body: bytes, now: float, events: Events) -> None:
         """Take an error without an ID."""
@@ -419,6 +421,8 @@ _LOWER_G, _UPPER_G = ord("g"), ord("G")
 _LOWER_H, _LOWER_N, _LOWER_X = b"hnx"
 _K, _P, _X = b"KPX"
 _CR = b"\r"[0]
+_UNCOUNTED = -1
+"""Number of failed posted writes where an ``h`` is answered by an error, as by a server whose gateway is away."""
 _NO_SESSION = b"%02X" % ErrorCode.NO_SESSION
 _SHUT_OUT = b"%02X" % ErrorCode.SESSION_UNDER_WAY
 _DAMAGED = frozenset({ErrorCode.CRC, ErrorCode.TOO_LONG, ErrorCode.RECEIVE_OVERFLOW})

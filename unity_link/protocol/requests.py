@@ -78,9 +78,6 @@ def gateway_error(code: int, what: str, refusal: Callable[[], str]) -> GatewayEr
         refusal: returns the reason why the bus refuses accesses, empty where none is known.
     """
     kind, text = _ERRORS.get(code, (GatewayError, f"the gateway answered error {code:02X}"))
-    if what == _NAMES["H"]:
-        # It accesses nothing: where the gateway is behind a server, that has lost it.
-        text = f"how posted writes ended is not known, for error {code:02X} was answered; a later fence may tell"
     reason = refusal() if kind is BusError else ""
     return kind(f"{what}: {text}" + (f", for {reason}" if reason else ""), code)
 
@@ -435,6 +432,13 @@ class Confirmation(Request):
     def decode(self, data: bytes) -> Any:
         """Return None: what the response counts is told to the window."""
         int(data, 16)
+
+    def fail_part(self, offset: int, count: int, error: UnityLinkError, events: Events) -> None:
+        """End it with an error; where the gateway answers one, each posted write before it has been asked for."""
+        if isinstance(error, GatewayError):
+            self.take_data(b"0", events)
+        else:
+            super().fail_part(offset, count, error, events)
 
 
 class Fence(Confirmation):

@@ -6,6 +6,7 @@
 
 enum { MOST_READS = 16 };
 enum { UNKNOWN_ERROR = UL_LOST - 1 };   /* in the place of a code that no error of a gateway has */
+static const uint32_t UNCOUNTED = UINT32_MAX;   /* failed posted writes, where none were counted */
 static const char RESET[] = "the gateway was reset, which ends the link";
 static const char TAKEN[] =
     "another program has begun a session with the gateway, and this one's is over: let both use it through "
@@ -333,6 +334,11 @@ static void note_told(ul_link *link, uint32_t id, double now)
     release_places(link);
 }
 
+static bool is_fence(const ul_request *request)
+{
+    return shape_of(request->command)->counts && !request->posted;
+}
+
 static void note_error(ul_link *link, text code, uint32_t id, double now)
 {
     uint64_t number;
@@ -345,7 +351,9 @@ static void note_error(ul_link *link, text code, uint32_t id, double now)
     /* It would be taken for what has become of a request on this side; 08 was an error of version 02. */
     if (number == UL_OK || number == 8 || number >= UL_LOST) number = UNKNOWN_ERROR;
     if (request->posted) link->failed = (link->failed + 1) & link->ring_mask;
-    settle(request, (ul_status)number);
+    if (!is_fence(request)) settle(request, (ul_status)number);
+    /* It counts no posted writes: a server answers so while its gateway is away. Each is asked for. */
+    else if (note_count(link, id, UNCOUNTED)) settle(request, UL_OK);
     note_told(link, id, now);
 }
 
@@ -374,8 +382,7 @@ static void take_response(ul_link *link, text body, double now)
         return;
     }
     uint64_t failed;
-    bool is_fence = shape_of(command)->counts && !request->posted;
-    bool is_told = !is_fence || !take_number(&fields, link->info.id_digits, &failed)
+    bool is_told = !is_fence(request) || !take_number(&fields, link->info.id_digits, &failed)
         || note_count(link, (uint32_t)id, (uint32_t)failed);
     if (is_told && !request->posted) settle(request, UL_OK);
     note_told(link, (uint32_t)id, now);
