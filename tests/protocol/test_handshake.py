@@ -217,6 +217,19 @@ def test_a_gateway_that_has_a_session_of_another_program_is_left_to_it() -> None
         handshake.receive(FRAMING.checked(b"K0077"), 0.03)
 
 
+def test_an_opening_of_ones_own_whose_answer_was_lost_with_the_connection_is_no_other_program() -> None:
+    chosen = numbers()
+    lost = chosen.next(0x7FFF)
+    handshake = Handshake(None, chosen, 0.0, before=BEFORE)
+    handshake.receive(PLAIN, 0.01)
+    handshake.receive(CHECKED, 0.02)
+    handshake.receive(FRAMING.checked(b"K%04X" % lost), 0.03)
+    # Whether it was reset before that is not known.
+    assert handshake.found_reset
+    handshake.receive(FRAMING.checked(b"K%03X%04X%04X" % (handshake.first, handshake.session, lost)), 0.04)
+    assert is_complete(handshake)
+
+
 def test_who_does_not_say_whether_it_was_reset_is_asked_for_a_session_all_the_same() -> None:
     handshake = known(before=BEFORE)
     for _ in range(RESET_TRIES):

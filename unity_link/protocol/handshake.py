@@ -118,6 +118,10 @@ class SessionNumbers:
         self._last.append(number)
         return number
 
+    def has_chosen(self, number: int) -> bool:
+        """Return whether a number is one of the last."""
+        return number in self._last
+
 
 class Handshake:
     """One conversation with what is at the other end of a connection.
@@ -181,7 +185,7 @@ class Handshake:
         self.codec = HostCodec(GatewayInfo(), node)
         """The messages of the gateway, once it has said what it is; before, those of one as it comes."""
         self.found_reset = False
-        """True if the gateway has said that it was reset since an earlier session."""
+        """True if the gateway was reset since an earlier session, as far as is known."""
         self.round_trip = 0.0
         """Seconds to the last answer."""
         self._patience = FIRST_TRY
@@ -402,9 +406,10 @@ class Handshake:
 
     def _told_whose(self, body: bytes) -> State:
         session = self._number_in(body)
-        if session not in (NO_SESSION, self._before):
+        if session not in (NO_SESSION, self._before) and not self._numbers.has_chosen(session):
             raise LinkLostError(TAKEN)
-        self.found_reset = session == NO_SESSION
+        # Behind an opening of its own whose answer was lost with the connection, nothing says that it was not.
+        self.found_reset = session != self._before
         self._before = session
         return State.ASKED_SESSION
 
