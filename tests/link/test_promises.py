@@ -62,14 +62,17 @@ async def test_a_fence_waits_for_batches_and_blocks_that_were_asked_for_before_i
 
 
 class Away(Valve):
-    """Answers an ``h`` by error 05 as a server does that has lost its gateway, and loses errors of posted writes."""
+    """Answers each ``h`` by error 05 as a server does that has lost its gateway, and loses errors of posted writes."""
 
     def receive(self, data: bytes, now: float) -> bytes:
         answer = super().receive(data, now)
         if not answer.startswith((b"h", b"x")):
             return answer
-        lines = [line for line in answer.splitlines() if line.startswith(b"h")]
-        return b"".join(frame(b"x" + line[1:4] + b"05") for line in lines)
+        lines = b"" if data.startswith(b"ws") else answer
+        return b"".join(
+            frame(b"x" + line[1:4] + b"05") if line.startswith(b"h") else line
+            for line in lines.splitlines(keepends=True)
+        )
 
 
 def frame(body: bytes) -> bytes:
