@@ -24,7 +24,7 @@
 #include <sys/uio.h>
 #include <unistd.h>
 
-enum { DATA = 8, MOST = 1 << 16, WORDS = 1 << 16, PUBLISHES = 256, GROUPS = 256, DATAGRAM = 1400, HEADER = 32 };
+enum { DATA = 8, MOST = 1 << 16, WORDS = 1 << 16, PUBLISHES = 256, GROUPS = 256, DATAGRAM = 1400, HEADER = 32, AT_ONCE = 4096 };
 
 static uint32_t crc_table[256];
 static uint32_t memory[WORDS];
@@ -294,7 +294,7 @@ static void answer(const char *frame, size_t length)
 /* The groups that run take turns. */
 static void publish(void)
 {
-    for (int n = 0; n < PUBLISHES && out_length < 4096; n++) {
+    for (int n = 0; n < PUBLISHES && out_length < AT_ONCE; n++) {
         size_t start = out_length;
         turn = (turn + 1) % running;
         struct group *is = &groups[runs[turn]];
@@ -355,7 +355,7 @@ static void serve(void)
                 if (length > 0)
                     answer(text, length);
                 frame = at + 1;
-                if (out_length > 4096)
+                if (out_length > AT_ONCE)
                     flush();
             }
         held -= (size_t)(frame - in);

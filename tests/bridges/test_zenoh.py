@@ -284,7 +284,7 @@ def test_a_gateway_may_come_late_and_go_in_between(tmp_path: Path) -> None:
             with program("serve", "sim:scara", "--unix", str(gateway)):
                 wait_for(process, "scara at robot/1" if turn == 0 else "the gateway answers")
                 if turn > 0 and "error" in (answer := ask(peer, "robot/1/write", {"j1.pos_sp": 7})):
-                    # It is another one, which has forgotten what was set. If sent again meanwhile, nobody knows of it.
+                    # It is another gateway, without what was set. The outcome of a repeated request is unknown.
                     assert answer["error"].startswith("the gateway was reset; the request is ")
                 assert ask(peer, "robot/1/write", {"j1.pos_sp": 9}) == {"written": 1}
                 assert ask(peer, "robot/1/signals/j1/pos_sp") == 9

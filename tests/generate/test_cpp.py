@@ -394,7 +394,7 @@ def test_a_gateway_that_was_reset_is_a_lost_link_and_a_new_one_goes_on(runtime: 
     std::cin.get();
     for (unsigned value = 0; value < 50; value++) {
         try { link.write(0x20, value); CHECK(!"it throws"); } catch (const unity_link::LinkLostError &error) {
-            // On a busy machine the first may have been sent again, and then nobody knows.
+            // On a busy machine the first may have been repeated, and then its outcome is unknown.
             const bool again = value == 0 && link.statistics().repetitions > 0;
             CHECK(error.outcome() == unity_link::Outcome::not_executed
                   || (again && error.outcome() == unity_link::Outcome::unknown));

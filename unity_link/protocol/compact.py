@@ -167,8 +167,7 @@ class Unpacker:
     """
 
     def __init__(self, form: CompactForm) -> None:
-        self._heads = form.heads()
-        self._commands = [(command, 1 + len(fill)) for command, fill in self._heads]
+        self._commands = [(command, 1 + len(fill)) for command, fill in form.heads()]
         """Letters for each number of a command, and how many digits stand for them."""
         self._has_node = form.has_node
         self.reset()
@@ -227,7 +226,7 @@ class Unpacker:
         size = len(data) + EACH * data.count(START)
         if size < MANY or self._has_node or b"\n" in data or b"\r" in data:
             return self._text_of_few(data)
-        text, size = _rows().unpack(data, self._heads)
+        text, size = _rows().unpack(data, self._commands)
         if size in (0, len(data)):
             return bytes(text) or self._text_of_few(data)
         others = self._text_of_few(data[size:])

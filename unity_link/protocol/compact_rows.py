@@ -54,14 +54,14 @@ def pack(frames: bytes, count: int, at: int, head: str) -> bytes:
     return stuffed.tobytes()
 
 
-def unpack(data: bytes, heads: Sequence[tuple[str, str]]) -> tuple[bytes, int]:
+def unpack(data: bytes, commands: Sequence[tuple[str, int]]) -> tuple[bytes, int]:
     """Return the text of the compact frames of one command and one length with which data begins, and their size in it.
 
     Nothing and 0 if data is anything but sound frames side by side.
 
     Args:
         data: bytes without line ends, at least one.
-        heads: for each number of a command its letters and the digit that fills up.
+        commands: for each number of a command its letters, and how many digits stand for them.
     """
     packed = np.frombuffer(data, np.uint8)
     starts, ends = (packed == COMPACT_START[0]).nonzero()[0], (packed == COMPACT_END[0]).nonzero()[0]
@@ -88,10 +88,10 @@ def unpack(data: bytes, heads: Sequence[tuple[str, str]]) -> tuple[bytes, int]:
     count = _equal(sizes)
     rows = packed[: count * size].reshape(count, size)
     count = _equal(rows[:, 1] >> 4)
-    command, fill = heads[int(rows[0, 1]) >> 4]
+    command, after = commands[int(rows[0, 1]) >> 4]
     first = np.frombuffer(command.encode(), np.uint8)
     digits = np.frombuffer(rows[:count, 1:-1].tobytes().hex().upper().encode(), np.uint8).reshape(count, -1)
-    digits = digits[:, 1 + len(fill) :]
+    digits = digits[:, after:]
     text = np.empty((count, len(first) + digits.shape[1] + 1), np.uint8)
     text[:, : len(first)], text[:, len(first) : -1], text[:, -1] = first, digits, ord("\n")
     return text.tobytes(), int(ends[count - 1]) + 1

@@ -119,7 +119,7 @@ class SessionNumbers:
         return number
 
     def has_chosen(self, number: int) -> bool:
-        """Return whether a number is one of the last."""
+        """Return whether a number is one of those that were chosen last."""
         return number in self._last
 
 
@@ -408,7 +408,7 @@ class Handshake:
         session = self._number_in(body)
         if session not in (NO_SESSION, self._before) and not self._numbers.has_chosen(session):
             raise LinkLostError(TAKEN)
-        # Behind an opening of its own whose answer was lost with the connection, nothing says that it was not.
+        # If the answer to an opening of its own was lost with the connection, a reset before it cannot be excluded.
         self.found_reset = session != self._before
         self._before = session
         return State.ASKED_SESSION
