@@ -433,13 +433,6 @@ class Confirmation(Request):
         """Return None: what the response counts is told to the window."""
         int(data, 16)
 
-    def fail_part(self, offset: int, count: int, error: UnityLinkError, events: Events) -> None:
-        """End it with an error; where the gateway answers one, each posted write before it has been asked for."""
-        if isinstance(error, GatewayError):
-            self.take_data(b"0", events)
-        else:
-            super().fail_part(offset, count, error, events)
-
 
 class Fence(Confirmation):
     """A confirmation that is not sent before all that was asked for earlier.
@@ -459,6 +452,13 @@ class Fence(Confirmation):
     def follow(self, waiting: Iterable[Source]) -> None:
         """Wait for what waits now and takes several turns."""
         self.earlier += [source for source in waiting if not source.exhausted()]
+
+    def fail_part(self, offset: int, count: int, error: UnityLinkError, events: Events) -> None:
+        """End it with an error; where the gateway answers one, each posted write before it has been asked for."""
+        if isinstance(error, GatewayError):
+            self.take_data(b"0", events)
+        else:
+            super().fail_part(offset, count, error, events)
 
 
 class RequestBlock:
