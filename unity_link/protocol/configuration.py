@@ -140,7 +140,7 @@ class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
 
     def to_hex(self) -> bytes:
         """Return the fields of the answer to `Q` as hex digits."""
-        return b"".join(b"%0*X" % (digits, int(getattr(self, name))) for name, digits in _FIELDS)
+        return b"".join(b"%0*X" % (digits, int(getattr(self, name))) for name, digits in FIELDS)
 
     @classmethod
     def from_hex(cls, text: bytes) -> GatewayInfo:
@@ -152,7 +152,7 @@ class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
         """
         values: dict[str, int] = {}
         position = 0
-        for name, digits in _FIELDS:
+        for name, digits in FIELDS:
             field = text[position : position + digits]
             if len(field) != digits or field.strip(HEX_DIGITS):
                 raise ValueError(f"an answer to Q of {_TOTAL_DIGITS} hex digits was expected, not {text[:80]!r}")
@@ -185,7 +185,7 @@ class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
             )
 
 
-_FIELDS = (
+FIELDS = (
     ("protocol_version", 2),
     ("data_bits", 2),
     ("address_bits", 2),
@@ -202,8 +202,9 @@ _FIELDS = (
     ("features", 4),
     ("build_id", 8),
 )
+"""Names of the fields of the answer to `Q`, and hex digits of each."""
 _MOST_MILLIHERTZ = 16**10 - 1
-_TOTAL_DIGITS = sum(digits for _, digits in _FIELDS)
+_TOTAL_DIGITS = sum(digits for _, digits in FIELDS)
 _RANGES = (
     ("data_bits", 8, 64),
     ("address_bits", 8, 32),

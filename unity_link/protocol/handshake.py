@@ -47,10 +47,10 @@ TAKEN = (
     "another program has begun a session with the gateway, and this one's is over: let both use it through "
     "`unity-link serve`, or end the other program"
 )
+NEVER_CHOSEN = (0x10, 0x1000)
+"""Numbers of sessions with which damage to the size of a first letter could pass a CRC of 8 or of 16 bits."""
 _DIFFERENT = 16
 """Number of sessions in a row that have different numbers."""
-_NEVER_CHOSEN = frozenset({0x10, 0x1000})
-"""With these, damage to the size of a first letter could pass a CRC of 8 or of 16 bits."""
 _LONGEST_TEXT = 120
 """Characters of what is not understood that a message quotes."""
 _OTHERS = {
@@ -113,7 +113,7 @@ class SessionNumbers:
     def next(self, most: int) -> int:
         """Return a number from 1 to `most`."""
         number = 1 + self.choose() % most
-        while number in self._last or number in _NEVER_CHOSEN:
+        while number in self._last or number in NEVER_CHOSEN:
             number = 1 + number % most
         self._last.append(number)
         return number

@@ -17,8 +17,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from unity_link.generate import GeneratedFile
 from unity_link.generate.python.classes import module_name
 from unity_link.generate.ros.topics import SI, message_type, topic_names
-from unity_link.protocol.configuration import PROTOCOL_VERSION, Feature
+from unity_link.protocol.configuration import FIELDS, PROTOCOL_VERSION, Feature
 from unity_link.protocol.frames import TOKEN_LINE
+from unity_link.protocol.handshake import NEVER_CHOSEN
 from unity_link.protocol.messages import GroupFlag
 from unity_link.spec import KindName, ParameterReference
 
@@ -88,6 +89,8 @@ def runtime(interface: Interface, templates: Templates, dot: str) -> Iterator[Ge
     own.origin = templates.origin
     protocol = {
         "version": PROTOCOL_VERSION,
+        "widths": tuple(digits for _, digits in FIELDS),
+        "never_chosen": NEVER_CHOSEN,
         "token_line": TOKEN_LINE.decode(),
         "group_flags": {flag.name: flag.value for flag in GroupFlag},
         "has_timestamps": int(Feature.TIMESTAMPS),
