@@ -110,7 +110,7 @@ def requests_of(info: GatewayInfo) -> list[bytes]:
     """Return a frame of each command that has an ID, all with the ID 0 and of session 1."""
     codec, seed = Codec(info), seed_of(1, from_gateway=False)
     # Words that are digits of commands, too, so that a cut leaves as much as can be.
-    word = 0x10111213 >> 32 - info.data_bits
+    word = 0x1011121310111213 >> 64 - info.data_bits
     fields = {
         "a": 0x10,
         "d": word,
@@ -130,7 +130,7 @@ def requests_of(info: GatewayInfo) -> list[bytes]:
     ]
 
 
-@pytest.mark.parametrize("data_bits", [8, 16, 32])
+@pytest.mark.parametrize("data_bits", [8, 16, 32, 64])
 @pytest.mark.parametrize(("crc_bits", "polynomial"), [(8, 0x07), (16, 0x1021)])
 def test_of_all_damages_to_one_character_only_an_early_lf_can_get_anything_executed(
     data_bits: int, crc_bits: int, polynomial: int
@@ -154,6 +154,10 @@ def test_of_all_damages_to_one_character_only_an_early_lf_can_get_anything_execu
                 gateway = VirtualGateway(info)
                 gateway.receive(opening, 0.0)
     assert executed <= {(b"wm", 10), (b"wq", 10)}
+
+
+LOOKS = (b"Q\r", b"H\r")
+"""Plain frames of two characters that look: damage may make one, which no check finds, and it changes nothing."""
 
 
 class Accesses:
@@ -233,7 +237,7 @@ def test_of_damages_to_two_adjacent_characters_no_more_than_the_bound_get_anythi
         differences = draw.integers(1, 1 << 16, len(places))
         for place, difference in zip(places.tolist(), differences.tolist(), strict=True):
             pair = bytes([frame[place] ^ difference >> 8, frame[place + 1] ^ difference & 0xFF])
-            if is_as_before(frame, place, pair, compact=compact):
+            if is_as_before(frame, place, pair, compact=compact) or (place == 0 and pair in LOOKS):
                 continue
             if attacked.executes(frame[:place] + pair + frame[place + 2 :]):
                 passed.append((frame, place, pair))
