@@ -154,7 +154,9 @@ def _request(codec: HostCodec, choices: Choices) -> Request:
         ("WS", codec.fields("WS", address, choices.number()), None),
         ("RM", codec.fields("RM", address, 3), 3 * codec.data_digits),
     )[choices.number() % 4]
-    return Request(codec, command, fields, reply)
+    request = Request(codec, command, fields, reply)
+    request.poster = None
+    return request
 
 
 def spec(data: bytes) -> None:
