@@ -9,7 +9,7 @@ import pytest
 import unity_link
 from support.recorded_bus import RecordedBus
 from support.simulated_time import on_simulated_time
-from support.valve import Valve
+from support.valve import Valve, cut
 from unity_link import ConnectError, LinkLostError
 from unity_link.protocol.crc import Crc
 from unity_link.transport import DriverUrl, register
@@ -110,6 +110,36 @@ def of_node_2(frame: bytes) -> bytes:
         return b"Z02" + frame
     body = b"Z02" + frame[:-5]
     return body + Crc().text(body) + b"\n"
+
+
+class Taken(Valve):
+    """Another program begins a session before a group is set up, once."""
+
+    begins = False
+
+    def receive(self, data: bytes, now: float) -> bytes:
+        if self.begins and b"gs" in data:
+            self.begins = False
+            return super().receive(PROGRAM, now) + super().receive(data, now)
+        return super().receive(data, now)
+
+
+@on_simulated_time
+async def test_a_link_that_is_opened_again_while_another_host_begins_ends_and_connects_no_more() -> None:
+    line = Taken(VirtualGateway())
+    async with unity_link.connect(line, reconnect=True) as link, link.subscribe([0x10], rate_hz=100) as samples:
+        await anext(samples)
+        line.begins = True
+        cut(link)
+        with pytest.raises(LinkLostError, match="unity-link serve"):
+            async for _ in samples:
+                pass
+        assert not link.connected
+        line.heard = b""
+        await asyncio.sleep(30)
+        assert line.heard == b""
+        with pytest.raises(LinkLostError, match="unity-link serve"):
+            await link.read(0)
 
 
 class Echoing(Valve):

@@ -123,6 +123,8 @@ class SimulatedLoop(asyncio.BaseEventLoop):
         ready, timers = self._ready, self._timers
         due = self._now + _RESOLUTION
         while timers and timers[0][0] < due:
+            # None is early, as it would be set again at once: two that do so in turn leave no time to pass.
+            self._now = max(self._now, timers[0][0])
             ready.append(heappop(timers)[2])
         for _ in range(len(ready)):
             planned = ready.popleft()

@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 _COUNT = (1 << ADDRESS_SHIFT) - 1
 _SLACK = 1e-6
 """Seconds by which two instants that are the same may differ."""
+_MOST_DOUBLED = 4
+"""Samples, in compact form, that the bytes have at most which a line doubles at a time."""
 
 
 MOST_WAITING = 131_072
@@ -339,7 +341,7 @@ class LinkLog:
 
     def ended(self, link: Link) -> bool:
         """Return whether there will be no session any more."""
-        return self.refused or self.closed or (not self.reconnect and not link.connected)
+        return self.refused or self.closed or link._closed or (not self.reconnect and not link.connected)
 
     def ask(self, kind: str, words: Sequence[tuple[int, int]], now: float) -> Ask:
         """Note a call."""
@@ -554,13 +556,15 @@ class Oracle:
             )
             if [word >> ADDRESS_SHIFT for word in words] != list(listening.addresses):
                 raise WorldError("a sample of another group", f"{where}: {[f'{word:#x}' for word in words]}")
-            published = {place for place in listening.published.samples.get(text, ()) if place >= min(places)}
+            before = min(places)
+            earliest = (before[0], before[1] - _MOST_DOUBLED)
+            published = {place for place in listening.published.samples.get(text, ()) if place >= earliest}
             if not published:
                 raise WorldError("a sample that was not published", f"{where}: {text!r}")
             instant = recorder.instants[words[0] & _COUNT]
-            if instant < last - _SLACK:
+            if instant < last - _SLACK and min(published) >= before:
                 raise WorldError("samples in another order", where)
-            last = instant
+            last = max(last, instant)
             self._judge_instant(listening, words, instant, where)
             time = self._judge_time(sample, time, where)
             reached = {new for old in places for new in _next_places(listening, old, published, sample.lost)}
@@ -646,9 +650,9 @@ def _next_places(
     for new in published:
         if new[0] == life:
             due = new[1] - number - 1
-            # Two digits do not tell a sample that the line has doubled from one a whole round later; a timestamp does.
+            # Two digits do not tell samples that the line has doubled from those a whole round later; a timestamp does.
             # One of the two may be among those that a full buffer dropped.
-            doubled = due == -1 and lost % 0x100 == 0xFF
+            doubled = -_MOST_DOUBLED <= due < 0 and lost % 0x100 == due % 0x100
             doubled |= "buffer" in listening.arguments and lost == due + 0x100
             if (
                 (doubled and not listening.arguments["timestamps"])

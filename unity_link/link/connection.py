@@ -347,6 +347,9 @@ class Connection:
                 if error is None:
                     self._opened_again_at = self._now()
                     return
+                if self._closed:
+                    # Another program has the line.
+                    return
                 if end - self._now() <= reconnect.first_pause:
                     self._end(LinkLostError(f"{reason}, and no reconnection succeeded ({error})"))
                     return
