@@ -11,7 +11,7 @@ from support.floods import FLOODS
 from support.valve import as_gateway
 from unity_link.errors import ConnectError, LinkLostError, Outcome, UnansweredError, UnsupportedError
 from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.constants import LONGEST_SILENCE
+from unity_link.protocol.constants import LONGEST_SILENCE, MOST_REFUSALS
 from unity_link.protocol.events import Interrupted, Opened, Unusable
 from unity_link.protocol.messages import GroupFlag
 from unity_link.protocol.requests import Confirmation, Request, WordBatch, common_outcome
@@ -249,11 +249,28 @@ def test_the_error_of_a_batch_that_a_gateway_refuses_again_and_again_names_the_r
     session.receive(answers[: 3 * len(answers) // 8], now)
     while not batch.done:
         assert now < 100.0
-        session.receive(b"X03\r\n", now)
+        session.receive(codec.framing.checked(b"X03"), now)
         session.receive(gateway.receive(codec.framing.checked(b"K"), now), now)
         session.take_output()
         now += 10.0
     assert "read at 0x13:" in str(batch.error)
+
+
+@pytest.mark.parametrize("answer", [b"X02\r\n", b"X03\r\n"])
+def test_a_plain_refusal_is_about_a_frame_in_which_damage_has_made_a_cr_and_gives_nothing_up(answer: bytes) -> None:
+    session, gateway = opened(resumes=False)
+    now = 1.0
+    request = Request(session.codec, "R", session.codec.fields("R", 0x10), session.codec.data_digits)
+    session.submit(request, now)
+    for _ in range(2 * MOST_REFUSALS):
+        session.take_output()
+        session.receive(answer + gateway.receive(session.codec.framing.checked(b"K"), now), now)
+    assert request.error is None
+    while now < 10.0:
+        session.receive(gateway.receive(session.take_output(), now), now)
+        now += 0.1
+        session.expire(now)
+    assert request.answer == 0
 
 
 def test_a_posted_write_waits_for_others_before_all_are_confirmed_by_one_fence() -> None:

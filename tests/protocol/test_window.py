@@ -839,6 +839,34 @@ def test_posted_writes_are_asked_for_where_more_have_failed_than_errors_have_com
     assert window.is_idle()
 
 
+def test_what_was_asked_for_is_not_asked_for_again_by_the_next_count_that_was_on_its_way() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, "p", "p", "h", "h", "h")
+    assert not window.told(2, 1, now=0.002)
+    assert repeated(window) == "p?@0 p?@1 h@2"
+    assert not window.told(3, 1, now=0.002)
+    assert not window.told(4, 1, now=0.002)
+    assert repeated(window) == ""
+    window.post_failed()
+    window.answered(0, 2, now=0.003)
+    assert window.told(2, 1, now=0.003)
+    window.answered(2, 1, now=0.003)
+    assert repeated(window) == "h@3 h@4"
+    for number in (3, 4):
+        assert window.told(number, 1, now=0.004)
+        window.answered(number, 1, now=0.004)
+    assert window.is_idle()
+
+
+def test_what_was_asked_for_and_not_answered_is_asked_for_again_behind_the_loss() -> None:
+    window: Window[Named] = Window(RING)
+    sent(window, "p", "p", "h")
+    assert not window.told(2, 1, now=0.002)
+    assert repeated(window) == "p?@0 p?@1 h@2"
+    assert not window.told(2, 1, now=0.003)
+    assert repeated(window) == "p?@0 p?@1 h@2"
+
+
 def test_errors_that_come_after_all_let_posted_writes_be_done_that_were_asked_for() -> None:
     window: Window[Named] = Window(RING)
     sent(window, "p", "p", "h")

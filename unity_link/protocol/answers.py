@@ -235,11 +235,8 @@ class Answers:
             size = self._size_of(line)
             if size is not None and len(line) >= size:
                 return self._cut(line, size, now)
-            if body[:1] == b"X":
+            if self._is_sign(body):
                 # Perhaps about a request in which damage has made a CR.
-                self._receive_error(body, now, events)
-            elif body[:1] == b"x" and body[1 + self.codec.info.id_digits :] == _SHUT_OUT:
-                # As that, with its ID.
                 self.window.signs.heard = True
                 self._counters.unasked += 1
                 self.window.damaged(now)
@@ -247,6 +244,12 @@ class Answers:
                 self._counters.stray += 1
                 self._counters.unasked += 1
         return len(line) + 1
+
+    def _is_sign(self, body: bytes) -> bool:
+        """Return whether a plain error can be about a damaged request."""
+        if body[:1] == b"X":
+            return _number_of(body[1:]) in _DAMAGED | _REFUSED
+        return body[:1] == b"x" and body[1 + self.codec.info.id_digits :] == _SHUT_OUT
 
     def _has_no_session(self, line: bytes, now: float) -> bool:
         """Look for the error that a gateway without a session answers; return whether it is one.
@@ -383,7 +386,8 @@ class Answers:
         codec = self.codec
         if not (run.is_fence or run.unwanted()) or len(count) != self.codec.info.id_digits:
             return True
-        return self.window.told(number, codec.id_number.get(count, _UNCOUNTED), now)
+        # What is not wanted promises nothing.
+        return self.window.told(number, codec.id_number.get(count, _UNCOUNTED), now) or not run.is_fence
 
     def _receive_error(self, body: bytes, now: float, events: Events) -> None:
         """Take an error without an ID."""

@@ -283,9 +283,10 @@ class Window(Ring[R]):
     def told(self, number: int, failed: int, now: float) -> bool:
         """Take the count of failed posted writes from the answer to an ``h``: return whether all before it are told.
 
-        Otherwise each is asked for, and the ``h`` is sent once more behind them.
+        Otherwise each is asked for, and the ``h`` is sent once more behind them: at once, or where they were asked for
+        before, when their answers show that it was sent before them.
         """
-        posts = self.posts
+        posts, repetition, run = self.posts, self.repetition, self.slots[number]
         self._confirm(number)
         if self.executed == number:
             self.executed = number + 1 & self.mask
@@ -293,19 +294,29 @@ class Window(Ring[R]):
         asked = []
         if self.open(self.oldest, number):
             asked = [part for part in self.parts(self.oldest, number) if part.run.is_question]
-        if not executed and not asked:
+        if run is None or not (executed or asked):
             return True
         if failed == posts.failed:
             for part in asked:
                 self.answered(part.number, part.length, now)
             return True
-        for part in parts_of(executed, first, self.mask):
-            self.fill(part.number, part.length, part.run.question(part.offset, part.length))
-        if executed and self.distance(first) > self.mask >> 1:
-            # Otherwise an earlier ``h`` has gone back further.
-            self.oldest = first
+        place = repetition.answered_sending(run, number)
+        repetition.arrived(place)
+        lost = next((part.number for part in asked if repetition.is_lost(part.number, place)), None)
+        if not executed and lost is None:
+            # The answers to what was asked for are on their way, and will show that this one came before them.
+            self.since = now
+            return False
+        start = number if lost is None else lost
+        if executed:
+            for part in parts_of(executed, first, self.mask):
+                self.fill(part.number, part.length, part.run.question(part.offset, part.length))
+            if self.distance(first) > self.mask >> 1:
+                # Otherwise an earlier ``h`` has gone back further.
+                self.oldest = first
+            start = min(start, first, key=self.distance)
         self.signs.timed_out = False
-        self._repeat(self.oldest, number + 1 & self.mask, now)
+        self._repeat(start, number + 1 & self.mask, now)
         return False
 
     def post_failed(self) -> None:
