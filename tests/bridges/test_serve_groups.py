@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import logging
 import random
 import re
 from typing import TYPE_CHECKING
@@ -314,6 +315,27 @@ async def test_samples_missed_are_counted_once_where_the_gateway_is_lost_again_w
         number = next(int(frame[3:5], 16) for frame in client.take().splitlines() if frame.startswith(b"P00"))
         # The pauses between attempts grow, and a number has two digits.
         assert (due - number) % 256 < 10
+
+
+@on_simulated_time
+async def test_a_client_that_leaves_at_any_instant_while_its_groups_are_restored_leaves_the_server_to_others(
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    async with sharing(SlowLine(gateway_of(8), 10_000)) as shared:
+        other = call(shared)
+        for pause in range(60):
+            client = call(shared)
+            client.transport.write(b"".join(b"GS%02X01000A0120\rGN%02X\r" % (group, group) for group in range(6)))
+            await settle(shared)
+            drop(shared)
+            await asyncio.sleep(pause / 200)
+            client.transport.close()
+            other.transport.write(b"R10\r")
+            await until(lambda: b"R" in other.heard)
+            assert re.search(rb"R10[0-9A-F]{8}\r\n$", other.take())
+            # Else the pauses between attempts grow.
+            await asyncio.sleep(2)
+    assert [record.message for record in caplog.records if record.levelno >= logging.ERROR] == []
 
 
 @on_simulated_time

@@ -50,12 +50,20 @@ class Bug(NamedTuple):
 
 BUGS: list[Bug] = []
 UNSEEN = frozenset(
-    {"samples in bursts reach the subscriber of another group", "a reset is believed of a damaged request"}
+    {
+        "samples in bursts reach the subscriber of another group",
+        "a reset is believed of a damaged request",
+        "a datagram of a former session is executed",
+        "a server leaves rows of requests unanswered while the gateway is away",
+    }
 )
-"""Bugs that no world shows: bursts of samples in them are of one group, and what a reset meets is seldom damaged.
-
-`test_samples_of_two_groups_in_bursts_reach_the_subscription_that_asked_for_them` finds the first, and
-`test_a_gateway_without_a_session_that_refuses_a_damaged_request_says_nothing_of_the_one_it_names` the second.
+"""Bugs that no world shows. Tests of their own find them, in this order:
+`test_samples_of_two_groups_in_bursts_reach_the_subscription_that_asked_for_them`, for bursts in worlds are of one
+group; `test_a_gateway_without_a_session_that_refuses_a_damaged_request_says_nothing_of_the_one_it_names`, for what a reset
+meets is seldom damaged; `test_datagrams_of_an_earlier_session_that_come_again_are_neither_executed_nor_taken`, for the
+checks of their frames have that session in them as well;
+`test_of_a_batch_that_was_sent_in_part_each_request_is_told_once_and_none_that_was_refused_is_executed`, for a client
+asks again and is answered then.
 """
 
 
@@ -72,7 +80,7 @@ def bug(name: str) -> Callable[[Callable[[pytest.MonkeyPatch], None]], Callable[
 # Found by this simulation and otherwise, and put back as they were
 
 
-@bug("a client that leaves while groups are restored ends the server")
+@bug("a client that leaves while groups are restored costs the server its connection")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     async def start_again(self: Any, slot: Any) -> None:
         settings = slot.settings

@@ -95,9 +95,10 @@ class World:
         loop.network = self._network
         draw = random.Random(self._plan.seed)
         seeds = patch("unity_link.link.connection.choose_seed", lambda: draw.getrandbits(16))
+        reports = patch("unity_link.link.connection.report", self._report)
         offers = patch.object(datagrams, "secrets", SimpleNamespace(randbits=draw.getrandbits))
         try:
-            with seeds, offers, watched() as sendings:
+            with seeds, offers, reports, watched() as sendings:
                 loop.run_until_complete(self._live(loop))
             self._look_for_what_is_left(loop)
             self._judge_sendings(sendings)
@@ -112,6 +113,9 @@ class World:
             self._count()
             loop.close()
         return self.outcome
+
+    def _report(self, message: str, error: BaseException) -> None:
+        self._faults.append(f"{message}: {error!r}")
 
     def _look_for_what_is_left(self, loop: SimulatedLoop) -> None:
         left = asyncio.all_tasks(loop)
