@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import asyncio
 import errno
+import re
 import socket
 from collections import Counter
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -38,6 +39,7 @@ TEXTS = (
 """Lines of boot loaders, consoles, noise and a person: nothing in them changes anything."""
 WRITES = b"W40000000FF\rW400000000FF\rWS41000000FF\rWS410000000FF\r"
 """Writes as a person types them, of words of 32 and of 36 bits: `typed`."""
+_OPENING = re.compile(rb"K[0-9A-F]{6}")
 
 
 class Fault(NamedTuple):
@@ -124,10 +126,15 @@ class Course:
             elif fault.kind == "text":
                 arrived += TEXTS[int(fault.amount)]
             elif fault.kind == "typed":
-                arrived += WRITES
+                arrived += WRITES * self._has_opened()
             else:
                 return bytes(arrived), data[place:], fault
         return bytes(arrived), b"", None
+
+    def _has_opened(self) -> bool:
+        """Return whether a session was asked for: before that, what a person types is executed."""
+        carried = (entry[3] for entry in self._trace if entry[1:3] == (self.name, "carry"))
+        return any(_OPENING.search(data) for data in carried)
 
     def scatter(self, datagram: bytes, now: float) -> list[tuple[float, bytes]]:
         """Return what arrives of a datagram: each copy with the seconds by which it is late."""
