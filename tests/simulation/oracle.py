@@ -557,7 +557,7 @@ class Oracle:
             if [word >> ADDRESS_SHIFT for word in words] != list(listening.addresses):
                 raise WorldError("a sample of another group", f"{where}: {[f'{word:#x}' for word in words]}")
             before = min(places)
-            earliest = (before[0], before[1] - _MOST_DOUBLED)
+            earliest = before if listening.arguments["timestamps"] else (before[0], before[1] - _MOST_DOUBLED)
             published = {place for place in listening.published.samples.get(text, ()) if place >= earliest}
             if not published:
                 raise WorldError("a sample that was not published", f"{where}: {text!r}")

@@ -249,7 +249,6 @@ class Draw:
                     at, text = int(draw.expovariate(1 / 800)), draw.randrange(len(TEXTS))
                     faults.append(Fault(line.name, draw.random() < 0.5, at, "text", text))
             if texts and not seconds and not any(mishap.whom == line.name.rpartition(".")[2] for mishap in mishaps):
-                # A session is under way from the first question on.
                 at = _OPENED + int(draw.expovariate(1 / 800))
                 faults.append(Fault(line.name, False, at, "typed", 0))
             if seconds and not line.name.startswith("server"):
@@ -493,7 +492,7 @@ class Draw:
 _GROUPS = ("periodic", "periodic", "periodic", "asked", "changed", "triggered")
 """Causes of publication of groups."""
 _OPENED = 500
-"""Bytes behind which a host has begun a session, whatever its line has lost before."""
+"""Bytes behind which most hosts have begun a session; where one has not, nobody types."""
 _ECHOES, _TALKERS, _SECOND_HOSTS = 0.1, 0.5, 0.3
 """Probabilities that a gateway's line echoes, that something talks on it, and that another host does."""
 _COMPACT = 0.6

@@ -286,7 +286,7 @@ class Window(Ring[R]):
         Otherwise each is asked for, and the ``h`` is sent once more behind them: at once, or where they were asked for
         before, when their answers show that it was sent before them.
         """
-        posts, repetition, run = self.posts, self.repetition, self.slots[number]
+        posts, repetition = self.posts, self.repetition
         self._confirm(number)
         if self.executed == number:
             self.executed = number + 1 & self.mask
@@ -294,29 +294,30 @@ class Window(Ring[R]):
         asked = []
         if self.open(self.oldest, number):
             asked = [part for part in self.parts(self.oldest, number) if part.run.is_question]
-        if run is None or not (executed or asked):
+        if not executed and not asked:
             return True
         if failed == posts.failed:
             for part in asked:
                 self.answered(part.number, part.length, now)
             return True
+        run = self.slots[number]
+        assert run is not None
         place = repetition.answered_sending(run, number)
         repetition.arrived(place)
-        lost = next((part.number for part in asked if repetition.is_lost(part.number, place)), None)
-        if not executed and lost is None:
-            # The answers to what was asked for are on their way, and will show that this one came before them.
-            self.since = now
-            return False
-        start = number if lost is None else lost
+        again = [part.number for part in asked if repetition.is_lost(part.number, place)]
         if executed:
             for part in parts_of(executed, first, self.mask):
                 self.fill(part.number, part.length, part.run.question(part.offset, part.length))
             if self.distance(first) > self.mask >> 1:
                 # Otherwise an earlier ``h`` has gone back further.
                 self.oldest = first
-            start = min(start, first, key=self.distance)
+            again.append(first)
+        if not again:
+            # The answers to what was asked for are on their way, and will show that this one came before them.
+            self.since = now
+            return False
         self.signs.timed_out = False
-        self._repeat(start, number + 1 & self.mask, now)
+        self._repeat(min(again, key=self.distance), number + 1 & self.mask, now)
         return False
 
     def post_failed(self) -> None:
