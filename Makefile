@@ -26,7 +26,7 @@ PYTEST_ARGS ?=
 # Tests run in so many processes side by side; 0 for none beside pytest's own.
 PYTEST_PROCESSES ?= auto
 
-.PHONY: help venv demo test coverage campaign fuzz mutants lint check format bench bench-peers bench-beside bench-noise bench-ros bench-live ros-packages table1 release docs docs-images lock upgrade clean
+.PHONY: help venv demo test test-all coverage campaign fuzz mutants lint check format bench bench-peers bench-beside bench-noise bench-ros bench-live ros-packages table1 release docs docs-images lock upgrade clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -38,16 +38,21 @@ demo: $(CORE) ## the virtual robot: read, write and subscribe, ten seconds, no h
 
 # conftest.py says in which order tests run, and in which process; pytest-xdist would begin with the documents.
 PYTEST := $(BIN)/python -m pytest --numprocesses $(PYTEST_PROCESSES) --no-loadscope-reorder
+# The tests of `make test`. tests/test_quick_suite.py holds that they cover every feature.
+QUICK := not slow and not campaign
 
-test: $(ALL) ## the test suite
+test: $(ALL) ## the quick tests: every command, core, language and URL scheme; at most eight minutes
+	@$(PYTEST) -m "$(QUICK)" $(PYTEST_ARGS)
+
+test-all: $(ALL) ## every test but those of `make campaign`: proofs, simulations and compilations too; half an hour
 	@$(PYTEST) $(PYTEST_ARGS)
 
 # Measuring takes about as long again as the tests do.
-coverage: $(ALL) ## the test suite, and which lines it does not run
+coverage: $(ALL) ## all tests of `make test-all`, and the lines that none of them runs
 	@$(PYTEST) --cov --cov-report=term $(PYTEST_ARGS)
 
 # Its tests are few and long: none waits for another in one process while the other has nothing to do.
-campaign: $(ALL) ## the searches at length, and further configurations, devices and proofs, which `make test` leaves out
+campaign: $(ALL) ## the searches at length, and further configurations, devices and proofs, which `make test-all` leaves out
 	@$(PYTEST) --dist worksteal --timeout 0 -m campaign $(PYTEST_ARGS)
 
 # Seconds for each target.

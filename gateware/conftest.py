@@ -1,4 +1,7 @@
-"""Marks every bench `rtl`, and skips by name what a simulator or another tool is missing for."""
+"""Marks every bench `rtl`, the benches of `gateware/bench` also `slow`, and skips a bench whose tool is missing.
+
+A bench compiles its entity before it runs, so `make test` runs only the benches of the cores, one for each core.
+"""
 
 from __future__ import annotations
 
@@ -14,6 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Generator
 
 _HERE = Path(__file__).resolve().parent
+_BENCHES = _HERE / "bench"
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -25,7 +29,10 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Mark what stands in this folder."""
     missing = pytest.mark.skip(reason="no simulator: apt install ghdl-mcode, pip install cocotb")
     for item in items:
-        if _HERE in Path(item.path).parents:
+        parents = Path(item.path).parents
+        if _BENCHES in parents[1:]:
+            item.add_marker(pytest.mark.slow)
+        if _HERE in parents:
             item.add_marker(pytest.mark.rtl)
             if not simulator_available():
                 item.add_marker(missing)

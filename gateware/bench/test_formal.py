@@ -1,7 +1,7 @@
 """The proofs of `gateware/formal` and of the cores, and that they can fail: each finds a fault that is put in.
 
-`make test` proves what takes z3 seconds, and puts one fault before each proof. The longest proofs and all other faults
-are for the campaign; `make formal` has every proof, too.
+`make test-all` proves what takes z3 seconds, and puts one fault before each proof. The longest proofs and all other
+faults are for the campaign; `make formal` has every proof, too.
 """
 
 from __future__ import annotations

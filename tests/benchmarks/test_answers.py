@@ -45,6 +45,7 @@ SMALL = [
 ]
 
 
+@pytest.mark.slow
 @needs_c
 @pytest.mark.parametrize(("benchmark", "sizes"), SMALL)
 def test_a_benchmark_answers_its_question(

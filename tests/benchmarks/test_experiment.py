@@ -57,6 +57,7 @@ def results() -> Results:
 # What is measured
 
 
+@pytest.mark.slow
 @pytest.mark.rtl
 @needs_cxx
 def test_the_gateware_alone_is_faster_than_the_papers() -> None:
@@ -88,6 +89,7 @@ def test_the_committed_table_has_the_gateware_of_this_tree() -> None:
     assert measure_gateware(sizes) == committed.gateware
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("stack", STACKS)
 def test_a_single_access_takes_two_microframes_at_most_or_the_latency_timer(bench: Workbench, stack: StackName) -> None:
     rows = list(measure_latencies(bench, stack, 16))
@@ -108,6 +110,7 @@ def test_a_single_access_takes_two_microframes_at_most_or_the_latency_timer(benc
             assert median <= 1.05 * medians[access, rhythm, "always"]
 
 
+@pytest.mark.slow
 @pytest.mark.rtl
 @needs_cxx
 def test_of_a_single_access_the_gateware_takes_some_microseconds() -> None:
@@ -118,6 +121,7 @@ def test_of_a_single_access_the_gateware_takes_some_microseconds() -> None:
             assert 2.4 <= row.gateware <= (20.0 if row.access == "block" else 4.0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("stack", STACKS)
 def test_a_write_has_its_effect_within_a_microframe_and_a_burst_of_them_at_the_rate_of_the_line(
     bench: Workbench, stack: StackName
@@ -129,6 +133,7 @@ def test_a_write_has_its_effect_within_a_microframe_and_a_burst_of_them_at_the_r
             assert row.burst_modelled == pytest.approx(row.request_bytes / 8, rel=0.01)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("stack", STACKS)
 def test_a_sample_waits_for_the_timer_without_send_immediate_and_for_a_microframe_with_it(stack: StackName) -> None:
     rows = list(measure_arrivals(Workbench("model", counts_host_time=False), stack, 6))
@@ -139,6 +144,7 @@ def test_a_sample_waits_for_the_timer_without_send_immediate_and_for_a_microfram
         assert 0 <= delays[mode].mean <= 250
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("stack", STACKS)
 def test_long_bursts_fill_the_line_but_for_posts_without_send_immediate(bench: Workbench, stack: StackName) -> None:
     found = {(row.access, row.send_immediate): row for row in measure_throughputs(bench, stack, 750, 1)}
@@ -154,12 +160,14 @@ def test_long_bursts_fill_the_line_but_for_posts_without_send_immediate(bench: W
     assert rates["post", "off"] < 0.8 * LINK
 
 
+@pytest.mark.slow
 def test_one_word_is_published_at_30_khz_with_none_lost(bench: Workbench) -> None:
     found = measure_sustained(bench, 31_250, 0.05)
     assert (found.rate, found.lost) == (31_250, 0)
     assert found.samples >= 1562
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("stack", STACKS)
 def test_the_limit_of_publishing_is_near_what_the_line_carries_and_higher_for_a_while(stack: StackName) -> None:
     for limit in measure_limits(Workbench("model", counts_host_time=False), stack, [4, 64]):
@@ -167,6 +175,7 @@ def test_the_limit_of_publishing_is_near_what_the_line_carries_and_higher_for_a_
         assert limit.modelled <= limit.burst_modelled <= 1e6
 
 
+@pytest.mark.slow
 @pytest.mark.rtl
 @needs_cxx
 def test_a_group_of_the_most_words_is_published_low_level() -> None:
@@ -175,6 +184,7 @@ def test_a_group_of_the_most_words_is_published_low_level() -> None:
     assert rate == pytest.approx(3_800, rel=0.1)
 
 
+@pytest.mark.slow
 def test_longer_bursts_take_longer_and_move_more(bench: Workbench) -> None:
     bursts = list(measure_bursts(bench, "full stack", [1, 32, 1024], 1))
     assert [burst.count for burst in bursts] == [1, 32, 1024] * len(MODES)
@@ -185,6 +195,7 @@ def test_longer_bursts_take_longer_and_move_more(bench: Workbench) -> None:
         assert rates == pytest.approx(sorted(rates))
 
 
+@pytest.mark.slow
 @pytest.mark.rtl
 @needs_cxx
 def test_by_the_gateways_clock_a_short_burst_is_read_faster_than_the_line_sends_it() -> None:
@@ -194,6 +205,7 @@ def test_by_the_gateways_clock_a_short_burst_is_read_faster_than_the_line_sends_
         assert 0.9 * LINK <= rows[mode, 200].mean_megabits <= 1.5 * LINK
 
 
+@pytest.mark.slow
 @pytest.mark.rtl
 @needs_cxx
 def test_gateware_and_model_differ_by_less_than_a_microframe() -> None:
@@ -204,6 +216,7 @@ def test_gateware_and_model_differ_by_less_than_a_microframe() -> None:
         assert exact.modelled.mean == pytest.approx(model.modelled.mean, abs=125)
 
 
+@pytest.mark.slow
 def test_what_is_modelled_is_the_same_to_the_digit_each_time(bench: Workbench) -> None:
     found = [
         [
@@ -219,6 +232,7 @@ def test_what_is_modelled_is_the_same_to_the_digit_each_time(bench: Workbench) -
 # All of it
 
 
+@pytest.mark.slow
 def test_all_that_must_hold_holds_without_the_programs_time(results: Results) -> None:
     # The bursts of a quick run are so short that the last microframe counts.
     assert [row for row in results.checks if not row.met and "burst" not in row.what and "many" not in row.what] == []
@@ -260,6 +274,7 @@ def test_the_three_parts_of_an_access_add_up_to_all_of_it(results: Results) -> N
         assert total == pytest.approx(float(median.replace(",", "")), abs=0.2)
 
 
+@pytest.mark.slow
 @pytest.mark.rtl
 @needs_cxx
 def test_all_of_the_papers_table_1_stands_beside_ours(results: Results) -> None:
@@ -332,6 +347,7 @@ def test_the_walker_takes_fewer_lines_than_the_papers() -> None:
 # Files
 
 
+@pytest.mark.slow
 def test_a_report_is_a_page_with_its_pictures_and_the_data(results: Results, tmp_path: Path) -> None:
     files, reason = write_report(results, tmp_path / "new" / "folder")
     names = ["TABLE1.md", "table1.json", "figure3.png", "figure4.png", "bursts.png"]

@@ -45,6 +45,7 @@ def _type(folder: Path, line: str) -> str:
     return done.stdout
 
 
+@pytest.mark.slow
 def test_what_is_typed_works_and_prints_what_the_tutorial_shows(folder: Path) -> None:
     printed = [_type(folder, line) for line in TYPED]
     assert all(printed)

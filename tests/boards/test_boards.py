@@ -150,6 +150,7 @@ def test_the_wiring_page_of_the_phy_says_the_pins_that_the_bitstreams_have() -> 
         assert told == {pin: site for pin, site in pins.items() if pin.startswith("phy_")}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "net", "clock"),
     [

@@ -217,6 +217,7 @@ def check(found: dict[str, Any], least: int) -> None:
     assert found["cases"] >= least
 
 
+@pytest.mark.slow
 def test_a_recording_with_one_thing_wrong_is_read_or_refused_in_one_sentence(recorded: Path) -> None:
     check(read_cases(recorded, 3, ONE_OF), 90)
 

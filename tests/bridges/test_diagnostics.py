@@ -64,6 +64,7 @@ class _Nobody:
     is_wanted = False
 
 
+@pytest.mark.slow
 @on_simulated_time
 @pytest.mark.parametrize("spec", [compile_file(SCARA), CHANGED_ALONE], ids=["samples at a rate", "changes alone"])
 async def test_a_gateway_that_is_away_behind_a_server_is_an_error_until_it_is_back(spec: Spec) -> None:

@@ -41,6 +41,7 @@ def shown(page: Page, *arguments: str, fragment: str | None = None, begins: str 
         page.goto("about:blank")
 
 
+@pytest.mark.slow
 @needs_chromium
 def test_the_page_shows_a_robot_that_it_moves(page: Page) -> None:
     with shown(page, "sim:scara", SPEC, "--allow-writes"):
@@ -58,6 +59,7 @@ def test_the_page_shows_a_robot_that_it_moves(page: Page) -> None:
         wait_until(lambda: page.locator("#histogram canvas").count() == 1)
 
 
+@pytest.mark.slow
 @needs_chromium
 def test_no_two_cards_of_a_robot_of_ones_own_have_one_heading_and_it_moves(page: Page) -> None:
     spec = f"{EXAMPLES}/rover.ul"
@@ -128,6 +130,7 @@ def test_a_page_with_a_wrong_token_says_so_and_is_only_for_looking(page: Page) -
         expect(page.locator("#write-j1\\.pos_sp")).to_be_disabled()
 
 
+@pytest.mark.slow
 @needs_chromium
 def test_every_frame_of_the_browser_shows_another_picture(page: Page) -> None:
     with shown(page, "sim:scara", SPEC):
@@ -149,6 +152,7 @@ def test_every_frame_of_the_browser_shows_another_picture(page: Page) -> None:
         assert samples >= 1000
 
 
+@pytest.mark.slow
 @needs_chromium
 @pytest.mark.parametrize("width", [1280, 390])
 @pytest.mark.parametrize("scheme", ["light", "dark"])
@@ -166,6 +170,7 @@ def test_the_page_fits_a_screen_and_a_phone_in_light_and_dark(browser: Browser, 
         context.close()
 
 
+@pytest.mark.slow
 @needs_chromium
 def test_the_page_says_when_the_gateway_is_away_and_goes_on_when_it_is_back(page: Page, tmp_path: Path) -> None:
     place = tmp_path / "gateway"
@@ -186,6 +191,7 @@ def test_the_page_says_when_the_gateway_is_away_and_goes_on_when_it_is_back(page
             expect(page.locator('[data-signal="j1.cpos"] output')).to_have_text("9.000")
 
 
+@pytest.mark.slow
 @needs_chromium
 def test_the_page_says_what_a_shared_link_answers_while_its_gateway_is_away(page: Page, tmp_path: Path) -> None:
     simulate = ("simulate", "--robot", "scara")
@@ -200,6 +206,7 @@ def test_the_page_says_what_a_shared_link_answers_while_its_gateway_is_away(page
         expect(page.locator("#state")).to_have_text("connected")
 
 
+@pytest.mark.slow
 @needs_chromium
 def test_the_page_comes_back_when_the_program_does(page: Page, token: str) -> None:
     with socket.create_server(("127.0.0.1", 0)) as free:
@@ -260,6 +267,7 @@ def test_plots_keep_every_peak_in_a_bounded_number_of_rows(page: Page) -> None:
         assert (high, low, ascending) == (5, -7, True)
 
 
+@pytest.mark.slow
 @needs_chromium
 @pytest.mark.parametrize("rate", [10, 50000], ids=["each sample is a row", "a row has many samples"])
 def test_a_curve_has_a_gap_before_a_sample_that_others_are_missing_before(page: Page, rate: int) -> None:
@@ -279,6 +287,7 @@ def test_a_curve_has_a_gap_before_a_sample_that_others_are_missing_before(page: 
     assert values == [5, 6, None, 7, 8]
 
 
+@pytest.mark.slow
 @needs_chromium
 @pytest.mark.parametrize(
     ("began", "polled", "shown_then"),
@@ -314,6 +323,7 @@ def test_in_a_plot_of_several_streams_no_value_from_before_the_gateway_was_away_
     assert rows == [7, None, *shown_then, 9]
 
 
+@pytest.mark.slow
 @needs_chromium
 def test_states_keep_their_places_in_a_plot_and_have_their_names_there(page: Page) -> None:
     with shown(page, "sim:scara", SPEC):
@@ -336,6 +346,7 @@ def test_states_keep_their_places_in_a_plot_and_have_their_names_there(page: Pag
     assert (numbers, names) == ([0, 1, 5], ["idle", "run", "stop"])
 
 
+@pytest.mark.slow
 @needs_chromium
 def test_a_sample_that_stands_alone_is_a_point(page: Page) -> None:
     with shown(page, "sim:scara", SPEC):
@@ -371,6 +382,7 @@ def test_a_sample_that_stands_alone_is_a_point(page: Page) -> None:
     assert 4 < alone < line
 
 
+@pytest.mark.slow
 @needs_chromium
 def test_the_window_is_what_its_list_says_when_a_browser_comes_back_to_the_page(page: Page) -> None:
     with shown(page, "sim:scara", SPEC):
@@ -382,6 +394,7 @@ def test_the_window_is_what_its_list_says_when_a_browser_comes_back_to_the_page(
         assert page.evaluate("window.unityLink.window") == 60
 
 
+@pytest.mark.slow
 @needs_chromium
 def test_the_address_of_a_program_that_was_started_anew_is_taken_in_a_page_that_is_open(page: Page) -> None:
     with shown(page, "sim:scara", SPEC, "--allow-writes", fragment="token=old") as running:

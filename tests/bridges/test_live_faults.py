@@ -74,6 +74,7 @@ def test_a_browser_that_stops_reading_costs_the_others_nothing_and_no_memory() -
         dead.socket.close()
 
 
+@pytest.mark.slow
 def test_beyond_so_many_pages_one_is_told_and_has_a_place_when_another_goes() -> None:
     with live("sim:scara", SPEC) as running, ExitStack() as stack:
         first, last = (stack.enter_context(looking(running)) for _ in range(2))
@@ -97,6 +98,7 @@ def test_beyond_so_many_pages_one_is_told_and_has_a_place_when_another_goes() ->
         assert take(last, about).tables
 
 
+@pytest.mark.slow
 def test_many_pages_that_come_and_go_however_leave_nothing_behind() -> None:
     with live("sim:scara", SPEC) as running, looking(running) as stays:
         about = hear(stays, "about")
@@ -136,6 +138,7 @@ def test_a_gateway_that_is_not_there_at_the_start_is_told_in_a_sentence(tmp_path
     assert "Traceback" not in result.stderr
 
 
+@pytest.mark.slow
 def test_samples_go_on_when_the_gateway_comes_back_and_a_page_is_told_of_both(tmp_path: Path) -> None:
     place = tmp_path / "gateway"
     simulate = ("simulate", "--robot", "scara")
@@ -152,6 +155,7 @@ def test_samples_go_on_when_the_gateway_comes_back_and_a_page_is_told_of_both(tm
         assert take(page, about).tables[0]
 
 
+@pytest.mark.slow
 def test_a_shared_gateway_that_goes_away_is_told_once_and_waited_for(tmp_path: Path) -> None:
     refused = "read of j"
     with ExitStack() as stack:
@@ -233,6 +237,7 @@ def test_a_gateway_that_was_reset_behind_an_open_line_is_found() -> None:
 # The end
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("what", ["sleeper", "half a request", "nothing"])
 def test_ctrl_c_ends_it_with_one_line_whatever_is_connected(what: str) -> None:
     with live(FAST, SPEC) as running, ExitStack() as stack:
@@ -250,6 +255,7 @@ def test_ctrl_c_ends_it_with_one_line_whatever_is_connected(what: str) -> None:
         assert_ends_at_ctrl_c(running)
 
 
+@pytest.mark.slow
 def test_ctrl_c_ends_it_with_one_line_while_the_gateway_is_away_and_a_write_waits(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

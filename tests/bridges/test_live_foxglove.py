@@ -89,6 +89,7 @@ def test_an_app_that_stops_reading_costs_the_others_and_the_page_nothing_and_no_
         assert memory_of(running.process.pid) - before < 32e6
 
 
+@pytest.mark.slow
 def test_messages_go_on_when_the_gateway_comes_back(tmp_path: Path) -> None:
     place = tmp_path / "gateway"
     simulate = ("simulate", "--robot", "scara")
@@ -154,6 +155,7 @@ def test_it_listens_on_this_machine_alone_and_takes_no_writes() -> None:
         assert {"clientPublish", "parameters", "services"} & set(said["capabilities"]) == set()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "said", ["", "{", "[" * 100_000, '{"op":"subscribe"}', b"", b"\x01", b"\xff" * 1000], ids=range(7)
 )

@@ -170,6 +170,7 @@ def test_whatever_frames_come_others_are_served(running: Live, frames: list[byte
             page.socket.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("kind", "data", "last"),
     [(PING, b"x" * 125, True), (0, b"", False), (TEXT, b'{"type":"hello","token":""}', True)],
@@ -294,6 +295,7 @@ def test_requests_that_were_damaged_anywhere_stop_nothing(running: Live, data: s
     answer_to(running, bytes(said))
 
 
+@pytest.mark.slow
 def test_silent_and_slow_callers_keep_nobody_out(running: Live) -> None:
     with looking(running) as page, ExitStack() as stack:
         about = hear(page, "about")

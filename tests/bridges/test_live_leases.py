@@ -58,6 +58,7 @@ def end(running: Live) -> None:
     running.process.stderr.close()
 
 
+@pytest.mark.slow
 @needs_chromium
 def test_a_page_shows_each_lease_and_its_button_disarms(page: Page, served: str, spec: Path, shown: Live) -> None:
     with blocking.connect(served) as link:

@@ -83,6 +83,7 @@ def test_the_page_is_opened_in_the_browser_with_its_token(tmp_path: Path, monkey
         assert running.url.endswith("/#token=a%20token%20%26%20more")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("arguments", "sentence", "code"),
     [
@@ -125,6 +126,7 @@ def test_what_cannot_be_done_is_said_in_a_sentence(arguments: tuple[str, ...], s
     assert "Traceback" not in result.stderr
 
 
+@pytest.mark.slow
 def test_other_pages_and_other_names_are_refused() -> None:
     with live("sim:scara", SPEC, "--allow-writes") as running:
         for origin in ("http://evil.example", "null", running.address.replace("http", "https").rstrip("/"), None):
@@ -154,6 +156,7 @@ def test_only_loopback_is_listened_at() -> None:
         assert {place for place in places if place.endswith(f":{port:04X}")} == {f"0100007F:{port:04X}"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("token", [None, "", "wrong", TOKEN[:-1], TOKEN + "x", "ä"])
 def test_a_write_without_the_token_is_refused(
     token: str | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -199,6 +202,7 @@ def test_only_values_that_a_signal_takes_are_written(token: str, tmp_path: Path)
             assert link.read(POSITION_SET_POINT) == round(36 * COUNTS_PER_DEGREE)
 
 
+@pytest.mark.slow
 def test_samples_come_whole_and_in_order() -> None:
     with live("sim:scara", SPEC) as running, looking(running) as connection:
         about = hear(connection, "about")

@@ -76,6 +76,7 @@ def test_a_value_beyond_its_limits_is_refused_between_others_that_are_written(no
         assert noted.values == [1, 2, 3]
 
 
+@pytest.mark.slow
 def test_whatever_becomes_of_the_gateway_each_value_is_written_once_or_known_not_to_be(noted: Noted) -> None:
     outcome: dict[int, str] = {}
     with ExitStack() as stack:

@@ -42,6 +42,7 @@ def run(*arguments: str, folder: Path) -> str:
     return done.stdout
 
 
+@pytest.mark.slow
 def test_the_demo_moves_a_scara_of_ones_own(tmp_path: Path) -> None:
     summary = json.loads(run("demo", OWN["sim"].url, "--duration", "1", "--json", folder=tmp_path))
     assert summary["samples"] > 50
@@ -56,6 +57,7 @@ def test_the_demo_moves_a_scara_of_ones_own_behind_gateware_that_is_built_for_it
     assert json.loads(done.stdout)["samples_lost"] == 0
 
 
+@pytest.mark.slow
 @own
 def test_the_page_shows_and_moves_it(own: Own, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("UNITY_LINK_TOKEN", TOKEN)
@@ -70,6 +72,7 @@ def test_the_page_shows_and_moves_it(own: Own, monkeypatch: pytest.MonkeyPatch) 
                 break
 
 
+@pytest.mark.slow
 @own
 def test_it_is_recorded_exported_and_replayed(own: Own, tmp_path: Path) -> None:
     run("record", own.url, own.spec, "-o", "run.mcap", "--duration", "1.5", folder=tmp_path)

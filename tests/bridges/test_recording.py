@@ -223,6 +223,7 @@ def test_a_table_has_a_row_for_each_sample_and_a_column_for_each_signal(
         assert table["time"].cast("int64").to_pylist() == samples.at.tolist()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [

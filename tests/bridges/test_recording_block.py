@@ -163,6 +163,7 @@ def test_a_recorder_runs_once(tmp_path: Path) -> None:
     assert_is_whole(tmp_path / "run.mcap")
 
 
+@pytest.mark.slow
 def test_a_recorder_that_never_ran_warns_and_removes_its_file(tmp_path: Path) -> None:
     async def forget() -> None:
         async with unity_link.connect(GATEWAY) as link:
@@ -192,6 +193,7 @@ except Exception as error:
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("room", [100, 60_000])
 def test_a_full_disk_ends_the_block_and_leaves_whole_samples_or_no_file(tmp_path: Path, room: int) -> None:
     path = tmp_path / "run.mcap"

@@ -148,6 +148,7 @@ def test_a_file_that_was_cut_before_its_first_sample_tells_what_would_have_come(
     assert sequence_in(cut) == []
 
 
+@pytest.mark.slow
 def test_a_chunk_that_was_damaged_costs_no_other(tmp_path: Path) -> None:
     path = tmp_path / "run.mcap"
     done = record(path, lambda recorder: recorder.samples >= 400)
@@ -272,6 +273,7 @@ def test_a_recording_of_a_gateway_without_groups_and_base_frequency_is_replayed(
     assert gateway.receive(b"H\r", 0.0) == b"H\r\n"
 
 
+@pytest.mark.slow
 @given(data=st.data(), name=st.sampled_from([INTERFACE, GATEWAY_FILE]))
 def test_whatever_the_numbers_of_a_recording_are_it_is_refused_or_read(
     recorded: Path, recorded_kinds: Path, data: st.DataObject, name: str
@@ -292,6 +294,7 @@ def test_whatever_the_numbers_of_a_recording_are_it_is_refused_or_read(
             player.read(0, float(second))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("said", [128 << 20, 1000], ids=["says so", "says less"])
 @pytest.mark.parametrize("compression", ["zstd", "lz4"])
 def test_a_chunk_that_would_fill_the_memory_is_left_out(
@@ -329,6 +332,7 @@ def test_a_chunk_that_would_fill_the_memory_is_left_out(
     assert f"{path} is damaged: what is sound in it was exported" in result.stderr
 
 
+@pytest.mark.slow
 def test_a_pipe_is_no_recording(tmp_path: Path) -> None:
     path = tmp_path / "pipe"
     os.mkfifo(path)
@@ -337,6 +341,7 @@ def test_a_pipe_is_no_recording(tmp_path: Path) -> None:
     assert f"{path} cannot be written: No such device" in run("record", GATEWAY, SPEC, "-o", path, "--overwrite").stderr
 
 
+@pytest.mark.slow
 def test_a_recorder_that_is_killed_leaves_all_that_was_on_the_disk(tmp_path: Path) -> None:
     path = tmp_path / "run.mcap"
     with recording(GATEWAY, path) as process:
@@ -363,6 +368,7 @@ def test_ctrl_c_finishes_the_file(tmp_path: Path) -> None:
     assert not was_cut(path)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("command", [["record", GATEWAY, str(SPEC), "-o", "x.mcap"], ["replay", "x.mcap", "--pty"]])
 def test_without_mcap_it_is_said_what_to_install(command: list[str], tmp_path: Path) -> None:
     script = (
@@ -380,6 +386,7 @@ def test_without_mcap_it_is_said_what_to_install(command: list[str], tmp_path: P
 # The disk
 
 
+@pytest.mark.slow
 def test_a_full_disk_ends_the_recording_with_one_sentence_and_keeps_what_is_in_it(tmp_path: Path) -> None:
     path = tmp_path / "run.mcap"
     limit = 20_000
@@ -398,6 +405,7 @@ def test_a_full_disk_ends_the_recording_with_one_sentence_and_keeps_what_is_in_i
     assert samples_said(result.stderr) == len(sequence) > 0
 
 
+@pytest.mark.slow
 def test_a_disk_that_is_full_from_the_beginning_is_told_in_one_sentence() -> None:
     result = run("record", GATEWAY, SPEC, "-o", "/dev/full", "--overwrite")
 
@@ -437,6 +445,7 @@ def test_a_disk_that_is_too_slow_costs_samples_that_are_counted(
     assert int(lost.sum()) == done.lost
 
 
+@pytest.mark.slow
 def test_a_recording_is_never_replaced_unasked(recorded: Path) -> None:
     before = recorded.read_bytes()
 
@@ -447,6 +456,7 @@ def test_a_recording_is_never_replaced_unasked(recorded: Path) -> None:
     assert recorded.read_bytes() == before
 
 
+@pytest.mark.slow
 def test_a_recording_is_replaced_where_that_is_asked_for(recorded: Path, tmp_path: Path) -> None:
     path = tmp_path / "run.mcap"
     path.write_bytes(recorded.read_bytes() * 20)
@@ -458,6 +468,7 @@ def test_a_recording_is_replaced_where_that_is_asked_for(recorded: Path, tmp_pat
     assert not was_cut(path)
 
 
+@pytest.mark.slow
 def test_a_file_that_another_recorder_writes_is_not_replaced(tmp_path: Path) -> None:
     path = tmp_path / "run.mcap"
     with recording(GATEWAY, path) as process:
@@ -496,6 +507,7 @@ def interruptions_in(path: Path) -> int:
     return len(notes)
 
 
+@pytest.mark.slow
 def test_a_gateway_that_goes_away_is_waited_for(tmp_path: Path) -> None:
     path, place = tmp_path / "run.mcap", tmp_path / "gateway"
     with gateway(place) as first, recording(f"unix:{place}", path) as process:
@@ -517,6 +529,7 @@ def test_a_gateway_that_goes_away_is_waited_for(tmp_path: Path) -> None:
     assert not was_cut(path)
 
 
+@pytest.mark.slow
 def test_a_gateway_that_was_reset_behind_an_open_line_is_found_and_recorded_on(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -545,6 +558,7 @@ def test_a_gateway_that_was_reset_behind_an_open_line_is_found_and_recorded_on(
     assert interruptions_in(path) == 1
 
 
+@pytest.mark.slow
 def test_behind_a_server_the_time_without_samples_is_the_interruption(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -587,6 +601,7 @@ public robot() { @a = 0x10: READWRITE(PUBLISH(changed)); }
 """)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("others_ask", [False, True], ids=["an idle link", "a link that others use"])
 def test_behind_a_server_an_interruption_is_noted_also_where_nothing_is_sampled_at_a_rate(
     others_ask: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -666,6 +681,7 @@ def test_a_clock_of_this_machine_that_is_set_meanwhile_leaves_the_instants_as_th
     assert began - 0.1 <= polled[0] <= polled[-1] <= clock() + 0.1
 
 
+@pytest.mark.slow
 def test_ctrl_c_finishes_the_file_while_the_gateway_is_away(tmp_path: Path) -> None:
     path, place = tmp_path / "run.mcap", tmp_path / "gateway"
     with gateway(place) as first, recording(f"unix:{place}", path) as process:

@@ -222,6 +222,7 @@ def judge(*arguments: str | Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, timeout=120, check=False)
 
 
+@pytest.mark.slow
 def test_a_recording_passes_the_check_against_the_specification_of_mcap(tmp_path: Path) -> None:
     path = tmp_path / "run.mcap"
     recorder = record(path, lambda recorder: recorder.samples >= 200, poll_hz=50)
@@ -232,6 +233,7 @@ def test_a_recording_passes_the_check_against_the_specification_of_mcap(tmp_path
     assert f"{recorder.samples} messages" in " ".join((verdict.stdout + verdict.stderr).split())
 
 
+@pytest.mark.slow
 def test_a_file_of_many_channels_chunks_and_notes_passes_it_too(written: bytes, tmp_path: Path) -> None:
     path = tmp_path / "written.mcap"
     path.write_bytes(written)
@@ -241,6 +243,7 @@ def test_a_file_of_many_channels_chunks_and_notes_passes_it_too(written: bytes, 
     assert verdict.returncode == 0, verdict.stdout + verdict.stderr
 
 
+@pytest.mark.slow
 def test_the_check_finds_what_is_wrong(written: bytes, tmp_path: Path) -> None:
     path = tmp_path / "damaged.mcap"
     path.write_bytes(written[:2000] + bytes(50) + written[2050:])
@@ -248,6 +251,7 @@ def test_the_check_finds_what_is_wrong(written: bytes, tmp_path: Path) -> None:
     assert judge("doctor", path).returncode != 0
 
 
+@pytest.mark.slow
 def test_a_recording_that_was_cut_is_finished_for_other_tools_by_mcap_recover(tmp_path: Path) -> None:
     whole, cut, recovered = (tmp_path / f"{name}.mcap" for name in ("whole", "cut", "recovered"))
     record(whole, lambda recorder: recorder.samples >= 400)

@@ -117,6 +117,7 @@ def test_a_recording_of_one_instant_stands_still_again_and_again(tmp_path: Path,
         assert not player.ended
 
 
+@pytest.mark.slow
 @given(recordings(), st.sets(st.integers(0, 90)), st.sampled_from([200, 2000, 1 << 22]), st.data())
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_at_each_instant_a_replay_has_the_last_sample_of_each_group(

@@ -6,6 +6,7 @@ import asyncio
 import itertools
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
@@ -20,8 +21,6 @@ from unity_link.virtual import VirtualGateway
 
 if TYPE_CHECKING:
     from pathlib import Path
-
-    import pytest
 
 INFO = GatewayInfo(base_frequency_millihertz=2_000_000)
 
@@ -89,6 +88,7 @@ def record(
     return found
 
 
+@pytest.mark.slow
 @given(robots, st.integers(8, 14), st.booleans())
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=examples(12))
 def test_a_recording_of_a_replay_is_that_recording(

@@ -49,7 +49,7 @@ needs_ros = pytest.mark.skipif(
     shutil.which("rosmaster") is None or shutil.which("rostopic") is None,
     reason="needs ROS 1: apt install python3-rospy python3-rostopic python3-rosmaster python3-sensor-msgs",
 )
-pytestmark = [needs_ros, pytest.mark.slow]
+pytestmark = needs_ros
 
 LISTENER = """
 import json, sys, threading, rospy
@@ -187,6 +187,7 @@ def with_length(message: Any) -> bytes:
     return struct.pack("<I", len(buffer.getvalue())) + buffer.getvalue()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "value"),
     [
@@ -205,6 +206,7 @@ def test_a_standard_message_is_the_bytes_that_rospy_gives_it(name: str, value: f
     assert rows.tobytes() == 2 * with_length(message)
 
 
+@pytest.mark.slow
 @given(
     names=st.lists(st.text(max_size=9), max_size=4),
     there=st.tuples(st.booleans(), st.booleans(), st.booleans()),
@@ -229,6 +231,7 @@ def test_the_states_of_joints_are_the_bytes_that_rospy_gives_them(
     assert joint_rows(names, np.array([12.5, 12.75]), parts, 7, frame_id).tobytes() == theirs
 
 
+@pytest.mark.slow
 def test_signals_are_topics_of_their_types_and_commands_are_subscribed_to(ros: int, tmp_path: Path) -> None:
     with master(ros), bridge_on_shared("ros1", SPEC, GATEWAY, tmp_path) as (process, _):
         said = wait_for(process, "node /unity_link_scara")
@@ -242,12 +245,14 @@ def test_signals_are_topics_of_their_types_and_commands_are_subscribed_to(ros: i
         assert rostopic("echo", "-n1", "/scara/j1/cpos").split()[:2] == ["data:", "0.0"]
 
 
+@pytest.mark.slow
 def test_a_robot_of_ones_own_has_its_topics(ros: int, tmp_path: Path) -> None:
     with master(ros), bridge_on_shared("ros1", OWN["sim"].spec, OWN["sim"].url, tmp_path) as (process, _):
         wait_for(process, "node /unity_link_scara")
         assert 0 < float(rostopic("echo", "-n1", "/scara/j1/cpos").split()[1]) < 1.001
 
 
+@pytest.mark.slow
 def test_every_sample_arrives_once_in_order_at_the_distance_of_the_gateways_clock(ros: int, tmp_path: Path) -> None:
     with master(ros), bridge_on_shared("ros1", SPEC, GATEWAY, tmp_path) as (process, _):
         wait_for(process, "node /unity_link_scara")
@@ -263,6 +268,7 @@ def test_every_sample_arrives_once_in_order_at_the_distance_of_the_gateways_cloc
     assert len(exact) > 0
 
 
+@pytest.mark.slow
 def test_values_on_a_topic_are_written_in_order_and_one_beyond_the_limits_is_told(ros: int, tmp_path: Path) -> None:
     with master(ros), bridge_on_shared("ros1", SPEC, GATEWAY, tmp_path) as (process, url):
         wait_for(process, "node /unity_link_scara")
@@ -297,6 +303,7 @@ def test_one_message_sets_all_joints_and_one_that_is_wrong_sets_none(ros: int, t
         assert 'frame_id: "arm_base"' in rostopic("echo", "-n1", "/scara/joint_states")
 
 
+@pytest.mark.slow
 def test_diagnostics_tell_of_the_link(ros: int, tmp_path: Path) -> None:
     with master(ros), bridge_on_shared("ros1", SPEC, GATEWAY, tmp_path) as (process, url):
         wait_for(process, "node /unity_link_scara")
@@ -314,6 +321,7 @@ def test_diagnostics_tell_of_the_link(ros: int, tmp_path: Path) -> None:
     assert float(seen["values"]["round trip (ms)"]) > 0
 
 
+@pytest.mark.slow
 def test_the_master_may_come_late_and_go_in_between(ros: int, tmp_path: Path) -> None:
     with bridge_on_shared("ros1", SPEC, GATEWAY, tmp_path) as (process, _):
         wait_for(process, "waiting for the ROS master")
@@ -357,6 +365,7 @@ def listening_at(process: subprocess.Popen[str]) -> set[str]:
     return {line[1].partition(":")[0] for line in lines if line[3] == "0A" and f"socket:[{line[9]}]" in ours}
 
 
+@pytest.mark.slow
 def test_a_master_that_stands_still_is_away_and_holds_up_no_end(ros: int) -> None:
     command = ["rosmaster", "--core", "-p", str(ros)]
     with subprocess.Popen(command, stdout=subprocess.DEVNULL) as standing, contextlib.ExitStack() as bridges:
@@ -376,6 +385,7 @@ def test_a_master_that_stands_still_is_away_and_holds_up_no_end(ros: int) -> Non
             standing.kill()
 
 
+@pytest.mark.slow
 def test_it_listens_at_this_machine_alone_unless_ros_is_told_otherwise(
     ros: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -389,6 +399,7 @@ def test_it_listens_at_this_machine_alone_unless_ros_is_told_otherwise(
             assert listening_at(process) == {"00000000"}
 
 
+@pytest.mark.slow
 def test_a_master_on_another_machine_needs_an_address_of_this_one(ros: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("ROS_IP")
     monkeypatch.setenv("ROS_MASTER_URI", "http://192.0.2.1:11311")
@@ -397,6 +408,7 @@ def test_a_master_on_another_machine_needs_an_address_of_this_one(ros: int, monk
         assert process.wait(PATIENCE) == 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("arguments", "master_uri", "words"),
     [
@@ -419,6 +431,7 @@ def test_wrong_use_is_told_in_one_sentence(
         assert process.wait(PATIENCE) == 2
 
 
+@pytest.mark.slow
 def test_a_subscriber_that_is_killed_takes_no_sample_from_the_others(ros: int, tmp_path: Path) -> None:
     # No machine is too slow for so few samples.
     gateway = FAST_GATEWAY.replace("20000000", "2000000")
@@ -433,6 +446,7 @@ def test_a_subscriber_that_is_killed_takes_no_sample_from_the_others(ros: int, t
         assert process.wait(PATIENCE) == 130
 
 
+@pytest.mark.slow
 def test_a_subscriber_that_stops_reading_holds_up_neither_others_nor_writes_nor_the_end_and_may_go_on(
     ros: int, tmp_path: Path
 ) -> None:
@@ -458,6 +472,7 @@ def test_a_subscriber_that_stops_reading_holds_up_neither_others_nor_writes_nor_
         assert process.wait(PATIENCE) == 130
 
 
+@pytest.mark.slow
 def test_a_gateway_may_come_late_and_go_in_between_and_no_value_is_written_twice(ros: int, tmp_path: Path) -> None:
     gateway = Noted(tmp_path)
     with master(ros), contextlib.ExitStack() as bridge:
@@ -477,6 +492,7 @@ def test_a_gateway_may_come_late_and_go_in_between_and_no_value_is_written_twice
     assert gateway.values == sorted(set(gateway.values))
 
 
+@pytest.mark.slow
 def test_no_number_on_a_topic_is_told_in_a_sentence_and_the_next_value_is_written(ros: int, tmp_path: Path) -> None:
     with master(ros), bridge_on_shared("ros1", SPEC, GATEWAY, tmp_path) as (process, url):
         wait_for(process, "node /unity_link_scara")
@@ -488,12 +504,14 @@ def test_no_number_on_a_topic_is_told_in_a_sentence_and_the_next_value_is_writte
             wait_until(lambda: link.read(0x8C) == round(25 / (360 / (50 * 4000))))
 
 
+@pytest.mark.slow
 def test_a_second_bridge_takes_the_name_of_the_first_which_ends_in_a_sentence(ros: int, tmp_path: Path) -> None:
     with master(ros), bench_bridge(tmp_path, FAST_GATEWAY) as first, bench_bridge(tmp_path, FAST_GATEWAY):
         assert "new node registered with same name" in wait_for(first, "ROS ended the node /unity_link_bench")
         assert first.wait(PATIENCE) == 1
 
 
+@pytest.mark.slow
 def test_a_machine_without_ros_is_told_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(environment, "_PLACES", ())
     monkeypatch.setattr("importlib.util.find_spec", lambda _: None)

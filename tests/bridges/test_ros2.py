@@ -200,7 +200,6 @@ def test_values_on_a_topic_are_written_in_order_and_one_beyond_the_limits_is_tol
     assert "201 values written" in summary
 
 
-@pytest.mark.slow
 def test_one_message_sets_all_joints_and_one_that_is_wrong_sets_none(tmp_path: Path) -> None:
     domain = free_domain()
     options = ("--domain", str(domain), "--frame-id", "arm_base")
@@ -396,6 +395,7 @@ def test_a_file_of_parameters_that_is_wrong_is_told_why(tmp_path: Path, text: st
         read_settings(file)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [

@@ -81,6 +81,7 @@ def test_a_unix_socket_is_the_users_own_and_gone_at_the_end(tmp_path: Path) -> N
         assert not place.exists()
 
 
+@pytest.mark.slow
 def test_a_socket_that_is_served_is_not_taken_and_one_that_was_left_behind_is(tmp_path: Path) -> None:
     place = str(tmp_path / "socket")
     with started("serve", "sim:", "--unix", place) as (process, url):
@@ -163,6 +164,7 @@ def test_a_token_that_can_be_none_is_one_clear_error(content: str | None, words:
     assert words in " ".join(result.stderr.split())
 
 
+@pytest.mark.slow
 def test_a_wrong_token_is_hung_up_on_and_nothing_is_said(tmp_path: Path) -> None:
     (tmp_path / "token").write_text("open-sesame\n")
     with started("serve", "sim:", "--tcp", "0", "--host", "0.0.0.0", "--token-file", str(tmp_path / "token")) as (
@@ -236,6 +238,7 @@ def test_systemd_is_told_when_clients_may_come_how_it_stands_and_that_it_lives(t
 # Gateways and clients that are killed
 
 
+@pytest.mark.slow
 def test_the_gateway_may_be_away_at_the_start_and_in_between(tmp_path: Path) -> None:
     port = free_port()
     with started("serve", f"tcp://127.0.0.1:{port}", "--unix", str(tmp_path / "socket")) as (process, url):
@@ -269,6 +272,7 @@ def test_a_gateway_that_nobody_has_is_wrong_use(tmp_path: Path) -> None:
     assert result.stderr.startswith("error: no robot 'delta' is known")
 
 
+@pytest.mark.slow
 def test_another_gateway_in_its_place_ends_the_server_with_one_sentence(tmp_path: Path) -> None:
     port = free_port()
     with started("serve", f"tcp://127.0.0.1:{port}", "--unix", str(tmp_path / "socket")) as (process, url):
@@ -282,6 +286,7 @@ def test_another_gateway_in_its_place_ends_the_server_with_one_sentence(tmp_path
         assert "perhaps executed" not in last
 
 
+@pytest.mark.slow
 def test_a_client_that_is_killed_in_the_middle_of_a_request_disturbs_nobody(tmp_path: Path) -> None:
     program = (
         "import sys, unity_link.blocking as b\n"
@@ -350,6 +355,7 @@ def test_what_is_piped_into_the_socket_is_answered_to_its_end(tmp_path: Path) ->
         assert heard == b"R0A0000002A\r\n" * 500
 
 
+@pytest.mark.slow
 def test_more_callers_than_there_is_room_for_are_hung_up_on(tmp_path: Path) -> None:
     place = tmp_path / "socket"
     with started("serve", "sim:", "--unix", str(place)) as (_, url), contextlib.ExitStack() as stack:

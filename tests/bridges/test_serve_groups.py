@@ -130,11 +130,13 @@ async def wander_and_lose(seed: int) -> None:
         assert gateway.next_due is None
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", seeds(12, 40))
 def test_clients_get_their_own_samples_and_no_number_twice_while_the_gateway_is_lost_and_they_leave(seed: int) -> None:
     run_simulated(wander_and_lose(seed))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("when", [step / 1000 for step in range(0, 60, 3)])
 @pytest.mark.parametrize("what", ["leaves", "begins a session", "stops one group and sets up another"])
 def test_what_a_client_does_while_groups_are_restored_disturbs_no_other(what: str, when: float) -> None:
@@ -317,6 +319,7 @@ async def test_samples_missed_are_counted_once_where_the_gateway_is_lost_again_w
         assert (due - number) % 256 < 10
 
 
+@pytest.mark.slow
 @on_simulated_time
 async def test_a_client_that_leaves_at_any_instant_while_its_groups_are_restored_leaves_the_server_to_others(
     caplog: pytest.LogCaptureFixture,

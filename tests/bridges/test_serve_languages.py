@@ -47,6 +47,7 @@ def place(tmp_path: Path) -> Iterator[Path]:
             server.communicate(timeout=60)
 
 
+@pytest.mark.slow
 def test_programs_in_c_and_python_and_a_person_share_a_robot(driver: Path, place: Path) -> None:
     url = f"unix:{place}"
     with (

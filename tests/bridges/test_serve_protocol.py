@@ -163,6 +163,7 @@ def test_the_short_ways_of_single_words_answer_as_the_long_way(operations: list[
     assert quick == slow
 
 
+@pytest.mark.slow
 @settings(max_examples=examples(60))
 @given(st.lists(OPERATIONS, max_size=12), st.sampled_from([MOST_UNDER_WAY, MOST_UNDER_WAY // 3]))
 def test_a_client_that_is_heard_in_turns_is_answered_as_one_that_is_heard_at_once(

@@ -111,6 +111,7 @@ async def run_programs(seed: int, chances: dict[str, float], *, slow: bool) -> N
         assert [write for write in bus.writes if write[1] >> 24 == number] == program.expected
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", seeds(6, 20))
 @pytest.mark.parametrize("slow", [False, True], ids=["at once", "slow line"])
 def test_each_write_is_executed_once_and_in_order_over_bad_lines_on_both_sides(seed: int, slow: bool) -> None:
@@ -321,6 +322,7 @@ async def test_a_new_session_does_not_wait_for_a_client_that_has_left() -> None:
     assert 0 < len(bus.writes) < 400
 
 
+@pytest.mark.slow
 @on_simulated_time
 async def test_clients_that_move_blocks_and_clients_that_read_words_get_the_same_share_of_the_line() -> None:
     moved = {"blocks": 0, "words": 0}
@@ -348,6 +350,7 @@ async def test_clients_that_move_blocks_and_clients_that_read_words_get_the_same
 # Clients that do not do as they should
 
 
+@pytest.mark.slow
 @on_simulated_time
 async def test_a_client_that_does_not_read_holds_up_nobody_and_loses_samples_only() -> None:
     gateway = VirtualGateway(GatewayInfo(base_frequency_millihertz=10_000_000))

@@ -126,6 +126,7 @@ def test_turns_of_polling_that_pass_while_the_end_takes_its_time_are_not_lost(tm
     assert carrier.lost == 0
 
 
+@pytest.mark.slow
 def test_a_shared_gateway_that_is_away_at_the_beginning_is_waited_for(tmp_path: Path) -> None:
     (tmp_path / "both.ul").write_text(SPEC)
     robot_type = load(tmp_path / "both.ul")

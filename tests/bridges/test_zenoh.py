@@ -34,7 +34,6 @@ if TYPE_CHECKING:
 SPEC = str(Path(__file__).parents[2] / "examples" / "scara.ul")
 GATEWAY = "sim:scara?base_frequency_millihertz=20000000"
 POS_SP, COUNTS = 0x8C, 50 * 4000 / 360
-pytestmark = pytest.mark.slow
 
 
 def free_endpoint() -> str:
@@ -92,6 +91,7 @@ def test_signals_are_read_and_written_by_keys_in_batches_and_by_wildcards() -> N
         assert ask(peer, "robot/1/info")["signals"]["j1.pos_sp"]["limits"] == [-130, 130]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("key", "payload", "words"),
     [
@@ -122,6 +122,7 @@ def refusing() -> Iterator[zenoh.Session]:
         yield peer
 
 
+@pytest.mark.slow
 def test_publications_are_written_in_order_and_one_beyond_the_limits_is_told() -> None:
     place = free_endpoint()
     with bridge(place) as process, session(place) as peer:
@@ -139,6 +140,7 @@ def test_publications_are_written_in_order_and_one_beyond_the_limits_is_told() -
         assert process.wait(PATIENCE) == 130
 
 
+@pytest.mark.slow
 def test_every_sample_arrives_once_in_order_many_in_one_publication() -> None:
     place = free_endpoint()
     seen: list[dict[str, Any]] = []
@@ -192,11 +194,13 @@ def test_a_link_over_zenoh_is_a_link_like_any_other() -> None:
         asyncio.run(use(place))
 
 
+@pytest.mark.slow
 def test_where_no_bridge_is_the_error_says_what_to_look_at() -> None:
     with pytest.raises(ConnectError, match="no bridge answers at robot/1: is `unity-link zenoh --prefix robot/1`"):
         blocking.connect(url(free_endpoint()), timeout=PATIENCE)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("bad", "words"),
     [
@@ -221,6 +225,7 @@ def gets_a_sample(link: blocking.BlockingLink) -> bool:
     return False
 
 
+@pytest.mark.slow
 def test_a_client_that_is_killed_frees_its_groups_and_no_write_of_it_is_executed_twice() -> None:
     script = (
         "import asyncio, sys, unity_link\n"
@@ -253,6 +258,7 @@ async def read_for_ever(link: unity_link.Link) -> None:
         await asyncio.sleep(0.01)
 
 
+@pytest.mark.slow
 def test_a_link_learns_at_once_that_its_bridge_was_killed_and_comes_back_with_the_next_one() -> None:
     async def use(place: str) -> None:
         with_one = unity_link.connect(url(place), timeout=PATIENCE)
@@ -276,6 +282,7 @@ def test_a_link_learns_at_once_that_its_bridge_was_killed_and_comes_back_with_th
 # Around it
 
 
+@pytest.mark.slow
 def test_a_gateway_may_come_late_and_go_in_between(tmp_path: Path) -> None:
     place, gateway = free_endpoint(), tmp_path / "gateway"
     with bridge(place, f"unix:{gateway}") as process, session(place) as peer:
@@ -292,6 +299,7 @@ def test_a_gateway_may_come_late_and_go_in_between(tmp_path: Path) -> None:
         assert "the gateway is away" in ask(peer, "robot/1/write", {"j1.pos_sp": 5})["error"]
 
 
+@pytest.mark.slow
 def test_a_gateway_that_goes_and_comes_back_is_written_nothing_twice(tmp_path: Path) -> None:
     place, gateway = free_endpoint(), Noted(tmp_path)
     command = ["zenoh", gateway.spec, "--link", gateway.url, "--prefix", "robot/1", "--listen", place]
@@ -307,6 +315,7 @@ def test_a_gateway_that_goes_and_comes_back_is_written_nothing_twice(tmp_path: P
     assert gateway.values == sorted(set(gateway.values))
 
 
+@pytest.mark.slow
 def test_a_client_that_is_killed_in_the_middle_of_a_query_has_written_each_value_once_and_others_go_on(
     tmp_path: Path,
 ) -> None:
@@ -374,6 +383,7 @@ def router(endpoint: str) -> Iterator[None]:
             process.kill()
 
 
+@pytest.mark.slow
 def test_a_router_may_come_late_and_go_in_between_and_links_and_queries_go_on_through_it() -> None:
     async def use(place: str) -> None:
         with router(place):
@@ -395,6 +405,7 @@ def test_a_router_may_come_late_and_go_in_between_and_links_and_queries_go_on_th
         asyncio.run(use(place))
 
 
+@pytest.mark.slow
 def test_a_router_that_goes_and_comes_back_has_nothing_written_twice(tmp_path: Path) -> None:
     place, gateway = free_endpoint(), Noted(tmp_path)
     command = ["zenoh", gateway.spec, "--link", gateway.url, "--prefix", "robot/1", "--mode", "client"]
@@ -409,6 +420,7 @@ def test_a_router_that_goes_and_comes_back_has_nothing_written_twice(tmp_path: P
     assert gateway.values == sorted(set(gateway.values))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
@@ -435,6 +447,7 @@ def test_wrong_use_is_told_in_one_sentence_and_nothing_else(arguments: list[str]
     assert result.stderr.count("\n") == 1
 
 
+@pytest.mark.slow
 def test_two_bridges_do_not_share_a_prefix() -> None:
     place = free_endpoint()
     with bridge(place) as process:
@@ -450,6 +463,7 @@ def test_two_bridges_do_not_share_a_prefix() -> None:
     assert "another bridge has the prefix robot/1" in second.stderr
 
 
+@pytest.mark.slow
 def test_by_default_nothing_is_open_to_other_machines() -> None:
     opened = open_session(Network(), meeting=True)
     try:
@@ -461,6 +475,7 @@ def test_by_default_nothing_is_open_to_other_machines() -> None:
     assert {address.rpartition(":")[0] for address in own} == {"127.0.0.1"}
 
 
+@pytest.mark.slow
 def test_a_second_bridge_of_a_machine_ends_with_its_summary_while_the_first_goes_on() -> None:
     arguments = ["zenoh", "examples/scara.ul", "--link", "sim:scara", "--prefix"]
     with program(*arguments, "first") as first, program(*arguments, "second") as second:
@@ -474,6 +489,7 @@ def test_a_second_bridge_of_a_machine_ends_with_its_summary_while_the_first_goes
         assert first.poll() is None
 
 
+@pytest.mark.slow
 def test_bridges_of_one_machine_meet_without_a_word_and_outlive_the_first() -> None:
     first = open_session(Network(), meeting=True)
     second = open_session(Network(), meeting=True)

@@ -32,6 +32,7 @@ def robot_type(tmp_path_factory: pytest.TempPathFactory) -> Any:
     return load(spec)
 
 
+@pytest.mark.slow
 @given(payload=JSON.map(msgspec.json.encode) | st.binary(max_size=30) | st.just(b'{"word":1e999}'))
 def test_whatever_is_said_is_written_or_refused_in_a_sentence(robot_type: Any, payload: bytes) -> None:
     async def write() -> None:

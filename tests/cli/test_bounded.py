@@ -20,6 +20,7 @@ def test_memory_that_this_process_has_is_not_counted() -> None:
             call_bounded(lambda: len(bytes(3 * GIB)), "it", 60)
 
 
+@pytest.mark.slow
 def test_a_call_that_goes_on_is_ended() -> None:
     with pytest.raises(TooMuchError, match=r"^it takes more than 1 s of processor time; `--seconds` gives it more$"):
         call_bounded(lambda: sum(itertools.repeat(0)), "it", 1)

@@ -47,6 +47,7 @@ def served(*arguments: str) -> Iterator[tuple[subprocess.Popen[str], str]]:
             process.terminate()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("arguments", "code", "words"),
     [
@@ -82,6 +83,7 @@ def test_a_port_that_is_taken_is_named() -> None:
     assert "in use" in result.stderr
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("medium", ["--pty", "--tcp", "--unix", "--udp"])
 @on_model_and_gateware
 def test_a_served_gateway_answers_other_programs(kind: str, medium: str, tmp_path: Path) -> None:
@@ -93,6 +95,7 @@ def test_a_served_gateway_answers_other_programs(kind: str, medium: str, tmp_pat
         assert "4294967295" in result.stdout
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 @on_model_and_gateware
 def test_a_signal_ends_a_served_gateway_at_once(kind: str, number: signal.Signals, tmp_path: Path) -> None:
@@ -226,6 +229,7 @@ def odd_place(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return place
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "command",
     [

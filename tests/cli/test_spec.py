@@ -174,6 +174,7 @@ MACROS = "".join(f"`define A{index} `A{index - 1} `A{index - 1}\n" for index in 
 BOMB = "addrmap top { reg { field { desc = " + '"x";' + " } `A39; } r @0; };"
 
 
+@pytest.mark.slow
 def test_perl_that_never_ends_is_refused_and_ended(folder: Path) -> None:
     (folder / "perl.rdl").write_text("addrmap top {\n<% while (1) {} %> reg { field {} f[8]; } r @0; };")
     done = run(folder, "import", "rdl", "perl.rdl")
@@ -194,6 +195,7 @@ def test_macros_that_take_too_long_end_in_a_sentence(folder: Path) -> None:
     )  # fmt: skip
 
 
+@pytest.mark.slow
 def test_macros_that_take_too_much_memory_end_in_a_sentence(folder: Path) -> None:
     (folder / "macros.rdl").write_text(f"`define A0 {'a' * 8_000_000}\n{MACROS}{BOMB}")
     done = run(folder, "import", "rdl", "macros.rdl")

@@ -88,6 +88,7 @@ def run_step(robot: Any, number: int) -> None:
 LEVELS = [(0, 0), (1, 0), (1, 1), (0, 1)]
 
 
+@pytest.mark.slow
 @given(moves=st.lists(st.integers(-35, 35), min_size=1, max_size=12), samples=st.sampled_from([1, 3, 15]))
 def test_a_position_becomes_edges_one_at_a_time_that_the_filter_lets_through(moves: list[int], samples: int) -> None:
     board = Board("a", "b")
@@ -109,6 +110,7 @@ def test_a_position_becomes_edges_one_at_a_time_that_the_filter_lets_through(mov
     assert robot.wheel.position == position
 
 
+@pytest.mark.slow
 @given(speed=st.floats(0.1, 30), samples=st.sampled_from([1, 15]))
 def test_edges_of_an_even_motion_are_evenly_spaced(speed: float, samples: int) -> None:
     board = Board("a", "b")

@@ -17,6 +17,7 @@ FOLDER = Path(__file__).parents[2] / "examples" / "balancer"
 ON = pytest.mark.parametrize("rtl", [False, pytest.param(True, marks=pytest.mark.rtl)], ids=["sim", "rtl"])
 
 
+@pytest.mark.slow
 @ON
 @on_simulated_time
 async def test_it_stands_and_goes_back_to_its_place(rtl: bool) -> None:
@@ -43,6 +44,7 @@ async def test_it_stands_and_goes_back_to_its_place(rtl: bool) -> None:
     assert (robot.left.value, robot.right.value, robot.drive.enable) == (0, 0, 0)
 
 
+@pytest.mark.slow
 @ON
 @on_simulated_time
 async def test_its_motors_are_off_when_its_loop_stands_still(rtl: bool) -> None:

@@ -68,6 +68,7 @@ def rover(tmp_path: Path) -> Rover:
     return Rover(tmp_path)
 
 
+@pytest.mark.slow
 @pytest.mark.rtl
 @on_simulated_time
 async def test_outputs_are_safe_in_the_cycle_behind_the_end_of_the_last_kick(rover: Rover) -> None:
@@ -179,6 +180,7 @@ async def test_a_pwm_has_the_duty_of_its_value_and_the_sign_and_stops_in_the_mid
             assert ports["left_pwm"].take_counts() == [(0, 0)]
 
 
+@pytest.mark.slow
 @pytest.mark.rtl
 @on_simulated_time
 async def test_an_encoder_counts_what_its_pins_show_and_knows_how_fast(rover: Rover) -> None:
@@ -250,6 +252,7 @@ class Plant(SimulatedRobot):
             self.seen.append((path, value))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("rtl", [False, pytest.param(True, marks=pytest.mark.rtl)])
 @on_simulated_time
 async def test_a_plant_is_the_same_on_the_quick_models_and_at_the_pins(rtl: bool, tmp_path: Path) -> None:
@@ -293,6 +296,7 @@ async def test_a_plant_is_the_same_on_the_quick_models_and_at_the_pins(rtl: bool
         assert await robot.wheel.position.get() == pytest.approx(plant.angle, abs=0.01)
 
 
+@pytest.mark.slow
 @pytest.mark.rtl
 @on_simulated_time
 async def test_requests_without_a_pause_do_not_run_the_clock_away(rover: Rover) -> None:
@@ -382,6 +386,7 @@ async def outlive(rover: Rover, kills: int) -> None:
                 assert rover.see("lamp", "drive_enable", "speed") == (0, 1, 0xFFFB), (kill, way)
 
 
+@pytest.mark.slow
 @pytest.mark.rtl
 @on_simulated_time
 async def test_programs_that_end_in_every_way_leave_their_outputs_safe(rover: Rover) -> None:

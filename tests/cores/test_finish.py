@@ -90,6 +90,7 @@ async def seen_until_safe(robot: Any, seconds: float = 1.0) -> list[int]:
     pytest.fail(f"it is never safe: {seen}")
 
 
+@pytest.mark.slow
 @on_both
 @on_simulated_time
 async def test_what_was_accepted_runs_out_and_all_is_safe_behind_the_last_of_it(world: World) -> None:
@@ -115,6 +116,7 @@ async def test_what_was_accepted_runs_out_and_all_is_safe_behind_the_last_of_it(
             assert (await robot.lamp.get(), await robot.plan.refused.get(), await robot.plan.late.get()) == (-1, 0, 0)
 
 
+@pytest.mark.slow
 @on_both
 @on_simulated_time
 async def test_it_runs_out_for_the_seconds_of_finish_and_no_longer(world: World) -> None:
@@ -275,6 +277,7 @@ with blocking.connect(url) as link:
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("way", ["kill", "hang"])
 def test_what_a_program_has_scheduled_runs_out_behind_a_server_when_it_was_killed(way: str, tmp_path: Path) -> None:
     spec = tmp_path / "robot.ul"

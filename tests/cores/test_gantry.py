@@ -36,6 +36,7 @@ def rests_of(positions: np.ndarray[Any, Any]) -> list[np.ndarray[Any, Any]]:
     return [positions[end + 20] for end in ends]
 
 
+@pytest.mark.slow
 @ON
 @on_simulated_time
 async def test_each_place_of_its_path_has_its_cycle_and_an_e_stop_in_the_second_flower_ends_its_program(

@@ -145,6 +145,7 @@ def reason(robot: Any) -> str:
     return name
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("face", FACES)
 @pytest.mark.parametrize("way", ["SIGKILL", "SIGSTOP", "SIGINT"])
 def test_a_program_that_is_ended_leaves_its_output_safe(face: str, way: str, tmp_path: Path) -> None:
@@ -167,6 +168,7 @@ def test_a_program_that_is_ended_leaves_its_output_safe(face: str, way: str, tmp
             assert robot.speed.get() == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("way", ["SIGKILL", "SIGSTOP", "stopped"])
 def test_a_program_in_c_that_is_ended_leaves_its_output_safe(way: str, program_in_c: Path, tmp_path: Path) -> None:
     with (
@@ -195,6 +197,7 @@ def test_a_program_in_c_that_is_ended_leaves_its_output_safe(way: str, program_i
             program.kill()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("way", ["SIGKILL", "SIGSTOP"])
 def test_what_a_server_still_holds_of_a_program_moves_nothing(way: str, tmp_path: Path) -> None:
     with served(tmp_path, "?bytes_per_second=20000") as (url, spec, robot), moving(FLOOD, url, spec, 5) as program:
@@ -205,6 +208,7 @@ def test_what_a_server_still_holds_of_a_program_moves_nothing(way: str, tmp_path
         assert reason(robot) == ("silence" if way == "SIGSTOP" else "disarmed")
 
 
+@pytest.mark.slow
 def test_a_server_that_is_told_the_spec_disarms_for_a_program_that_was_killed(tmp_path: Path) -> None:
     spec = tmp_path / "rover.ul"
     spec.write_text(SPEC)
@@ -236,6 +240,7 @@ def test_a_server_refuses_a_gateway_of_another_spec_than_it_was_told(tmp_path: P
     assert "Traceback" not in refused.stderr
 
 
+@pytest.mark.slow
 def test_another_program_stops_it_at_once(tmp_path: Path) -> None:
     with served(tmp_path) as (url, spec, robot), moving(FACES["asyncio"], url, spec, 20) as program:
         stopped = subprocess.run([PROGRAM, "stop", url, spec], capture_output=True, text=True, check=False)

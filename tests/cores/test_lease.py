@@ -698,6 +698,7 @@ async def test_a_plant_sees_safe_values_from_the_step_of_the_end_on() -> None:
             assert gateway.robot.moved == pytest.approx(10 * (began + 0.1 - began), abs=0.03)
 
 
+@pytest.mark.slow
 def test_a_generated_module_with_a_lease_has_types_that_hold(tmp_path: Path) -> None:
     spec = tmp_path / "rover.ul"
     spec.write_text(

@@ -91,6 +91,7 @@ def ghdl(folder: Path, command: str, *arguments: str, check: bool = False) -> bo
     return subprocess.run(words, cwd=folder, check=check, capture_output=True).returncode == 0
 
 
+@pytest.mark.slow
 @pytest.mark.rtl
 @pytest.mark.parametrize("word", CORES)
 def test_check_accepts_what_the_entity_accepts(word: str, tmp_path_factory: pytest.TempPathFactory) -> None:

@@ -35,6 +35,7 @@ def test_the_scara_goes_through_its_poses() -> None:
     assert any(float(line.split()[3]) == pytest.approx(120, abs=0.011) for line in lines[1:])
 
 
+@pytest.mark.slow
 def test_the_walker_walks() -> None:
     lines = run("walker.py")
     assert len(lines) == 6
@@ -53,6 +54,7 @@ def test_an_example_without_a_gateway_says_so_in_a_line(name: str) -> None:
     assert re.fullmatch(r"error: unix:/nowhere/robot: .*\n", done.stderr)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.name)
 def test_a_notebook_runs(path: Path, tmp_path: Path) -> None:
     shutil.copytree(EXAMPLES, tmp_path, dirs_exist_ok=True)

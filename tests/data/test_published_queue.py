@@ -147,6 +147,7 @@ int main(int count, char **arguments)
 """
 
 
+@pytest.mark.slow
 def test_a_client_in_c_takes_each_word_once_and_in_order(tmp_path: Path) -> None:
     (tmp_path / "program.c").write_text(PROGRAM)
     files = [path for path in generated("c", SPEC, tmp_path) if path.suffix == ".c"]

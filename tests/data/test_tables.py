@@ -82,6 +82,7 @@ def batch_of(robot: Robot, rows: Any, times: list[float] | None = None, arrived:
 ROWS = [[3, 7, 7], [0xFFFF_FFFF, 1, 0], [4, 2, 2]]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("bits", [16, 32, 64])
 @settings(max_examples=examples(30))
 @given(data=st.data())

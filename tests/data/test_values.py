@@ -57,6 +57,7 @@ def values_of(signal: Signal) -> st.SearchStrategy[Value]:
     return st.one_of(raws.filter(lambda value: low <= value <= high), st.sampled_from(good_values(signal)))
 
 
+@pytest.mark.slow
 @given(st.sampled_from(WORD_BITS), st.data())
 def test_any_value_of_any_kind_survives_write_and_read(word_bits: int, data: st.DataObject) -> None:
     kind = KINDS[word_bits]

@@ -92,6 +92,7 @@ def station(answer: Callable[[bytes], list[bytes]]) -> Iterator[None]:
             thread.join()
 
 
+@pytest.mark.slow
 def test_that_no_station_has_the_address_is_told() -> None:
     with station(lambda _: []):
         found = examined(URL)
@@ -102,6 +103,7 @@ def test_that_no_station_has_the_address_is_told() -> None:
     )
 
 
+@pytest.mark.slow
 def test_a_station_that_answers_arp_and_no_datagram_is_behind_a_firewall() -> None:
     with station(silent_station):
         found = examined(URL)
@@ -146,6 +148,7 @@ def datagram(frame: bytes, mac: bytes, data: bytes) -> bytes:
     return frame[6:12] + mac + b"\x08\0" + head + ports + struct.pack("!HH", 8 + len(data), 0) + data
 
 
+@pytest.mark.slow
 def test_two_boards_of_one_address_are_told_with_their_macs() -> None:
     with station(answering_stations(GATEWAY_MAC, OTHER_MAC)):
         found = examined(URL)
@@ -153,6 +156,7 @@ def test_two_boards_of_one_address_are_told_with_their_macs() -> None:
     assert f"{GATEWAY} is the address of {macs}" in found["two of one address"]["text"]
 
 
+@pytest.mark.slow
 def test_two_boards_of_one_mac_are_told() -> None:
     with station(answering_stations(GATEWAY_MAC, GATEWAY_MAC)):
         found = examined(URL)

@@ -23,6 +23,7 @@ def test_every_target_has_inputs_to_begin_with() -> None:
     assert {path.name for path in CORPUS.iterdir() if any(path.iterdir())} == TARGETS.keys() | PROGRAMS.keys()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", INPUTS, ids=lambda path: f"{path.parent.name}-{path.name}")
 def test_a_known_input_is_taken_whole_and_cut_anywhere(path: Path) -> None:
     data = path.read_bytes()
@@ -30,6 +31,7 @@ def test_a_known_input_is_taken_whole_and_cut_anywhere(path: Path) -> None:
         TARGETS[path.parent.name](data[: len(data) * piece // PIECES])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", TARGETS)
 @given(data=st.binary(max_size=200))
 def test_any_bytes_are_taken(name: str, data: bytes) -> None:

@@ -116,6 +116,7 @@ def small_driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
 # Compiling
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("word_bits", [None, *WORD_BITS])
 def test_generated_code_compiles_without_a_warning_in_c_and_its_headers_in_cpp(
     word_bits: int | None, tmp_path: Path
@@ -135,6 +136,7 @@ def test_the_protocol_needs_nothing_of_posix(tmp_path: Path) -> None:
     assert "alloc" not in (tmp_path / "unity_link.c").read_text().replace("allocated", "")
 
 
+@pytest.mark.slow
 def test_names_that_c_or_cpp_keep_for_themselves_get_an_underscore(tmp_path: Path) -> None:
     spec = compile_text(
         "enum class { int, double, union, large = 0xFFFFFFFFFF }\n"
@@ -159,6 +161,7 @@ def test_names_that_c_or_cpp_keep_for_themselves_get_an_underscore(tmp_path: Pat
     compiled(CPP, [tmp_path / "program.cc"], tmp_path)
 
 
+@pytest.mark.slow
 @settings(max_examples=examples(12), phases=[Phase.explicit, Phase.reuse, Phase.generate])
 @given(specs())
 def test_any_spec_makes_code_that_compiles(tmp_path_factory: pytest.TempPathFactory, file: File) -> None:
@@ -171,6 +174,7 @@ def test_any_spec_makes_code_that_compiles(tmp_path_factory: pytest.TempPathFact
     compiled(CPP, [directory / "program.cc"], directory, "-fsyntax-only")
 
 
+@pytest.mark.slow
 @settings(max_examples=examples(4), phases=[Phase.explicit, Phase.reuse, Phase.generate])
 @given(awkward_specs())
 @example(GROUPS_BY_KEYWORDS)
@@ -190,6 +194,7 @@ def test_any_names_make_code_that_compiles(tmp_path_factory: pytest.TempPathFact
     checked(CPP, directory / "program.cc", directory)
 
 
+@pytest.mark.slow
 def test_ten_thousand_signals_are_generated(tmp_path: Path) -> None:
     joints = "joint() : @(base) { " + " ".join(f"@s{number} = base + {number}: READ();" for number in range(50)) + " }"
     spec = compile_text(f"public big() {{ GATEWAY(ADDRESS_BITS=16); legs[200]: joint() @(50 * i); }} {joints}")
@@ -228,6 +233,7 @@ def test_words_blocks_batches_and_posted_writes_arrive(client: Driven, medium: M
         assert client("end") == f"0 {closed}"
 
 
+@pytest.mark.slow
 def test_a_unix_socket_is_as_good(client: Driven, tmp_path: Path) -> None:
     with simulate("unix", str(tmp_path / "socket")) as url:
         client.words(f"connect {url} 5")
@@ -235,6 +241,7 @@ def test_a_unix_socket_is_as_good(client: Driven, tmp_path: Path) -> None:
         assert client.words("read 10") == [1]
 
 
+@pytest.mark.slow
 def test_blocks_longer_than_the_gateway_takes_travel_in_parts(client: Driven) -> None:
     with simulate("tcp", "--set", "block_words=7", "--set", "data_bits=64", "--set", "address_bits=12") as url:
         client.words(f"connect {url} 5")
@@ -243,6 +250,7 @@ def test_blocks_longer_than_the_gateway_takes_travel_in_parts(client: Driven) ->
         assert client.words("rblock 100 258") == values
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "settings",
     [
@@ -285,6 +293,7 @@ def test_a_gateway_on_a_shared_medium_is_reached_by_its_number(client: Driven) -
         assert client(f"connect {url}?node=5 0.5").startswith(NO_CONNECTION)
 
 
+@pytest.mark.slow
 def test_little_memory_is_enough(small_driver: Path) -> None:
     with simulate("tcp") as url, Driven(small_driver) as client:
         client.words(f"connect {url} 5")
@@ -545,6 +554,7 @@ int main(int count, char **arguments) {
 """
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
 @pytest.mark.parametrize("medium", ["tcp", "unix", "pty"])
 def test_a_program_that_is_started_meanwhile_does_not_keep_the_connection_open(
@@ -610,6 +620,7 @@ def test_a_port_that_another_program_has_is_told(driver: Path) -> None:
 # Exactly once
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("medium", MEDIA)
 @pytest.mark.parametrize("fault", [lose, damage])
 def test_a_lost_answer_is_asked_for_again_and_nothing_is_done_twice(
@@ -813,6 +824,7 @@ BOTH_FORMS = pytest.mark.parametrize("info", [TWO_DIGITS, COMPACT], ids=["text",
 OUTCOMES = {None: 0, Outcome.UNKNOWN: 32, Outcome.EXECUTED: 33, Outcome.NOT_EXECUTED: 34}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("together", [False, True], ids=["one by one", "together"])
 @pytest.mark.parametrize("chances", SPOILED, ids=str)
 @BOTH_FORMS
@@ -846,6 +858,7 @@ def test_it_sends_the_same_bytes_at_the_same_times_as_the_host_in_python(
         assert counted[2:5] == [counters.repetitions, counters.timeouts, counters.damaged]
 
 
+@pytest.mark.slow
 @BOTH_FORMS
 def test_what_it_tells_of_requests_at_a_reset_is_what_the_host_in_python_tells(driver: Path, info: GatewayInfo) -> None:
     for seed in range(24):
@@ -934,6 +947,7 @@ def test_a_gateway_without_flow_control_is_sent_the_same_once_more_for_each_dama
         client.words("close")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("flow_control", [True, False])
 @pytest.mark.parametrize("program", ["driver", "small_driver"])
 def test_posted_and_answered_writes_are_executed_once_and_in_order_whatever_the_line_loses(
@@ -1003,6 +1017,7 @@ def test_a_gateway_without_flow_control_gets_no_more_than_its_fifo_holds(driver:
         client.words("close")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("medium", MEDIA)
 def test_a_noisy_line_loses_nothing(client: Driven, medium: Medium) -> None:
     noise = ("--set", "crc_bits=32", "--loss", "0.0002", "--flip", "0.0002", "--double", "0.0002", "--seed", "3")
@@ -1017,6 +1032,7 @@ def test_a_noisy_line_loses_nothing(client: Driven, medium: Medium) -> None:
         assert client.words("statistics")[2] > 0
 
 
+@pytest.mark.slow
 def test_a_gateway_that_goes_away_ends_the_calls(client: Driven) -> None:
     with simulate("tcp") as url:
         client.words(f"connect {url} 5")
@@ -1552,6 +1568,7 @@ def test_samples_lost_on_the_way_and_in_the_storage_are_counted(client: Driven) 
         assert client("next 0 0").startswith(NO_SAMPLE)
 
 
+@pytest.mark.slow
 def test_a_number_of_samples_is_awaited(client: Driven) -> None:
     with simulate("tcp") as url:
         client.words(f"connect {url} 5")
@@ -1775,6 +1792,7 @@ int main(int count, char **arguments) {
 """
 
 
+@pytest.mark.slow
 def test_a_group_that_is_subscribed_already_is_refused_and_goes_on_as_do_the_others(
     runtime: list[Path], tmp_path: Path
 ) -> None:
@@ -1821,6 +1839,7 @@ int main(int count, char **arguments) {
 """
 
 
+@pytest.mark.slow
 def test_a_subscription_is_ended_by_its_own_link_alone_and_goes_on_where_another_refuses_that(
     runtime: list[Path], tmp_path: Path
 ) -> None:
@@ -1886,6 +1905,7 @@ int main(int count, char **arguments) {
 """
 
 
+@pytest.mark.slow
 def test_signals_of_another_map_are_refused_before_anything_is_sent_unless_that_is_wanted(
     runtime: list[Path], tmp_path: Path
 ) -> None:
@@ -1946,6 +1966,7 @@ def test_a_refused_number_and_its_limits_are_told_exactly(runtime: list[Path], t
     assert output(program).splitlines() == [said for *_, said in calls]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("word_bits", WORD_BITS)
 def test_values_of_every_kind_stand_on_the_bus_and_come_back_as_in_python(
     word_bits: int, runtime: list[Path], tmp_path: Path

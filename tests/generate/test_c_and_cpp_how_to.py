@@ -29,6 +29,7 @@ def arm(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
     return compiled(C, [path for path in files if path.suffix == ".c"], directory)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("language", "compiler"), [("c", C), ("cpp", CPP)])
 def test_the_program_prints_what_the_page_says(
     language: str, compiler: tuple[str, ...], arm: list[Path], tmp_path: Path
@@ -44,6 +45,7 @@ def test_the_program_prints_what_the_page_says(
     assert re.sub(r"\b(29\.9\d*|30(\.\d+)?)\b", "29.9", printed) == expected
 
 
+@pytest.mark.slow
 def test_the_functions_of_the_page_do_what_it_says(arm: list[Path], tmp_path: Path) -> None:
     whole, *parts = blocks("c")
     head = whole[: whole.index("int main")]

@@ -47,6 +47,7 @@ class Replaced:
 # Garbage
 
 
+@pytest.mark.slow
 def test_a_port_that_another_program_has_changed_is_set_again_and_counted(client: Driven) -> None:
     with simulate("pty") as url:
         client.words(f"connect {url} 5")
@@ -109,6 +110,7 @@ def endless(runtime: list[Path]) -> Path:
     return folder / "endless"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ENDLESS)
 def test_bytes_that_come_without_end_hold_no_call_up_beyond_its_time_out(endless: Path, kind: str) -> None:
     calls = [line.split() for line in output(endless, ENDLESS[kind].hex().upper()).splitlines()]

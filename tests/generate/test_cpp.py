@@ -92,6 +92,7 @@ def program(body: str, objects: list[Path]) -> Path:
     return made
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("word_bits", [None, *WORD_BITS])
 def test_the_headers_compile_without_a_warning(word_bits: int | None, tmp_path: Path) -> None:
     spec = compile_text(FIGURE_1) if word_bits is None else every_kind(word_bits)
@@ -103,6 +104,7 @@ def test_the_headers_compile_without_a_warning(word_bits: int | None, tmp_path: 
     compiled(CPP, [tmp_path / "program.cc"], tmp_path)
 
 
+@pytest.mark.slow
 def test_a_value_of_an_enumeration_may_have_all_64_bits(tmp_path: Path) -> None:
     spec = compile_text(
         "enum big { none, middle = 0x80000000, high = 0x8000000000000000, all = 0xFFFFFFFFFFFFFFFF }\n"
@@ -130,6 +132,7 @@ def test_the_files_in_c_are_those_of_the_target_c() -> None:
     assert generate("cpp", WALKER) == generate("cpp", WALKER)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("medium", MEDIA)
 def test_signals_are_read_and_written_by_their_paths(medium: Medium, runtime: list[Path]) -> None:
     body = """
@@ -233,6 +236,7 @@ def test_values_of_every_kind_stand_on_the_bus_and_come_back_as_in_python(tmp_pa
         assert (float.fromhex(shown) if signal.kind.is_float else int(shown)) == decoded, (signal.path, line)
 
 
+@pytest.mark.slow
 def test_limits_that_no_double_holds_are_kept_exactly(tmp_path: Path) -> None:
     signals = LIMITS_BEYOND_DOUBLES.interface().signals
     body = "    Robot own{link};\n"
@@ -254,6 +258,7 @@ def test_limits_that_no_double_holds_are_kept_exactly(tmp_path: Path) -> None:
         output(linked(CPP, objects, tmp_path / "program", *SANITIZED), url)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "wrong",
     [
@@ -277,6 +282,7 @@ def test_the_compiler_refuses_what_makes_no_sense(wrong: str, runtime: list[Path
     assert subprocess.run(command, check=False).returncode == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("medium", MEDIA)
 def test_words_blocks_posts_and_batches_arrive(medium: Medium, runtime: list[Path]) -> None:
     body = """
@@ -305,6 +311,7 @@ def test_words_blocks_posts_and_batches_arrive(medium: Medium, runtime: list[Pat
         output(program(body, runtime), url)
 
 
+@pytest.mark.slow
 def test_errors_have_classes_codes_and_a_sentence(runtime: list[Path]) -> None:
     body = """
     THROWS(BusError, link.write(0x88, 1));
@@ -324,6 +331,7 @@ def test_errors_have_classes_codes_and_a_sentence(runtime: list[Path]) -> None:
         output(program(body, runtime), url)
 
 
+@pytest.mark.slow
 def test_what_a_lost_answer_means_is_known(runtime: list[Path]) -> None:
     body = """
     CHECK(link.write_masked(0x10, 1, 1) == 0);      // the word as it was before is given again
@@ -343,6 +351,7 @@ def test_what_a_lost_answer_means_is_known(runtime: list[Path]) -> None:
             assert line.count("^rq004") >= 2
 
 
+@pytest.mark.slow
 def test_a_gateway_that_understands_nothing_is_one_error_and_then_gone(runtime: list[Path]) -> None:
     body = """
     std::uint64_t word = 0;
@@ -365,6 +374,7 @@ def test_a_gateway_that_understands_nothing_is_one_error_and_then_gone(runtime: 
         output(program(body, runtime), line.url)
 
 
+@pytest.mark.slow
 def test_an_unanswered_call_says_what_is_known_of_it(runtime: list[Path]) -> None:
     body = """
     std::cout << "ready" << std::endl;
@@ -385,6 +395,7 @@ def test_an_unanswered_call_says_what_is_known_of_it(runtime: list[Path]) -> Non
     assert process.returncode == 0
 
 
+@pytest.mark.slow
 def test_a_gateway_that_was_reset_is_a_lost_link_and_a_new_one_goes_on(runtime: list[Path]) -> None:
     body = """
     link.write(0x10, 7);
@@ -421,6 +432,7 @@ def test_a_gateway_that_was_reset_is_a_lost_link_and_a_new_one_goes_on(runtime: 
     assert len(set(gateway.sessions())) == 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("medium", MEDIA)
 def test_groups_come_by_callback_and_one_by_one(medium: Medium, runtime: list[Path]) -> None:
     body = """
@@ -472,6 +484,7 @@ def test_groups_come_by_callback_and_one_by_one(medium: Medium, runtime: list[Pa
         output(program(body, runtime), url)
 
 
+@pytest.mark.slow
 def test_a_callback_may_end_its_own_subscription_and_then_throw(runtime: list[Path]) -> None:
     body = """
     std::unique_ptr<unity_link::Subscription> once;
@@ -489,12 +502,14 @@ def test_a_callback_may_end_its_own_subscription_and_then_throw(runtime: list[Pa
         output(program(body, runtime), url)
 
 
+@pytest.mark.slow
 def test_a_spec_for_words_of_another_width_is_noticed(runtime: list[Path]) -> None:
     body = "    THROWS(UnsupportedError, robot.legs[0].joints[0].target.get());\n"
     with simulate("tcp", "--set", "data_bits=16") as url:
         output(program(body, runtime), url)
 
 
+@pytest.mark.slow
 def test_a_gateway_of_another_map_is_refused_before_the_first_write_unless_that_is_known(runtime: list[Path]) -> None:
     fingerprint = WALKER.interface().fingerprint
     body = f"""

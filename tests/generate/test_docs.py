@@ -128,6 +128,7 @@ def test_pages_of_every_kind_are_whole(bits: int) -> None:
     check(every_kind(bits))
 
 
+@pytest.mark.slow
 @settings(max_examples=examples(20))
 @given(file=specs())
 def test_pages_of_any_spec_are_whole(file: File) -> None:

@@ -156,18 +156,21 @@ def losing_line() -> Iterator[FaultyLine]:
     assert {frame[5:7] for frame in line.requests if frame.startswith("wk")} == {"13"}
 
 
+@pytest.mark.slow
 def test_c_loses_no_event_and_touches_no_neighbour(tmp_path: Path) -> None:
     program = c_program(tmp_path)
     with losing_line() as line:
         assert output(program, line.url).split() == EXPECTED.split()
 
 
+@pytest.mark.slow
 def test_cpp_loses_no_event_and_touches_no_neighbour(tmp_path: Path) -> None:
     program = cpp_program(tmp_path)
     with losing_line() as line:
         assert output(program, line.url).split() == EXPECTED.split()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("language", ["c", "cpp"])
 def test_c_and_cpp_refuse_what_a_read_clears_without_queue_commands(language: str, tmp_path: Path) -> None:
     program = (c_program if language == "c" else cpp_program)(tmp_path)
@@ -189,6 +192,7 @@ def cpp_program(folder: Path) -> Path:
     return linked(CPP, objects, folder / "program", *SANITIZED)
 
 
+@pytest.mark.slow
 def test_matlab_loses_no_event_touches_no_neighbour_and_has_no_such_signal_in_a_group(octave: Octave) -> None:
     octave.generate(SPEC)
     with losing_line() as line:

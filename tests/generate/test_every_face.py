@@ -180,6 +180,7 @@ CELLS = [
 ]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "medium", "behaviour"), CELLS)
 def test_every_face_does_on_every_medium_what_a_link_does(
     name: str, medium: str, behaviour: Behaviour, portal: BlockingPortal, programs: Programs, tmp_path: Path

@@ -22,6 +22,7 @@ SPECS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("target", TARGETS)
 def test_output_is_the_same_in_every_run_and_wherever_the_spec_lies(target: str, tmp_path: Path) -> None:
     outputs = []

@@ -492,8 +492,8 @@ def test_four_generated_gateways_take_turns_on_one_pair_of_wires() -> None:
     )
 
 
-# `make test` synthesises it nowhere, but runs its board by its pins; `make synth-quick` maps boards with each kind of
-# register.
+# `make test-all` synthesises it nowhere, but runs its board by its pins; `make synth-quick` maps boards with each
+# kind of register.
 @rtl
 @pytest.mark.campaign
 def test_the_walker_is_synthesised_from_spec_and_pins_alone(tmp_path: Path) -> None:

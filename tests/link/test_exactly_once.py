@@ -159,6 +159,7 @@ SEEDS = 10
 RATES = pytest.mark.parametrize("total", [0.0, 0.003, 0.01], ids="{:.1%}".format)
 
 
+@pytest.mark.slow
 @RATES
 @pytest.mark.parametrize("fields", [SHORT_IDS, LONG_IDS], ids=["short IDs", "long IDs"])
 def test_each_write_is_executed_exactly_once_and_in_order(
@@ -168,12 +169,14 @@ def test_each_write_is_executed_exactly_once_and_in_order(
         run_simulated(run_program(seed, make_bare(**fields), spread(total)))
 
 
+@pytest.mark.slow
 @RATES
 def test_so_it_is_where_the_receive_fifo_is_small_and_nothing_stops_the_host(make_bare: Maker, total: float) -> None:
     for seed in range(SEEDS):
         run_simulated(run_program(seed, make_bare(**WITHOUT_FLOW_CONTROL), spread(total), small_fifo))
 
 
+@pytest.mark.slow
 @RATES
 @pytest.mark.parametrize("fields", [SHORT, {}], ids=["8", "16"])
 def test_so_it_is_with_a_crc_of_fewer_bits_where_it_finds_the_damage(

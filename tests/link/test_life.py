@@ -115,6 +115,7 @@ async def test_where_nothing_answers_the_error_says_what_was_tried_and_what_to_c
     assert caught.value.__cause__ is None
 
 
+@pytest.mark.slow
 @on_simulated_time
 async def test_noise_is_no_answer_and_the_error_counts_it() -> None:
     source = random.Random(1)
@@ -122,6 +123,7 @@ async def test_noise_is_no_answer_and_the_error_counts_it() -> None:
         await unity_link.connect(Answering(lambda _: source.randbytes(300)), timeout=60)
 
 
+@pytest.mark.slow
 @on_simulated_time
 async def test_minutes_of_noise_take_no_memory(make_bare: Maker) -> None:
     for noise in (bytes(range(256)) * 40, b"\xff" * 10_000):
@@ -423,6 +425,7 @@ async def test_a_write_that_was_cancelled_before_it_was_executed_leaves_the_bus_
     assert bus.writes == [(2, 2), (3, 3)]
 
 
+@pytest.mark.slow
 @on_simulated_time
 async def test_a_posted_write_that_was_cancelled_while_it_waited_for_room_was_never_sent(make_bare: Maker) -> None:
     model = make_bare(**SLOW)
@@ -903,6 +906,7 @@ async def test_closing_while_the_link_is_down_raises_in_those_that_wait(make_bar
 # A bad line
 
 
+@pytest.mark.slow
 @on_simulated_time
 async def test_ten_thousand_mixed_requests_finish_with_one_percent_of_bytes_damaged_both_ways(make_bare: Maker) -> None:
     gateway = NoisyLine(make_bare(**SLOW), Noise(20, flip=0.01), Noise(21, flip=0.01))

@@ -205,6 +205,7 @@ def test_while_several_answers_are_awaited_the_loop_sleeps(monkeypatch: pytest.M
     assert ask(runtime, loop, SPIN / 2) == pytest.approx(10, abs=1)
 
 
+@pytest.mark.slow
 def test_an_event_loop_is_forgotten_with_its_links() -> None:
     loop = asyncio.new_event_loop()
 

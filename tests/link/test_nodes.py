@@ -109,6 +109,7 @@ def test_a_host_that_does_not_wait_for_a_slow_answer_is_found_out() -> None:
     assert line.collisions == ["the host sends while node 1 does"]
 
 
+@pytest.mark.slow
 @on_simulated_time
 async def test_a_node_that_is_gone_costs_the_others_a_bounded_time() -> None:
     line = build_shared_line(NODES, baud=1_000_000)
@@ -287,6 +288,7 @@ class _BadLine(SharedLine):
         return bytes(ord("?") if self.random.random() < self.chance and byte not in b"\r\n" else byte for byte in data)
 
 
+@pytest.mark.slow
 @given(st.integers(0, 2**32), st.sampled_from([0.0005, 0.003]), st.lists(st.sampled_from(NODES), max_size=4))
 @on_simulated_time
 async def test_on_a_bad_line_everything_is_executed_once_and_in_order(

@@ -149,6 +149,7 @@ def scripted_driver() -> Iterator[list[Scripted]]:
         yield made
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("node", [None, NODE], ids=["own medium", "shared medium"])
 @settings(max_examples=examples(60))
 @given(arriving=bursts, cuts=st.lists(st.integers(0, 1 << 20), max_size=8))

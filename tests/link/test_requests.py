@@ -294,6 +294,7 @@ WRONG: dict[str, Callable[[Link], Awaitable[object]]] = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("call", WRONG.values(), ids=WRONG)
 async def test_a_wrong_argument_raises_before_anything_is_sent(
     link: Link, call: Callable[[Link], Awaitable[object]]

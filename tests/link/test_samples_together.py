@@ -79,6 +79,7 @@ async def received(arriving: list[Arriving], *, stamped: bool, together: bool, b
         return seen, samples.received, samples.lost, counted.samples, counted.samples_lost, counted.damaged_frames
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("stamped", [True, False])
 @pytest.mark.parametrize("crc_bits", [8, 32])
 @given(arriving=lines, buffer=st.sampled_from([5, 10_000]))

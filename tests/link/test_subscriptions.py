@@ -280,6 +280,7 @@ async def test_an_external_trigger_takes_samples(make_bare: Maker) -> None:
             assert (await anext(samples)).values.tolist() == [value]
 
 
+@pytest.mark.slow
 @on_simulated_time
 async def test_on_change_only_changes_come_and_nothing_counts_as_lost(make_bare: Maker) -> None:
     async with (
@@ -296,6 +297,7 @@ async def test_on_change_only_changes_come_and_nothing_counts_as_lost(make_bare:
         assert (samples.received, samples.lost) == (6, 0)
 
 
+@pytest.mark.slow
 @on_simulated_time
 async def test_time_goes_on_over_the_wrap_of_timestamps_and_long_silence(make_bare: Maker) -> None:
     async with unity_link.connect(make_bare(clock_hz=50_000_000)) as link, link.subscribe([0]) as samples:
@@ -454,6 +456,7 @@ async def is_silent(link: Link) -> bool:
     return link.statistics.bytes_received == before
 
 
+@pytest.mark.slow
 @on_simulated_time
 async def test_a_subscription_that_is_cancelled_leaves_no_group_running_on_a_bad_line(make_bare: Maker) -> None:
     for seed in range(50):

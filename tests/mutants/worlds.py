@@ -1,4 +1,4 @@
-"""The first worlds of the simulation, a few at a time: what `make test` runs thousands of."""
+"""The first worlds of the simulation, a few at a time: what `make test-all` runs thousands of."""
 
 from __future__ import annotations
 

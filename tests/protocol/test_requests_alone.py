@@ -120,6 +120,7 @@ LOSS = [Step("R", 0, 0.0), Step("lose", 0, 0.0), Step("expire", 0, 0.3), Step("s
 """One request is lost, and sent again."""
 
 
+@pytest.mark.slow
 @settings(max_examples=examples(300))
 @given(steps=steps, before=st.sampled_from([[], LOSS]))
 @pytest.mark.parametrize("credit", [None, 64], ids=["flow control", "credit"])

@@ -29,6 +29,7 @@ def assert_fails(found: Exploration, fault: str, steps: int) -> None:
 # Requests with IDs over a line that keeps the order
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "rules",
     [
@@ -68,6 +69,7 @@ def test_a_session_without_a_number_in_its_frames_takes_the_answers_of_the_one_b
     assert_fails(found, "the answer of request 0 is taken for that of 1", 11)
 
 
+@pytest.mark.slow
 def test_a_window_that_posted_requests_fill_can_never_be_confirmed() -> None:
     found = stream.explored(stream.Rules(kinds="sh", leaves_room=False, resets=0))
     assert_fails(found, "there is no way to an end", 5)
@@ -96,6 +98,7 @@ WITHOUT = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "rules",
     [
@@ -134,6 +137,7 @@ def test_two_hosts_on_one_line_are_told_right(rules: sessions.Rules) -> None:
     assert_holds(sessions.explored(rules))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("rules", "fault"),
     [
@@ -187,6 +191,7 @@ def test_two_hosts_on_one_line_are_told_wrong_without(rules: sessions.Rules, fau
 # The same over datagrams
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "rules",
     [

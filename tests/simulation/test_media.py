@@ -16,6 +16,7 @@ LATE_REQUESTS = 2_000
 CAMPAIGN_REQUESTS = 1_000_000
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("medium", Media.names)
 def test_programs_on_a_real_medium_that_is_spoiled_and_cut_break_no_rule(medium: str) -> None:
     result = asyncio.run(run_medium(medium, REQUESTS))

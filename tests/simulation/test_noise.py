@@ -23,6 +23,7 @@ async def read_batch(flip: float, seed: int) -> int:
         return link.statistics.timeouts - before
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("flip", "most"),
     [

@@ -91,6 +91,7 @@ def test_no_world_of_nodes_on_one_line_breaks_a_rule_and_two_who_send_at_a_time_
     assert "two who send at a time" in kinds
 
 
+@pytest.mark.slow
 def test_a_seed_repeats_its_world_to_the_byte_also_in_another_process() -> None:
     script = "import sys; from simulation.world import run_seed; print(*(run_seed(seed).digest for seed in range(8)))"
     digests = [run_seed(seed).digest for seed in range(8)]
@@ -100,6 +101,7 @@ def test_a_seed_repeats_its_world_to_the_byte_also_in_another_process() -> None:
         assert run.communicate()[0].split() == digests
 
 
+@pytest.mark.slow
 def test_a_failure_is_told_by_its_seed_and_by_a_shorter_world(monkeypatch: pytest.MonkeyPatch) -> None:
     bug = next(bug for bug in BUGS if bug.name == "a repetition is executed again")
     bug.put_back(monkeypatch)

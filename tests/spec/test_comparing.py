@@ -16,6 +16,7 @@ INCOMPATIBLE_OF = {ROVER: (560, 20), SCARA: (120, 12), WALKER: (20, 8), BALANCER
 COMPATIBLE_OF = {ROVER: 150, SCARA: 20, WALKER: 10, BALANCER: 10, CORES: 10}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", INCOMPATIBLE_OF, ids=lambda path: path.stem)
 def test_each_change_that_a_program_cannot_live_with_is_found_and_named(path: Path) -> None:
     mine, chance, tried = compile_file(path).interface(), random.Random(path.name), Counter[str]()
@@ -31,6 +32,7 @@ def test_each_change_that_a_program_cannot_live_with_is_found_and_named(path: Pa
     assert len(tried) >= fewest, tried
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", COMPATIBLE_OF, ids=lambda path: path.stem)
 def test_each_change_that_a_program_can_live_with_is_none(path: Path) -> None:
     mine, chance, tried = compile_file(path).interface(), random.Random(path.name), Counter[str]()

@@ -287,6 +287,7 @@ CASES = [
 ]  # fmt: skip
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("text", "code", "message", "place", "advice"),
     CASES,

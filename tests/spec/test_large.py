@@ -48,11 +48,13 @@ def calls(text: str) -> int:
     return count
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("make", [flat, arrays], ids=["flat", "arrays"])
 def test_10_000_signals_compile(make: Callable[[int], str]) -> None:
     assert len(compile_text(make(10_000)).interface().signals) == 10_000
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("make", "most"), [(flat, 600), (arrays, 400)], ids=["flat", "arrays"])
 def test_the_work_for_a_signal_stays_the_same_in_a_large_spec(make: Callable[[int], str], most: int) -> None:
     calls(make(100))  # The parser is made once.

@@ -66,12 +66,14 @@ def mutated(text: str, chance: random.Random) -> str:
     return text
 
 
+@pytest.mark.slow
 @settings(max_examples=examples(120))
 @given(st.sampled_from([FULL, FIGURE_1]), st.randoms(use_true_random=False))
 def test_a_mutated_spec_compiles_or_is_refused(text: str, chance: random.Random) -> None:
     survives(mutated(text, chance))
 
 
+@pytest.mark.slow
 @settings(max_examples=examples(40))
 @given(specs(), st.randoms(use_true_random=False))
 def test_a_mutated_generated_spec_compiles_or_is_refused(file: File, chance: random.Random) -> None:
@@ -95,6 +97,7 @@ def test_a_spec_cut_anywhere_compiles_or_is_refused(text: str) -> None:
         survives(text[:end])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "text",
     [

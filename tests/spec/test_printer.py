@@ -20,6 +20,7 @@ def parsed(text: str) -> File:
     return file
 
 
+@pytest.mark.slow
 @settings(max_examples=examples(40))
 @given(specs())
 def test_a_valid_spec_prints_and_parses_to_itself(file: File) -> None:
@@ -28,12 +29,14 @@ def test_a_valid_spec_prints_and_parses_to_itself(file: File) -> None:
     assert print_file(parsed(text)) == text
 
 
+@pytest.mark.slow
 @settings(max_examples=examples(40))
 @given(specs())
 def test_a_valid_spec_compiles(file: File) -> None:
     compile_text(print_file(file))
 
 
+@pytest.mark.slow
 @given(expressions(["a", "b"]))
 def test_any_expression_prints_and_parses_to_itself(expression: object) -> None:
     member = Placement(Word("x"), None, Word("y"), [Argument(None, expression)], None)  # type: ignore[arg-type]

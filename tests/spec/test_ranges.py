@@ -1,5 +1,6 @@
 """The numbers of specs that were compiled elsewhere: all that this compiler makes pass."""
 
+import pytest
 from hypothesis import HealthCheck, given, settings
 
 from support.searching import examples
@@ -10,6 +11,7 @@ from unity_link.spec.ranges import check_ranges
 from unity_link.spec.syntax import File
 
 
+@pytest.mark.slow
 @settings(max_examples=examples(60), suppress_health_check=[HealthCheck.too_slow])
 @given(specs())
 def test_every_spec_that_compiles_has_its_numbers_in_their_ranges(file: File) -> None:

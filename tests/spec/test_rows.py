@@ -154,6 +154,7 @@ def test_a_row_of_a_core_has_one_width() -> None:
         interface_of("x: own() @(1);", outside=text)
 
 
+@pytest.mark.slow
 def test_systemrdl_has_each_of_a_row(tmp_path: Path) -> None:
     (tmp_path / "robot.rdl").write_text(export_text(compile_text(ROBOT).interface()))
     assert "@acc_1 = " in import_file(tmp_path / "robot.rdl").text

@@ -173,6 +173,7 @@ def test_an_interface_without_signals_is_refused() -> None:
         export_text(interface_of())
 
 
+@pytest.mark.slow
 @settings(max_examples=examples(15), suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow])
 @given(specs())
 def test_any_valid_spec_comes_back(tmp_path: Path, file: File) -> None:
@@ -218,6 +219,7 @@ def test_what_is_no_systemrdl_is_refused_with_its_place(tmp_path: Path) -> None:
         import_file(tmp_path / "nothing.rdl")
 
 
+@pytest.mark.slow
 def test_what_is_nested_too_deeply_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "deep.rdl"
     path.write_text(f"addrmap top {{ reg {{ field {{}} a[8] = {'(' * 5000}0{')' * 5000}; }} one; }};")

@@ -1,7 +1,7 @@
 """Runs the tests that a change touches: ``python -m support.check [BASE]``, for `make check`.
 
 A change is what differs from BASE, committed or not. BASE is where the branch left `main`, on `main` the commit before.
-Tests that take long are left out: `make test` runs those, and the rooms above the changed one.
+Tests that take long are left out: `make test-all` runs those, and `make test` the quick tests of all packages.
 """
 
 from __future__ import annotations

@@ -32,7 +32,7 @@ SLOW = {"base_frequency_millihertz": 1_000_000}
 KINDS = ("sim", "rtl", "ftdi", "ftdi-async")
 RTL = pytest.param("rtl", marks=pytest.mark.rtl)
 SELDOM = {"bare_groups", "minimal", "odd", "uart", "wide"}
-"""Builds that `make test` does not run: each takes half a minute to compile, and few tests need it."""
+"""Builds that `make test-all` does not run: each takes half a minute to compile, and few tests need it."""
 
 
 def build_params(names: Iterable[str]) -> list[object]:

@@ -10,7 +10,7 @@ QUICK = 100
 
 
 def examples(usual: int) -> int:
-    """Return how many examples a test tries that tries `usual` ones in `make test`; at least so many."""
+    """Return how many examples a test tries that tries `usual` ones in `make test-all`; at least so many."""
     return max(usual, usual * settings().max_examples // QUICK)
 
 

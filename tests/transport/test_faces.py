@@ -86,6 +86,7 @@ async def _over_zenoh() -> AsyncIterator[str]:
         close_session(session)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FACES)
 def test_every_kind_of_call_works(name: str, url: str, tmp_path: Path) -> None:
     if name == "trio":

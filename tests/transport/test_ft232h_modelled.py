@@ -75,6 +75,7 @@ def test_a_lone_read_without_send_immediate_waits_for_the_latency_timer() -> Non
     assert 0.010 < run_simulated(read_time("off")) <= 0.016 + 3 * MICROFRAME
 
 
+@pytest.mark.slow
 def test_adaptive_has_the_latency_of_always_and_the_throughput_of_off() -> None:
     times = {mode: run_simulated(read_time(mode)) for mode in ("always", "adaptive")}
     rates = {mode: run_simulated(read_rate(mode)) for mode in ("off", "adaptive")}
@@ -98,6 +99,7 @@ async def test_posted_writes_fill_the_link() -> None:
         assert READS * len("wsiiiAADDDDDDDDcccc\n") / (loop.time() - start) >= 0.95 * FIFO_RATE
 
 
+@pytest.mark.slow
 @on_simulated_time
 async def test_samples_of_one_word_arrive_at_30_khz_and_none_is_lost() -> None:
     async with linked() as link, link.subscribe(5, rate_hz=30_000, timestamps=False, buffer=100_000) as samples:

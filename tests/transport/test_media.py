@@ -110,6 +110,7 @@ async def test_a_link_makes_up_for_lost_bytes_over_every_medium(
         assert link.statistics.repetitions > 0
 
 
+@pytest.mark.slow
 @pytest.mark.asyncio
 @pytest.mark.parametrize("medium", MEDIA)
 async def test_a_gateway_that_is_killed_raises_in_every_call_that_waits(

@@ -179,6 +179,7 @@ def test_a_line_without_a_rate_is_refused() -> None:
         SlowLine(VirtualGateway(), 0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("asked", [b"", b"RM00FF\r" * 10], ids=["samples", "answers"])
 def test_a_line_that_stands_still_keeps_no_more_than_a_socket(asked: bytes) -> None:
     line = NoisyLine(VirtualGateway(), Noise(), Noise(stall=0.01, stall_seconds=60))

@@ -94,6 +94,7 @@ def test_the_addresses_around_the_robot_are_plain_memory() -> None:
         assert read(gateway, address, 1.0) == address
 
 
+@pytest.mark.slow
 @given(commands=COMMANDS)
 def test_speed_and_acceleration_keep_their_limits_whatever_is_commanded(commands: list[tuple[float, int, int]]) -> None:
     kind = JOINTS[0]
@@ -135,6 +136,7 @@ def test_a_target_that_braking_all_but_reaches_is_no_division_by_zero(
     assert all(segment.duration >= 0 for segment in segments)
 
 
+@pytest.mark.slow
 @given(commands=COMMANDS, looks=st.lists(st.floats(0, 20), max_size=20))
 def test_looking_changes_nothing(commands: list[tuple[float, int, int]], looks: list[float]) -> None:
     def position(looking: list[float]) -> int:

@@ -195,6 +195,7 @@ async def test_the_end_of_serving_hangs_up_on_who_is_just_being_connected(turns:
             assert await asyncio.wait_for(asyncio.get_running_loop().sock_recv(client, 1), 10) == b""
 
 
+@pytest.mark.slow
 @pytest.mark.asyncio
 async def test_a_client_that_reads_slowly_gets_everything_and_takes_no_memory() -> None:
     requests = 12_000

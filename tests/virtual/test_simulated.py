@@ -153,6 +153,7 @@ async def test_a_write_outside_of_the_limits_is_a_bus_error_that_the_log_explain
     assert "a write of 6 to kick was refused: its limits are 2 to 5" in caplog.text
 
 
+@pytest.mark.slow
 @given(value=st.floats(-2, 2))
 def test_what_the_limits_of_a_signal_let_a_program_write_is_never_refused(value: float) -> None:
     interface = compile_file(EXAMPLES / "walker.ul").interface()
@@ -200,6 +201,7 @@ async def test_published_groups_run_and_each_sample_is_of_one_instant() -> None:
 
 
 # A machine that does much else would leave time out.
+@pytest.mark.slow
 @mock.patch("unity_link.virtual.simulated.LONGEST_TURN", math.inf)
 @settings(max_examples=examples(20))
 @given(looks=st.lists(st.floats(0, 0.3), max_size=30))

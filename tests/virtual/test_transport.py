@@ -178,6 +178,7 @@ async def test_answers_that_a_slow_line_holds_back_come_when_it_has_room() -> No
     assert protocol.received[-1][0] > 1.0
 
 
+@pytest.mark.slow
 @on_simulated_time
 async def test_requests_wait_outside_of_a_slow_line_that_is_full() -> None:
     line = SlowLine(VirtualGateway(), 1e6)

@@ -56,6 +56,7 @@ def test_there_are_vectors_for_several_configurations() -> None:
     assert len(FILES) >= 6
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_the_model_answers_every_vector_byte_for_byte(path: Path) -> None:
     gateway, steps = load(path)
@@ -64,6 +65,7 @@ def test_the_model_answers_every_vector_byte_for_byte(path: Path) -> None:
         assert split(answer, node_of(path)) == expected(step), step["about"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_each_sample_comes_before_the_answer_to_the_request_that_took_it(path: Path) -> None:
     gateway, steps = load(path)
@@ -77,6 +79,7 @@ def test_each_sample_comes_before_the_answer_to_the_request_that_took_it(path: P
             assert not any(kinds) or kinds == [True, False] * (len(kinds) // 2), step["about"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 def test_bytes_may_arrive_one_at_a_time(path: Path) -> None:
     gateway, steps = load(path)
@@ -85,6 +88,7 @@ def test_bytes_may_arrive_one_at_a_time(path: Path) -> None:
         assert split(answer, node_of(path)) == expected(step), step["about"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.stem)
 @settings(max_examples=examples(20))  # each goes through a whole file
 @given(sizes=st.lists(st.integers(1, 5000), min_size=1, max_size=40))

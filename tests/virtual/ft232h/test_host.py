@@ -220,6 +220,7 @@ def test_a_synchronous_stream_shares_40_mb_per_second() -> None:
     assert 15e6 < stream(0.1, mode=Mode.SYNC_FIFO, transfers=4, size=16384, step=256) <= 20e6
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seconds", [3.0, pytest.param(60.0, marks=pytest.mark.campaign)])
 def test_seconds_of_8_mb_per_second_in_both_directions_lose_nothing(seconds: float) -> None:
     rate = stream(seconds, mode=Mode.FIFO, transfers=4, size=16384, step=256)

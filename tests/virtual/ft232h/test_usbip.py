@@ -222,6 +222,7 @@ async def test_a_transfer_that_has_ended_when_it_is_unlinked_is_replied_to_with_
         assert (await client.reply())[0::2] == (4, 0)
 
 
+@pytest.mark.slow
 async def test_a_client_with_more_transfers_under_way_than_a_kernel_has_is_hung_up_on() -> None:
     async with served() as (device, port):
         async with connected(port) as client:
