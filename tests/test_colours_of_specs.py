@@ -32,6 +32,7 @@ def test_examples_have_no_errors(text: str) -> None:
     assert not [value for token, value in coloured(text) if token is Error]
 
 
+@pytest.mark.slow
 @given(specs())
 def test_no_valid_spec_has_errors(spec: File) -> None:
     assert not [value for token, value in coloured(print_file(spec)) if token is Error]

@@ -76,6 +76,7 @@ def here(tmp_path: Path, recorded: Path, monkeypatch: pytest.MonkeyPatch) -> Pat
     return tmp_path
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("command", COMMANDS.values(), ids=COMMANDS)
 def test_a_command_runs_twice_and_replaces_no_file_that_is_not_its_own(command: str, here: Path) -> None:
     given = contents()
@@ -135,6 +136,7 @@ def test_what_was_generated_of_another_spec_is_replaced(here: Path) -> None:
     assert here.is_dir()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("answer", "replaced"), [("y", True), ("n", False), ("", False)])
 def test_at_a_terminal_it_is_asked(answer: str, *, replaced: bool, here: Path) -> None:
     Path("rover.py").write_bytes(MINE)

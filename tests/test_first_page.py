@@ -35,6 +35,7 @@ def test_the_picture_moves_without_a_script() -> None:
     assert "<script" not in picture
 
 
+@pytest.mark.slow
 def test_all_that_a_newcomer_looks_for_is_on_the_screen(page: Path) -> None:
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])

@@ -84,6 +84,7 @@ trio.run(main)
 SENTENCE = "child: this process was forked from the one that opened the link: open another link here"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("face", "end"),
     [("blocking", "exit"), ("blocking", "forgotten"), ("blocking", "at once"), ("asyncio", ""), ("trio", "")],

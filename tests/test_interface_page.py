@@ -51,11 +51,13 @@ def members(kind: type) -> Iterator[str]:
                 yield from () if node.attr.startswith("_") else (node.attr,)
 
 
+@pytest.mark.slow
 def test_all_that_is_exported_is_on_the_page(shown: tuple[str, set[str]]) -> None:
     _, names = shown
     assert {f"unity_link.{name}" for name in unity_link.__all__} - names == set()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", [name for name in unity_link.__all__ if isinstance(getattr(unity_link, name), type)])
 def test_each_public_member_is_on_the_page(name: str, shown: tuple[str, set[str]]) -> None:
     _, names = shown

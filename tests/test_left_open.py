@@ -108,6 +108,7 @@ def test_a_subscription_that_was_refused_or_never_asked_for_samples_is_quiet() -
     assert_quiet(lambda: run_simulated(attempt()))
 
 
+@pytest.mark.slow
 def test_loops_over_samples_that_are_left_early_are_quiet() -> None:
     async def leave() -> None:
         async with unity_link.connect("sim:scara") as link:
@@ -138,6 +139,7 @@ async def serve_and_leave(server: AbstractAsyncContextManager[Any], *, left_open
         await server.__aexit__(None, None, None)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SERVERS)
 def test_what_is_still_served_when_nobody_holds_it_warns(name: str, tmp_path: Path) -> None:
     what = name.partition(",")[0]
@@ -147,6 +149,7 @@ def test_what_is_still_served_when_nobody_holds_it_warns(name: str, tmp_path: Pa
     assert f"{what} is still served: use `async with`" in {str(warning.message) for warning in told}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SERVERS)
 def test_what_is_served_in_a_block_is_quiet(name: str, tmp_path: Path) -> None:
     assert_quiet(lambda: asyncio.run(serve_and_leave(SERVERS[name](tmp_path), left_open=False)))

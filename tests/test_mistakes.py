@@ -162,6 +162,7 @@ def _sentence(line: str) -> str:
     return PRIVATE.sub("", line).removeprefix("error: ")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("mistake", COMMANDS[::12], ids=lambda mistake: mistake.tried)
 def test_a_program_says_it_too(mistake: Mistake, folder: Path, ports: dict[str, str]) -> None:
     _, *arguments = shlex.split(_with_ports(mistake.tried, ports))

@@ -40,6 +40,7 @@ def urls() -> Iterator[list[str]]:
         process.communicate()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("system", ["win32", "darwin"])
 def test_without_what_only_linux_has_all_is_imported_and_sockets_carry_links(system: str, urls: list[str]) -> None:
     command = [sys.executable, str(HERE / "support" / "other_system.py"), system, *urls]

@@ -146,6 +146,7 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
+@pytest.mark.slow
 def test_a_robot_is_tested_on_every_medium_with_noise_faults_and_modelled_time_under_asyncio_and_trio(
     folder: Path,
 ) -> None:
@@ -154,6 +155,7 @@ def test_a_robot_is_tested_on_every_medium_with_noise_faults_and_modelled_time_u
     assert "10 passed" in said, said
 
 
+@pytest.mark.slow
 def test_the_how_to_page_is_right(folder: Path) -> None:
     page = (EXAMPLES.parent / "docs" / "how-to" / "test-my-robot.md").read_text()
     (test,) = re.findall(r":caption: test_rover.py\n\n(.*?)```", page, re.DOTALL)
@@ -164,6 +166,7 @@ def test_the_how_to_page_is_right(folder: Path) -> None:
     assert "4 passed" in said, said
 
 
+@pytest.mark.slow
 def test_the_same_tests_run_on_a_board_but_for_those_that_look_behind_its_bus(folder: Path) -> None:
     (folder / "test_words.py").write_text(
         textwrap.dedent("""
@@ -188,6 +191,7 @@ def test_the_same_tests_run_on_a_board_but_for_those_that_look_behind_its_bus(fo
     assert f"it looks behind the bus, and {url} is no virtual gateway" in said
 
 
+@pytest.mark.slow
 def test_the_ini_file_says_what_all_tests_have(folder: Path) -> None:
     (folder / "pytest.ini").write_text(
         "[pytest]\nunity_link_spec = rover.ul\nunity_link_model = rover.py:Rover\nunity_link_medium = unix\n"
@@ -196,6 +200,7 @@ def test_the_ini_file_says_what_all_tests_have(folder: Path) -> None:
     assert "1 passed" in run(folder)
 
 
+@pytest.mark.slow
 def test_paths_of_the_ini_file_are_below_its_folder(folder: Path) -> None:
     (folder / "ci").mkdir()
     (folder / "ci" / "board.ini").write_text(
@@ -207,12 +212,14 @@ def test_paths_of_the_ini_file_are_below_its_folder(folder: Path) -> None:
     assert "1 passed" in run(folder, "-o", "unity_link_spec=rover.ul", "-o", "unity_link_model=rover.py:Rover")
 
 
+@pytest.mark.slow
 def test_links_are_opened_one_after_the_other_and_several_at_once_share_the_gateway(folder: Path) -> None:
     (folder / "test_rover.py").write_text(SEVERAL)
     said = run(folder)
     assert "6 passed" in said, said
 
 
+@pytest.mark.slow
 def test_what_is_marked_wrongly_is_told_in_a_sentence(folder: Path) -> None:
     for place, mark in enumerate(WRONG):
         (folder / f"test_{place}.py").write_text(

@@ -179,6 +179,7 @@ def outbreaks(place: str, count: int) -> list[str]:
     return found
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("place", READERS)
 def test_no_string_breaks_out(place: str) -> None:
     assert outbreaks(place, BATCH) == []

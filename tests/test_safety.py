@@ -58,6 +58,7 @@ def ended_by(number: signal.Signals, program: list[str], folder: Path, url: str,
             process.kill()
 
 
+@pytest.mark.slow
 def test_the_lamp_is_off_at_ctrl_c(tmp_path: Path) -> None:
     save("board.md", tmp_path)
     with simulated(tmp_path, "lamp.ul") as url:

@@ -14,6 +14,7 @@ TOOLS = sorted(
 )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("tool", TOOLS)
 def test_a_tool_shows_its_usage_and_refuses_an_unknown_option(tool: str) -> None:
     for option, status in (("--help", 0), ("--no-such-option", 2)):

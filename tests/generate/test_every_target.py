@@ -40,6 +40,7 @@ def test_output_is_the_same_in_every_run_and_wherever_the_spec_lies(target: str,
     assert outputs[0] == {str(Path("out", file.name)): file.text.encode() for file in generate(target, SPECS["walker"])}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("spec", SPECS.values(), ids=SPECS)
 @pytest.mark.parametrize("target", TARGETS)
 def test_each_file_names_its_source_and_is_clean_text(target: str, spec: Spec) -> None:
@@ -55,6 +56,7 @@ def test_each_file_names_its_source_and_is_clean_text(target: str, spec: Spec) -
         assert not file.text.endswith("\n\n"), file.name
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("target", TARGETS)
 def test_every_file_changes_with_the_spec(target: str) -> None:
     text = "public robot() {{ @a = 1: READ(); }}{}"

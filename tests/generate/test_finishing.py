@@ -78,6 +78,7 @@ def begin(request: pytest.FixtureRequest) -> Begin:
     return in_octave
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("way", ["finish", "safe"])
 def test_what_is_scheduled_runs_out_behind_a_program_that_was_killed_if_it_wants_so(
     begin: Begin, way: str, tmp_path: Path

@@ -55,6 +55,7 @@ def in_matlab(path: str) -> str:
     return re.sub(r"\[(\d+)\]$", lambda match: f"{{{int(match[1]) + 1}}}", components)
 
 
+@pytest.mark.slow
 def test_values_of_every_kind_are_encoded_and_decoded_as_by_the_model(octave: Octave) -> None:
     with contextlib.ExitStack() as stack:
         script, expected = [], {}
@@ -215,6 +216,7 @@ def test_limits_hold_for_values_of_any_class(octave: Octave) -> None:
     }
 
 
+@pytest.mark.slow
 def test_the_guide_says_what_happens(octave: Octave) -> None:
     guide = (EXAMPLES.parent / "docs" / "how-to" / "matlab.md").read_text(encoding="utf-8")
     lines = [
@@ -315,6 +317,7 @@ end
     assert functions <= {*FUNCTIONS, *KEYWORDS, *MEMBERS}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["struct", "numel", "link", "size"])
 def test_an_interface_may_have_the_name_of_a_function_or_of_what_the_class_has(name: str, octave: Octave) -> None:
     octave.generate(compile_text(f"public {name}() {{ @a = 1: signed 16 READWRITE(PUBLISH(g)); }}\ngroup g(1, 10);"))

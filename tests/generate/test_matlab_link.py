@@ -123,6 +123,7 @@ _CONFIGURATIONS: dict[str, tuple[str, ...]] = {
 }
 
 
+@pytest.mark.slow
 def test_gateways_of_other_builds_are_spoken_to(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
     script = """\
@@ -208,6 +209,7 @@ attempt('queue', @() link.read_queue(1, 1));
         assert shown[label].startswith("unity_link:unsupported the gateway was built without"), shown[label]
 
 
+@pytest.mark.slow
 def test_a_gateway_of_another_map_is_refused(octave: Octave) -> None:
     spec = compile_text(FIGURE_1)
     octave.generate(spec)
@@ -289,6 +291,7 @@ def test_a_number_that_is_none_of_a_link_or_subscription_is_an_error_and_two_lin
     assert wrong == {}
 
 
+@pytest.mark.slow
 def test_a_package_that_is_not_built_says_what_to_call_and_is_there_when_that_is_done(bare_octave: Octave) -> None:
     bare_octave.generate(compile_text(FIGURE_1))
     link = bare_octave.folder / "+unity_link" / "Link.m"
@@ -349,6 +352,7 @@ def test_octave_ends_well_with_open_links_and_after_all_is_cleared(octave: Octav
     assert shown == {"kept": doubles(0), "locked": "logical 1", "unlocked": "1", "again": "7"}
 
 
+@pytest.mark.slow
 def test_a_ctrl_c_ends_a_take_and_leaves_the_link_as_it_is(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
     script = """\
@@ -611,6 +615,7 @@ attempt('write', @() link.write(10, 3));
     assert gateway.bus_log.writes == [(10, 1), (10, 3)]
 
 
+@pytest.mark.slow
 def test_a_gateway_that_falls_silent_is_a_lost_link_even_if_it_publishes(octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
     with (

@@ -57,6 +57,7 @@ IN_MATLAB = (
 QUICKLY = settings(max_examples=examples(3), phases=[Phase.explicit, Phase.reuse, Phase.generate])
 
 
+@pytest.mark.slow
 @QUICKLY
 @given(text=awkward_specs(IN_PYTHON))
 def test_any_names_make_a_module_of_python_that_can_be_imported(

@@ -116,6 +116,7 @@ def mypy(directory: Path, *files: str) -> subprocess.CompletedProcess[str]:
     )
 
 
+@pytest.mark.slow
 def test_generated_modules_and_programs_with_them_pass_mypy_strict(tmp_path: Path) -> None:
     for spec in (compile_text(AWKWARD), compile_file(EXAMPLES / "scara.ul"), compile_file(EXAMPLES / "walker.ul")):
         generated(spec, tmp_path)

@@ -388,6 +388,7 @@ def tables(word_bits: int, folder: Path) -> dict[str, Any]:
     return {**signals, "refused": package["values"].ValueRefused}
 
 
+@pytest.mark.slow
 @given(data=st.data(), word_bits=st.sampled_from(WORD_BITS))
 def test_values_stand_in_words_as_unity_link_itself_has_them(
     tmp_path_factory: pytest.TempPathFactory, data: st.DataObject, word_bits: int
@@ -481,6 +482,7 @@ def test_no_two_signals_or_joints_have_one_name_in_ros(tmp_path: Path) -> None:
     assert robot.JOINTS[0].names == robot.GROUPS[0].joints[0] == group.joints.names
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("target", PACKAGES)
 def test_maintainer_and_licence_are_the_users(target: str, tmp_path: Path) -> None:
     spec = str(EXAMPLES / "scara.ul")
@@ -491,6 +493,7 @@ def test_maintainer_and_licence_are_the_users(target: str, tmp_path: Path) -> No
     assert "<license>MIT</license>" in text
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("arguments", "what"),
     [

@@ -119,6 +119,7 @@ def programs(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     return made
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("model", MODELS)
 @pytest.mark.parametrize("target", ["c", "cc"])
 def test_figure_1_moves_the_motors_through_the_network(target: str, model: str, programs: dict[str, Path]) -> None:
@@ -126,6 +127,7 @@ def test_figure_1_moves_the_motors_through_the_network(target: str, model: str, 
         assert output(programs[target], url).split() == ["1", *map(str, SET_POINTS)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("model", MODELS)
 def test_figure_1_moves_the_motors_from_octave(model: str, octave: Octave) -> None:
     octave.generate(compile_text(FIGURE_1))
@@ -197,6 +199,7 @@ def network() -> Iterator[tuple[ScaraOnTosnet, str]]:
         yield made, url
 
 
+@pytest.mark.slow
 def test_fields_and_batches_are_one_word_and_one_commit_and_a_network_that_stands_still_is_an_error(
     tmp_path: Path, network: tuple[ScaraOnTosnet, str]
 ) -> None:

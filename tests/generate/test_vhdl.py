@@ -224,6 +224,7 @@ def run(folder: Path, name: str) -> subprocess.CompletedProcess[str]:
     return done if done.returncode else ghdl(*ran, "-gwb_pipelined=false")
 
 
+@pytest.mark.slow
 @rtl
 @pytest.mark.parametrize("name", SPECS)
 def test_the_generated_bench_passes(name: str, tmp_path: Path) -> None:
@@ -233,6 +234,7 @@ def test_the_generated_bench_passes(name: str, tmp_path: Path) -> None:
     assert "warning" not in done.stdout + done.stderr
 
 
+@pytest.mark.slow
 @rtl
 @settings(max_examples=examples(5))
 @given(file=specs())
@@ -329,6 +331,7 @@ OF_EFFECTS = {
 """Faults of the bank of a spec with effects."""
 
 
+@pytest.mark.slow
 @rtl
 @pytest.mark.parametrize("name", [*FAULTS, *OF_CORES, *OF_EFFECTS])
 def test_the_bench_finds_a_fault(name: str, tmp_path: Path) -> None:
@@ -398,6 +401,7 @@ def test_a_base_without_a_name_is_nothing_to_leave_out() -> None:
     check_whole(spec.interface())
 
 
+@pytest.mark.slow
 def test_who_gets_no_whole_design_is_told_why(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "unity_link", "generate", "vhdl", str(ROOT / "examples" / "rover.ul")]
     done = subprocess.run([*command, "-o", str(tmp_path)], capture_output=True, text=True, check=True)
@@ -410,6 +414,7 @@ def test_no_port_of_a_netlist_hides_a_function_of_the_package_or_a_library() -> 
     assert ports.isdisjoint({"to_bits", "to_mode", "work", "ieee"})
 
 
+@pytest.mark.slow
 @rtl
 def test_a_fifo_that_is_published_gives_each_word_once_and_in_order(tmp_path: Path) -> None:
     spec = compile_text(
@@ -427,6 +432,7 @@ def test_a_fifo_that_is_published_gives_each_word_once_and_in_order(tmp_path: Pa
     assert [line for line in lines if line[0] == "P"] == [f"P03{number:02X}{number + 1:08X}" for number in range(33)]
 
 
+@pytest.mark.slow
 @rtl
 @pytest.mark.parametrize(
     ("spec", "case"),
@@ -451,6 +457,7 @@ def test_a_generated_board_works_by_its_pins(spec: Spec, case: str) -> None:
     )
 
 
+@pytest.mark.slow
 @rtl
 def test_the_watchdog_of_the_documentation_stops_a_motor_that_nobody_writes_to() -> None:
     folder = GATEWARE / "build" / "generated" / "motor"

@@ -40,6 +40,7 @@ def tree(folder: Path) -> dict[str, str]:
     }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("target", ["c", "vhdl"])
 def test_a_full_disk_leaves_no_generated_file(target: str, tmp_path: Path) -> None:
     said = on_a_full_disk(4000, "generate", target, SPEC, "-o", tmp_path / "new" / "folder")
@@ -92,6 +93,7 @@ def test_a_folder_in_the_way_is_told_and_nothing_is_written(tmp_path: Path) -> N
     assert tree(tmp_path) == {"c": ""}
 
 
+@pytest.mark.slow
 def test_a_full_disk_leaves_a_spec_as_it_was_and_half_of_none(tmp_path: Path) -> None:
     spec = tmp_path / "robot.ul"
     lines = "".join(f"  @s{number}={number}:READ();\n" for number in range(200))

@@ -138,6 +138,7 @@ async def a_second_with_groups(link: unity_link.Link) -> None:
             await link.read_many([0x88, 0x89, 0x20])
 
 
+@pytest.mark.slow
 def test_a_minute_without_groups_has_the_same_answers_byte_for_byte(url: str, tmp_path: Path) -> None:
     path = snoop_of(url, tmp_path / "a.snoop", a_minute_without_groups)
     recorded = snooped(path)
@@ -167,6 +168,7 @@ def waveform_of(path: Path, vcd: Path) -> Waveform:
     return Waveform(vcd)
 
 
+@pytest.mark.slow
 def test_a_waveform_shows_the_inner_signals(tmp_path: Path) -> None:
     path = snoop_of(URLS["model"], tmp_path / "a.snoop", a_second_with_groups)
     waveform, recorded = waveform_of(path, tmp_path / "a.vcd"), snooped(path)
@@ -189,6 +191,7 @@ def test_a_waveform_shows_the_inner_signals(tmp_path: Path) -> None:
     assert {0, 0b1, 0b11, 0b111} <= running
 
 
+@pytest.mark.slow
 def test_all_bytes_pass_the_pins_of_a_waveform_in_their_order(tmp_path: Path) -> None:
     path = snoop_of(URLS["model"], tmp_path / "a.snoop", a_second_with_groups)
     waveform, recorded = waveform_of(path, tmp_path / "a.vcd"), snooped(path)
@@ -199,6 +202,7 @@ def test_all_bytes_pass_the_pins_of_a_waveform_in_their_order(tmp_path: Path) ->
     assert b"".join(frame for frame in said if not frame.startswith(b"P")) == answers
 
 
+@pytest.mark.slow
 def test_a_request_is_found_in_the_waveform_by_its_time(tmp_path: Path) -> None:
     path = snoop_of(URLS["gateware"], tmp_path / "a.snoop", a_minute_without_groups)
     waveform, recorded = waveform_of(path, tmp_path / "a.vcd"), snooped(path)
@@ -403,6 +407,7 @@ def run(*arguments: object) -> subprocess.CompletedProcess[str]:
     return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=False, timeout=300)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
@@ -435,6 +440,7 @@ def test_wrong_use_is_one_sentence(
     assert len(result.stderr.splitlines()) == 1
 
 
+@pytest.mark.slow
 def test_a_waveform_that_does_not_fit_on_the_disk_is_one_sentence(tmp_path: Path) -> None:
     path = snoop_of(URLS["model"], tmp_path / "a.snoop", a_second_with_groups)
     result = run("retrace", path, "--rtl", "--vcd", "/dev/full")
@@ -496,6 +502,7 @@ def test_requests_beside_a_group_that_has_nothing_to_publish_are_found_by_their_
         assert step.time <= taken[heard.index(step.frame)].time <= step.time + 2 * CYCLE_NS
 
 
+@pytest.mark.slow
 def test_samples_at_the_slowest_rate_are_awaited(tmp_path: Path) -> None:
     async def use(link: unity_link.Link) -> None:
         async with link.subscribe([0x20], divisor=0xFFFF) as samples:

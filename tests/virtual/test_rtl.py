@@ -172,6 +172,7 @@ def test_a_running_group_publishes_at_its_rate_until_the_session_starts_anew(gat
     assert gateway.advance(6.0) == b""
 
 
+@pytest.mark.slow
 def test_samples_without_room_are_overruns(gateway: RtlGateway) -> None:
     gateway.receive(b"GS0021000A010A\rGN00\r", 0.0)
     for step in range(1, 400):
@@ -183,6 +184,7 @@ def test_samples_without_room_are_overruns(gateway: RtlGateway) -> None:
     assert any((later - earlier) % 256 > 1 for earlier, later in itertools.pairwise(numbers))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", range(20))
 def test_requests_are_answered_and_unwanted_edges_publish_nothing_whatever_comes_at_the_triggers(
     gateway: RtlGateway, seed: int
@@ -290,6 +292,7 @@ def packed(folder: Path, names: tuple[str, ...] = ("default", "minimal")) -> dic
     return chosen
 
 
+@pytest.mark.slow
 def test_every_build_is_in_the_archive_and_the_archive_holds_no_other() -> None:
     texts = archive.read_texts(archive.GENERATED)
     assert {name: build.text() for name, build in configurations().items()} == texts
@@ -300,6 +303,7 @@ def test_a_change_of_all_builds_costs_the_history_little() -> None:
     assert sum(path.stat().st_size for path in archive.GENERATED.iterdir()) < 250_000
 
 
+@pytest.mark.slow
 def test_the_same_builds_make_the_same_archive(tmp_path: Path) -> None:
     for folder in ("a", "b"):
         assert packed(tmp_path / folder) == archive.read_texts(tmp_path / folder)

@@ -154,6 +154,7 @@ class Marching(SimulatedRobot):
                 joint.cpos = self.now
 
 
+@pytest.mark.slow
 @on_simulated_time
 async def test_a_model_moves_behind_the_gateware_and_each_sample_is_of_one_instant() -> None:
     async with unity_link.connect(simulate(WALKER, Marching, rtl=True)) as link:
@@ -172,6 +173,7 @@ async def test_a_model_moves_behind_the_gateware_and_each_sample_is_of_one_insta
         assert not batch.lost.any()
 
 
+@pytest.mark.slow
 @on_simulated_time
 async def test_a_gateway_that_is_late_publishes_less_often_and_loses_nothing() -> None:
     async with unity_link.connect("rtl:walker") as link, Walker(link).groups["state"].subscribe() as samples:
@@ -196,6 +198,7 @@ async def test_each_group_of_the_gateware_has_a_trigger_of_its_own() -> None:
         assert (fired.lost, silent.received) == (0, 0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("programs", "words"),
     [
@@ -241,6 +244,7 @@ def test_a_spec_without_groups_has_a_configuration() -> None:
     assert configuration_of(interface, {}, None).info.groups == 16
 
 
+@pytest.mark.slow
 @on_simulated_time
 async def test_memory_and_queues_are_behind_the_ports_of_the_gateware(tmp_path: Path) -> None:
     spec = tmp_path / "robot.ul"
@@ -304,6 +308,7 @@ class Told(SimulatedRobot):
             self.log.put(value)
 
 
+@pytest.mark.slow
 @on_simulated_time
 async def test_a_program_and_a_model_meet_at_the_ports_of_the_register_bank() -> None:
     gateway = simulate(ROVER, Told, rtl=True)

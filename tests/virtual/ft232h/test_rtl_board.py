@@ -137,6 +137,7 @@ async def test_the_whole_link_reads_writes_and_subscribes_through_it() -> None:
     assert [round((after - before) * 1e9) for before, after in pairwise(times)] == [100_000] * 49
 
 
+@pytest.mark.slow
 @on_simulated_time
 async def test_time_passes_for_groups_although_no_byte_does() -> None:
     device = VirtualFt232h(RtlBoard(RtlGateway("ft232h"), RATE), clock=LoopClock())
