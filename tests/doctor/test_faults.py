@@ -10,6 +10,7 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 import tty
 from contextlib import contextmanager
 from pathlib import Path
@@ -21,6 +22,7 @@ from typer.testing import CliRunner
 
 from unity_link.cli import doctor
 from unity_link.doctor import garbage
+from unity_link.doctor.computer import SLEEP, Wakes, measure_wakes
 from unity_link.doctor.media import adapter_latency
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.spec import compile_text
@@ -50,7 +52,7 @@ app.command("another")(lambda: None)
 
 def examined(*arguments: str) -> dict[str, dict[str, str]]:
     """Run the command, and return what is wrong, by the names of the faults."""
-    result = CliRunner().invoke(app, ["doctor", *arguments, "--json"])
+    result = CliRunner().invoke(app, ["doctor", *arguments, "--duration", "0.05", "--json"])
     if result.exception is not None and not isinstance(result.exception, SystemExit):
         raise result.exception
     findings = [json.loads(line) for line in result.stdout.splitlines()]
@@ -238,8 +240,11 @@ def test_garbage_of_a_port_that_is_too_slow_is_not_taken_for_that_of_a_fast_one(
     assert "slower" in garbage.describe(heard)
 
 
-@pytest.mark.parametrize(("gateway", "told"), [(None, "TX"), (VirtualGateway(), "echo off")])
-def test_a_port_on_which_what_is_sent_comes_back(gateway: VirtualGateway | None, told: str) -> None:
+@pytest.mark.parametrize("node", [None, 5])
+@pytest.mark.parametrize("told", ["TX", "echo off"])
+def test_a_port_on_which_what_is_sent_comes_back(told: str, node: int | None) -> None:
+    gateway = None if told == "TX" else VirtualGateway(node=node)
+    options = "" if node is None else f"?node={node}"
     master, port = os.openpty()
     tty.setraw(port)
 
@@ -250,12 +255,37 @@ def test_a_port_on_which_what_is_sent_comes_back(gateway: VirtualGateway | None,
     thread = threading.Thread(target=echo)
     thread.start()
     try:
-        assert told in examined(f"serial:{os.ttyname(port)}", "--timeout", "0.4")["loopback"]["advice"]
+        assert told in examined(f"serial:{os.ttyname(port)}{options}", "--timeout", "0.4")["loopback"]["advice"]
     finally:
         os.write(port, b"end")
         thread.join()
         os.close(port)
         os.close(master)
+
+
+def test_a_healthy_serial_line_has_no_fault() -> None:
+    with served(serve_pty(VirtualGateway())) as url:
+        assert examined(url) == {}
+
+
+@pytest.mark.parametrize("scheme", ["ftdi", "ftdi-async"])
+@pytest.mark.parametrize("options", ["", "&baud=3000000"])
+def test_a_healthy_uart_of_an_ftdi_chip_has_no_fault(scheme: str, options: str) -> None:
+    assert examined(f"{scheme}://virtual?mode=uart{options}") == {}
+
+
+def test_a_healthy_ft245_has_no_fault() -> None:
+    assert examined("ftdi://virtual") == {}
+
+
+def test_a_node_that_answers_without_an_echo_has_no_fault() -> None:
+    with served(serve_pty(VirtualGateway(node=5))) as url:
+        assert examined(f"{url}?node=5") == {}
+
+
+def test_a_cut_sample_that_begins_with_220_is_not_taken_for_smtp() -> None:
+    with served(serve_pty(Chatter(VirtualGateway(), says=b"2200012345678\np07000012345678\n"))) as url:
+        assert examined(url, "--timeout", "0.4")["another protocol"]["text"].startswith("what answers is no gateway")
 
 
 @pytest.mark.parametrize("chances", [{"flip": 0.001}, {"loss": 0.001}])
@@ -351,13 +381,27 @@ def test_a_computer_that_is_slow_to_run_what_waits() -> None:
 
         slowing = threading.Thread(target=slow_down)
         slowing.start()
-        findings = [json.loads(line) for line in [first, process.stdout.readline(), process.stdout.readline()]]
+        findings = [json.loads(line) for line in [first, *(process.stdout.readline() for _ in range(3))]]
         over.set()
         slowing.join()
         process.send_signal(signal.SIGCONT)
         process.stdout.read()
-    assert [finding["fault"] for finding in findings] == [None, None, "slow host"]
+    assert [finding["fault"] for finding in findings] == [None, None, "slow host", None]
     assert process.returncode == 1
+    # Each stop lasts 40 ms, so a sleep of 1 ms within which it begins is at least 39 ms late.
+    assert float(findings[3]["text"].split(" ms at most, of ")[0]) >= 39
+
+
+def test_the_longest_pause_is_that_of_the_latest_wake_up() -> None:
+    async def measure() -> Wakes:
+        asyncio.get_running_loop().call_later(0.01, time.sleep, 0.1)
+        return await measure_wakes(0.2)
+
+    wakes = asyncio.run(measure())
+    assert wakes.longest >= 0.1 - SLEEP
+    assert wakes.number > 1
+    assert wakes.seconds >= 0.2
+    assert wakes.average < wakes.longest
 
 
 class Chatter(Gateway):
@@ -366,13 +410,15 @@ class Chatter(Gateway):
     Args:
         gateway: who answers.
         answers: how often; None for a gateway that never does, and sends the same samples for ever.
+        says: the bytes that it sends for each read, if it never answers.
     """
 
-    def __init__(self, gateway: Gateway, answers: int | None = None) -> None:
+    def __init__(self, gateway: Gateway, answers: int | None = None, says: bytes = b"p07000012345678\n" * 4) -> None:
         self.info = gateway.info
         self.wake = lambda: None
         self._gateway = gateway
         self._answers = answers
+        self._says = says
 
     @property
     def memory(self) -> MutableMapping[int, int]:
@@ -388,7 +434,7 @@ class Chatter(Gateway):
 
     def receive(self, data: bytes, now: float) -> bytes:
         if self._answers is None:
-            return b"p07000012345678\n" * 4
+            return self._says
         if self._answers <= 0:
             return b""
         self._answers -= 1

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 WRONG = 1
 _WIDTH = 12
 _ANSWER_WITHIN = 2.5
+_MEASURED = 1.0
 
 
 def add_to(app: typer.Typer) -> None:
@@ -38,6 +39,10 @@ def doctor(
     interface: Name = None,
     json: Json = False,
     timeout: Timeout = _ANSWER_WITHIN,
+    duration: Annotated[
+        float,
+        typer.Option("--duration", metavar="SECONDS", min=0.001, help="How long pauses of this computer are measured."),
+    ] = _MEASURED,
 ) -> None:
     """Find what is slow or wrong: this computer, the port, the line, the gateway; and say what to do.
 
@@ -51,7 +56,7 @@ def doctor(
     elif interface is not None:
         raise ArgumentError("--interface goes with a SPEC alone")
     faults: list[Finding] = []
-    run(_doctor(url, expected, timeout, faults, json=json))
+    run(_doctor(url, expected, timeout, duration, faults, json=json))
     if faults:
         raise typer.Exit(WRONG)
 
@@ -60,13 +65,14 @@ async def _doctor(
     url: str | None,
     interface: Interface | None,
     timeout: float,  # noqa: ASYNC109  (an option of the command)
+    duration: float,
     faults: list[Finding],
     *,
     json: bool,
 ) -> None:
     from unity_link.doctor import examine
 
-    async for finding in examine(url, interface, timeout=timeout):
+    async for finding in examine(url, interface, timeout=timeout, duration=duration):
         if finding.fault is not None:
             faults.append(finding)
         if json:

@@ -15,7 +15,7 @@ from unity_link.doctor.media import CHIP_SCHEMES, explain_failure
 from unity_link.errors import ConnectError
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import LF, Framing
-from unity_link.transport import open_medium
+from unity_link.transport import load_driver, open_medium
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable
@@ -28,13 +28,15 @@ PATIENCE_FOR_A_SPEED = 0.15
 SPEEDS = (115_200, 1_000_000, 921_600, 3_000_000, 12_000_000, 2_000_000, 460_800, 230_400, 57_600, 9_600)
 """Bits a second that are tried, the usual ones first."""
 _ANSWER = re.compile(rb"Q[0-9A-F]{64}")
+_LINE_ENDS = re.compile(rb"[\r\n]+")
 _HTTP_REQUEST = b"GET / HTTP/1.0\r\n\r\n"
 _PROTOCOLS = (
     (b"HTTP/", "HTTP"),
     (b"<!DOCTYPE", "HTTP"),
     (b"<html", "HTTP"),
     (b"SSH-", "SSH"),
-    (b"220", "FTP or SMTP"),
+    (b"220 ", "FTP or SMTP"),
+    (b"220-", "FTP or SMTP"),
     (b"\x15\x03", "TLS"),
     (b"-ERR", "Redis"),
     (b"+OK", "POP3"),
@@ -84,7 +86,7 @@ async def listen(
         ConnectError: where it cannot be opened.
     """
     listener = _Listener(enough)
-    transport = await open_medium(url, listener)
+    transport = await open_medium(_unshared(url), listener)
     try:
         transport.write(sent)
         with contextlib.suppress(TimeoutError):
@@ -96,6 +98,14 @@ async def listen(
         # A port is free for the next attempt in a later turn of the loop.
         await asyncio.sleep(0.01)
     return heard
+
+
+def _unshared(url: DriverUrl) -> DriverUrl:
+    """Return the URL of a port that is not shared with links to other nodes: on a shared port only a link may send."""
+    if not getattr(load_driver(url.scheme), "NODES_SHARE", False):
+        return url
+    options = {name: value for name, value in url.options.items() if name != "node"}
+    return msgspec.structs.replace(url, options=options)
 
 
 async def explain_silence(url: DriverUrl, error: ConnectError) -> AsyncIterator[Finding]:
@@ -137,7 +147,8 @@ def has_speed(url: DriverUrl) -> bool:
 def _recognise(heard: Heard) -> Finding | None:
     """Return what is known for sure by what came."""
     data = heard.data
-    if heard.sent.strip() in data:
+    # An echo is a frame of its own: the answer to `Q` begins with the same letter.
+    if heard.sent.strip() in _LINE_ENDS.split(data):
         if _ANSWER.search(data):
             text = "what is sent comes back before the answer: the adapter, or the transceiver, echoes"
             advice = (

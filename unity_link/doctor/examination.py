@@ -31,6 +31,7 @@ async def examine(
     interface: Interface | None = None,
     *,
     timeout: float = TIMEOUT,  # noqa: ASYNC109  (as `unity_link.connect`)
+    duration: float = computer.DURATION,
 ) -> AsyncIterator[Finding]:
     """Look for what is slow or wrong; where something is that hides the rest, the rest is not looked at.
 
@@ -38,13 +39,15 @@ async def examine(
         url: where the gateway is to be; None to look at this computer alone.
         interface: what a program takes the gateway for.
         timeout: seconds until the gateway must have answered.
+        duration: seconds for which pauses of this computer are measured.
 
     Raises:
         ArgumentError: for a URL that cannot be.
     """
     yield computer.describe_python()
     yield computer.describe_extras()
-    yield await computer.check_speed()
+    for finding in await computer.check_speed(duration):
+        yield finding
     if url is None:
         for finding in computer.list_ports():
             yield finding
