@@ -113,6 +113,100 @@ def test_a_slider_is_moved_by_the_keyboard_and_writes_within_the_limits(page: Pa
             assert link.read(POSITION_SET_POINT) == round(130 * COUNTS_PER_DEGREE)
 
 
+UNKNOWN = """
+enum mode { idle = 0, run = 1, stop = 5 }
+public m() {
+  drive: LEASE(TIMEOUT=1) @(0x00, enable=none, estop=none);
+  @volts = 0x20: signed 12 WRITE(SCALE=12 / 2047, UNIT="V", MIN=-12, MAX=12);
+  @amps = 0x21: signed 12 WRITE(UNIT="A", MIN=5, MAX=12, SAFE(5, drive));
+  @brake = 0x22[0]: bool WRITE();
+  @mode = 0x23[2:0]: mode WRITE();
+  @fire = 0x24[0]: bool WRITE(EFFECT=PULSE);
+}
+"""
+
+
+@needs_chromium
+@pytest.mark.slow
+def test_controls_of_unknown_values_show_none_and_no_single_key_writes_one(page: Page, tmp_path: Path) -> None:
+    spec = tmp_path / "m.ul"
+    spec.write_text(UNKNOWN)
+    # A gateway that has words at all addresses, so that the test reads what was written.
+    with gateway(tmp_path / "gateway", "serve", "sim:") as url, shown(page, url, str(spec), "--allow-writes"):
+        volts, mode, brake = (page.locator(f"#write-{name}") for name in ("volts", "mode", "brake"))
+        expect(volts).to_be_enabled()
+        for name, place in (("volts", "0"), ("amps", "5")):
+            slider = page.get_by_label(f"{name}, slider")
+            expect(slider).to_be_disabled()
+            expect(slider).to_have_value(place)
+        assert page.locator("main .control input[type=checkbox]").count() == 0
+        for control in (volts, page.locator("#write-amps"), mode, brake, page.locator("#write-fire")):
+            expect(control).to_have_value("")
+            for key in ("ArrowUp", "ArrowDown", "PageUp", "Home", "End"):
+                control.press(key)
+            expect(control).to_have_value("")
+
+        volts.fill("-3")
+        volts.press("Enter")
+        mode.select_option("stop")
+        brake.select_option("off")
+        page.locator("#write-fire").select_option("on")
+        slider = page.get_by_label("volts, slider")
+        expect(slider).to_be_enabled()
+        assert float(slider.input_value()) == pytest.approx(-3, abs=0.01)
+        with blocking.connect(url) as link:
+            # Each key that wrote something would have come before the values that were chosen.
+            wait_until(lambda: (link.read(0x20) % 2**12, link.read(0x23)) == (2**12 - 512, 5))
+            assert [link.read(address) for address in (0x21, 0x22)] == [0, 0]
+            page.locator("#write-amps").fill("7")
+            page.locator("#write-amps").press("Enter")
+            wait_until(lambda: link.read(0x21) == 7)
+
+        # The same values are known to a page that is opened later; a pulse and a guarded value have none.
+        page.reload()
+        expect(volts).to_have_value(re.compile(r"^-3\.00"))
+        expect(mode).to_have_value("5")
+        expect(brake).to_have_value("0")
+        for name in ("amps", "fire"):
+            expect(page.locator(f"#write-{name}")).to_have_value("")
+
+
+@needs_chromium
+@pytest.mark.slow
+def test_a_control_of_a_sampled_signal_is_disabled_until_its_value_is_known(page: Page) -> None:
+    with shown(page, "sim:scara", SPEC):
+        states = page.evaluate(
+            """async () => {
+              const { Control } = await import("/controls.js");
+              const about = { path: "a", name: "a", unit: "V", doc: "", step: 1, low: -45, high: 45, stream: 0 };
+              const state = (control) => {
+                const { input, slider } = control;
+                const value = input.type === "checkbox" ? !input.indeterminate && input.checked : input.value;
+                return [input.disabled, value, input.indeterminate, slider?.disabled, slider?.value];
+              };
+              const names = [[0, "idle"], [3, "run"]];
+              return ["signed", "float", "bool", "enum"].map((kind) => {
+                const step = kind === "float" ? null : 1;
+                const control = new Control({ ...about, kind, names, step, limited: true }, () => null);
+                control.enable(true);
+                const states = [null, 3, NaN, null].map((value) => {
+                  control.see(value);
+                  return state(control);
+                });
+                control.enable(false);
+                return [...states, state(control)];
+              });
+            }"""
+        )
+    unknown, known, away = [True, "", False, True, "0"], [False, "3", False, False, "3"], [False, "", False, True, "0"]
+    number = [unknown, known, away, unknown, unknown]
+    switch = [True, False, True, None, None]
+    choice = [True, "", None, None, None]
+    assert states[0] == states[1] == number
+    assert states[2] == [switch, [False, True, False, None, None], [False, False, True, None, None], switch, switch]
+    assert states[3] == [choice, [False, "3", None, None, None], [False, "", None, None, None], choice, choice]
+
+
 @needs_chromium
 def test_without_leave_to_write_the_page_has_nothing_to_write_with(page: Page) -> None:
     with shown(page, "sim:scara", SPEC) as running:

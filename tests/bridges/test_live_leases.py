@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from contextlib import ExitStack
 from typing import TYPE_CHECKING
 
 import pytest
@@ -105,3 +106,54 @@ def test_a_page_of_a_gateway_that_is_away_says_that_nothing_was_stopped(spec: Pa
         assert "the link is away" in hear(page, "refused")["reason"]
     end(shown)
     running.__exit__(None, None, None)
+
+
+@needs_chromium
+@pytest.mark.slow
+def test_a_page_shows_a_lease_and_signals_on_change_before_any_change(page: Page, tmp_path: Path) -> None:
+    spec = tmp_path / "rover.ul"
+    spec.write_text("""
+        group safety(RATE=100, ON_CHANGE, TIMESTAMPS);
+        public rover() {
+          drive: LEASE(TIMEOUT=20, GROUP=safety) @(0xE0, enable=none, estop=none);
+          @gain = 0x10: unsigned 8 READWRITE(PUBLISH(safety));
+        }
+    """)
+    with ExitStack() as stack:
+        with gateway(tmp_path / "gateway", "simulate", str(spec)) as url:
+            running = stack.enter_context(live(url, str(spec), "--allow-writes", "--poll", "0", begins="0 samples"))
+            page.goto(running.url)
+            state, gain = page.locator("[data-lease=drive] output"), page.locator("#write-gain")
+            expect(state).to_have_text("disarmed")
+            expect(page.locator("[data-signal=gain] output")).to_have_text("0")
+            expect(gain).to_be_enabled()
+            expect(gain).to_have_value("0")
+            gain.fill("7")
+            gain.press("Enter")
+            expect(page.locator("[data-signal=gain] output")).to_have_text("7")
+        # The words of the next gateway are 0, and nothing there changes.
+        with gateway(tmp_path / "gateway", "simulate", str(spec)):
+            expect(page.locator("[data-signal=gain] output")).to_have_text("0")
+        page.goto("about:blank")
+        end(running)
+
+
+@needs_chromium
+@pytest.mark.slow
+def test_a_page_of_a_lease_that_nothing_samples_shows_no_state(page: Page, tmp_path: Path) -> None:
+    spec = tmp_path / "rover.ul"
+    spec.write_text("""
+        group quick(RATE=10);
+        public rover() {
+          drive: LEASE(TIMEOUT=20) @(0xE0, enable=none, estop=none);
+          @gain = 0x10: unsigned 8 READ(PUBLISH(quick));
+        }
+    """)
+    with live(f"sim:{spec}", str(spec), "--poll", "0", begins="0 samples") as running:
+        page.goto(running.url)
+        expect(page.locator("#state")).to_have_text("connected")
+        expect(page.locator("[data-lease=drive] output")).to_have_text("\u2013")
+        expect(page.locator("[data-signal=gain] output")).to_have_text("0")
+        page.get_by_role("button", name="Stop drive").click()
+        page.goto("about:blank")
+        end(running)

@@ -214,6 +214,26 @@ def test_a_value_whose_page_goes_meanwhile_is_written_once(robot_type: Any) -> N
     assert bus.writes == [(0x10, 5)]
 
 
+def test_written_values_are_known_until_the_link_is_opened_again(robot_type: Any) -> None:
+    gateway = Valve(VirtualGateway())
+
+    async def write() -> None:
+        async with unity_link.connect(gateway, reconnect=True) as link:
+            robot = robot_type(link)
+            writing = Writing(robot, TOKEN, {robot.flag})
+            wishes: dict[str, Any] = {"word": 5, "mode": "run", "flag": True, "scaled": 0.3}
+            for path, value in wishes.items():
+                await writing.write(Write(1, path, value))
+            assert writing.values == {"word": 5, "mode": 1, "scaled": 0.5}
+            cut(link)
+            await link.read(0)
+            assert writing.values == {}
+            await writing.write(Write(2, "word", 6))
+            assert writing.values == {"word": 6}
+
+    run_simulated(write())
+
+
 @given(value=SCALARS, path=st.sampled_from(WRITES_NAMES))
 def test_whatever_value_is_asked_for_it_is_written_or_refused_in_a_sentence(
     robot_type: Any, value: Any, path: str

@@ -5,11 +5,13 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import socket
+import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import msgspec
+import numpy as np
 from starlette.applications import Starlette
 from starlette.middleware import Middleware
 from starlette.routing import Mount, WebSocketRoute
@@ -19,24 +21,24 @@ from starlette.websockets import WebSocketClose, WebSocketDisconnect
 from unity_link.bridges.gateway_time import GatewayTime
 from unity_link.bridges.live.description import WIDEST_EXACT, describe
 from unity_link.bridges.live.doorkeeper import Doorkeeper
-from unity_link.bridges.live.outbox import Tabulator
+from unity_link.bridges.live.outbox import Chunk, Tabulator
 from unity_link.bridges.live.round_trips import Histogram, RoundTrips
 from unity_link.bridges.live.server import make_server
 from unity_link.bridges.live.viewer import Viewer
 from unity_link.bridges.live.writing import Stopping, Writing
 from unity_link.bridges.thread_queue import Carrier
+from unity_link.errors import GatewayError
 from unity_link.link.link import Statistics  # noqa: TC001  (msgspec reads the annotations)
 from unity_link.transport.listening import LOOPBACK, port_error
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Coroutine, Iterator, Sequence
 
     from starlette.websockets import WebSocket
 
     from unity_link.bridges.live.foxglove import FoxgloveServer
-    from unity_link.bridges.live.outbox import Chunk
     from unity_link.bridges.sampled import SampledGroup
-    from unity_link.data import Batch, Robot
+    from unity_link.data import Batch, Group, Robot
 
 BUFFER = 1 << 16
 """Samples of each group that wait while they are encoded; after that the oldest are lost, and counted."""
@@ -45,6 +47,8 @@ MOST_SLEW = 0.5
 """Seconds a second: a curve that began late may not stay so."""
 STATUS_EVERY = 0.2
 """Seconds."""
+READ_EVERY = 1.0
+"""Seconds between reads of a group that the gateway publishes on change: values that never change are shown, too."""
 _ASSETS = Path(__file__).parent / "assets"
 _TRY_AGAIN_LATER = 1013
 
@@ -74,6 +78,8 @@ class PageStatus(msgspec.Struct, tag_field="type", tag="status"):
     round_trips: Histogram
     exact: dict[str, str]
     """Values of whole numbers that are wider than a double, by the paths of their signals."""
+    written: dict[str, Any]
+    """Values that pages wrote to signals that nothing samples, by path; signals without a known value are left out."""
 
 
 class LivePage:
@@ -100,17 +106,19 @@ class LivePage:
     ) -> None:
         self._link = robot.link
         self._groups = [group.group for group in groups]
-        self._writing = None if token is None else Writing(robot, token)
+        sampled = {proxy for group in self._groups for proxy in group.proxies}
+        self._writing = None if token is None else Writing(robot, token, sampled)
         self._stopping = Stopping(robot)
         self._foxglove = foxglove
         self._carrier = Carrier(self._groups, self._tabulate, report, buffer=BUFFER)
         self._time = GatewayTime(robot.link, most_slew=MOST_SLEW)
         self._round_trips = RoundTrips([proxy for group in self._groups for proxy in group.proxies])
         self._viewers: set[Viewer] = set()
+        self._chunks = [0] * len(self._groups)
+        """Chunks delivered of each group."""
         self._wide = [
             proxy
-            for group in self._groups
-            for proxy in group.proxies
+            for proxy in robot.signals
             if proxy.signal.kind.width > WIDEST_EXACT and not proxy.signal.kind.is_float
         ]
         # A subscription that is not entered asks nothing of the gateway.
@@ -154,7 +162,9 @@ class LivePage:
         """
         encoder = ThreadPoolExecutor(1, "live")
         try:
-            await self._carrier.run(encoder, self._serve(listener), self._tell(), self._round_trips.run())
+            await self._carrier.run(
+                encoder, self._serve(listener), self._tell(), self._round_trips.run(), *self._readings()
+            )
         finally:
             encoder.shutdown(wait=False)
 
@@ -168,8 +178,40 @@ class LivePage:
         self._loop.call_soon_threadsafe(self._deliver, chunk)
 
     def _deliver(self, chunk: Chunk) -> None:
+        self._chunks[chunk.stream] += 1
         for viewer in self._viewers:
             viewer.outbox.put(chunk)
+
+    def _readings(self) -> Iterator[Coroutine[Any, Any, None]]:
+        """Return what reads each group that is published on change; a read would take the words of a queue."""
+        for stream, group in enumerate(self._groups):
+            on_change = group.model is not None and group.model.on_change
+            if on_change and not any(proxy.signal.read_takes for proxy in group.proxies):
+                yield self._read_again(stream, group)
+
+    async def _read_again(self, stream: int, group: Group) -> None:
+        """Deliver the values of a group every `READ_EVERY` seconds, as a sample.
+
+        Raises:
+            LinkLostError: if the link ends.
+        """
+        await self._carrier.begun.wait()
+        was_away, session = False, self._link.statistics.reconnections
+        while True:
+            delivered = self._chunks[stream]
+            try:
+                values = await group.get()
+            except GatewayError:
+                # A server refuses reads while its gateway is away; the page shows the reason.
+                was_away = True
+            else:
+                was_away |= session != self._link.statistics.reconnections
+                # A sample that came meanwhile may be newer than the values that were read.
+                if delivered == self._chunks[stream]:
+                    column = [time.time(), was_away, *(values[proxy] for proxy in group.proxies)]
+                    self._deliver(Chunk(stream, np.array(column, "<f8")[:, np.newaxis]))
+                was_away, session = False, self._link.statistics.reconnections
+            await asyncio.sleep(READ_EVERY)
 
     async def _tell(self) -> None:
         while True:
@@ -183,6 +225,7 @@ class LivePage:
                     self._link.statistics,
                     self._round_trips.histogram(),
                     {proxy.path: str(proxy.value) for proxy in self._wide if proxy.value is not None},
+                    {} if self._writing is None else self._writing.values,
                 )
             )
             for viewer in self._viewers:

@@ -19,9 +19,9 @@ from unity_link.cores.lease import LeasedRobot, leases_of
 from unity_link.errors import UnityLinkError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Coroutine
+    from collections.abc import Callable, Collection, Coroutine
 
-    from unity_link.data import Robot, Writable
+    from unity_link.data import Proxy, Robot, Writable
     from unity_link.link.link import Link
 
 LOOK_EVERY = 0.1
@@ -76,11 +76,16 @@ class Writing:
     Args:
         robot: whose signals.
         token: what a page must know.
+        sampled: signals whose values the page shows anyway.
     """
 
-    def __init__(self, robot: Robot, token: str) -> None:
+    def __init__(self, robot: Robot, token: str, sampled: Collection[Proxy[Any]] = ()) -> None:
         self.written = 0
         """Values that were written."""
+        self._link = robot.link
+        self._sampled = sampled
+        self._known: dict[str, tuple[Writable[Any], int]] = {}
+        """Signals that were written, and how often the link had been opened again by then, by path."""
         self._token = token.encode(errors="surrogatepass")
         self._errands = _Errands(robot.link)
         self._signals: dict[str, Writable[Any]] = {
@@ -88,6 +93,16 @@ class Writing:
             for proxy in robot.signals
             if is_written(proxy)
         }
+
+    @property
+    def values(self) -> dict[str, Any]:
+        """The last values that were written to signals that nothing samples, by path.
+
+        A signal is left out if its value may be another one by now: after a reconnection, because the gateway may have
+        been reset; if a lease guards it; and if a write has an effect.
+        """
+        now = self._link.statistics.reconnections
+        return {path: proxy.value for path, (proxy, then) in self._known.items() if then == now}
 
     def knows(self, token: str) -> bool:
         """Return whether a token is the right one, in a time that does not tell how much of it was."""
@@ -102,6 +117,8 @@ class Writing:
         async def write() -> None:
             await proxy.set(wish.value)
             self.written += 1
+            if proxy not in self._sampled and proxy.signal.safe is None and proxy.signal.effect is None:
+                self._known[proxy.path] = proxy, self._link.statistics.reconnections
 
         return await self._errands.run(wish.number, write)
 

@@ -85,7 +85,7 @@ export class Card {
   }
 
   // Tell the values, if they can be seen: text that changes has the whole page laid out anew.
-  say(streams, exact) {
+  say(streams, exact, written) {
     if (!this.visible) return;
     for (const signal of this.signals) {
       if (signal.stream === null) continue;
@@ -93,8 +93,8 @@ export class Card {
       say(this.values.get(signal.path), exact[signal.path] ?? text(signal, value));
     }
     for (const control of this.controls) {
-      const { stream, column } = control.signal;
-      if (stream !== null) control.see(streams[stream].latest[column], exact[control.signal.path]);
+      const { stream, column, path } = control.signal;
+      control.see(stream === null ? written[path] ?? null : streams[stream].shown[column], exact[path]);
     }
   }
 }

@@ -1,10 +1,13 @@
 // Ways to write a signal: a slider and a number within its limits, a choice of names, a switch.
 //
-// While a value is under way, only the newest one waits: a slider that is dragged does not leave a queue behind. What
-// the robot says is shown again as soon as nobody is holding the control.
+// While a value is under way, only the newest one waits: a slider that is dragged does not leave a queue behind. The
+// robot's value is shown again as soon as nobody is holding the control.
+//
+// A control of a signal whose value is unknown shows none, and is disabled. If nothing samples the signal, its value is
+// unknown until it is written: then a number can be typed and a state chosen, which no single key press does by mistake.
 
 import { make, say } from "./dom.js";
-import { decimals, limit } from "./values.js";
+import { limit, stateNumbers, text } from "./values.js";
 
 const WIDEST_SLIDER = 4096; // steps of a signal without limits of its own that still make a slider
 const HOLD = 700; // milliseconds that a written value is left alone
@@ -16,33 +19,42 @@ export class Control {
     this.underWay = false;
     this.waiting = null;
     this.touched = -Infinity;
+    this.allowed = false;
+    this.known = false;
     this.answer = make("p", { class: "answer", role: "status" });
-    this.inputs = [];
     this.element = this.build();
+    this.show(null);
+    this.update();
   }
 
   build() {
     const { signal } = this;
     const id = `write-${signal.path}`;
     const label = make("label", { for: id, title: signal.doc }, signal.name);
-    if (signal.kind === "bool") {
+    if (signal.kind === "bool" && signal.stream !== null) {
       const input = make("input", { id, type: "checkbox", class: "switch", onchange: () => this.want(input.checked) });
-      this.reflect = (value) => (input.checked = Boolean(value));
+      this.reflect = (value) => ([input.checked, input.indeterminate] = [Boolean(value), false]);
+      this.clear = () => (input.indeterminate = true);
       return this.compose(label, null, input);
     }
-    if (signal.kind === "enum") {
-      const options = signal.names.map(([number, name]) => make("option", { value: number }, name));
-      const input = make("select", { id, onchange: () => this.want(Number(input.value)) }, ...options);
-      this.reflect = (value) => (input.value = String(value));
-      return this.compose(label, null, input);
-    }
-    return this.buildNumber(id, label);
+    const states = stateNumbers(signal);
+    return states === null ? this.buildNumber(id, label) : this.buildChoice(id, label, states);
+  }
+
+  buildChoice(id, label, states) {
+    const { signal } = this;
+    const options = states.map((state) => make("option", { value: state }, text(signal, state)));
+    const none = make("option", { value: "", hidden: true }, "–");
+    const input = make("select", { id, onchange: () => this.want(signal.kind === "bool" ? input.value === "1" : Number(input.value)) }, none, ...options);
+    this.reflect = (value) => (input.value = String(Number(value)));
+    this.clear = () => (input.value = "");
+    return this.compose(label, null, input);
   }
 
   buildNumber(id, label) {
     const { signal } = this;
     const number = make("input", {
-      id, type: "number", step: "any", min: signal.low, max: signal.high, inputmode: "decimal", autocomplete: "off",
+      id, type: "number", step: "any", min: signal.low, max: signal.high, inputmode: "decimal", autocomplete: "off", placeholder: "–",
     });
     const { low, high, step } = signal;
     const narrow = low !== null && high !== null && (signal.limited || (high - low) / (step ?? 1) <= WIDEST_SLIDER);
@@ -63,14 +75,18 @@ export class Control {
     this.reflect = (value, exact) => {
       const written = exact ?? write(value);
       if (number.value !== written) number.value = written;
-      if (slider) slider.value = value;
     };
+    this.clear = () => (number.value = "");
     const ends = slider && make("div", { class: "ends", "aria-hidden": "true" }, make("span", {}, limit(signal, low)), make("span", {}, limit(signal, high)));
     return this.compose(label, slider, number, ends);
   }
 
   compose(label, slider, input, ends = null) {
-    this.inputs = [slider, input].filter(Boolean);
+    [this.slider, this.input] = [slider, input];
+    // A browser steps from 0, from a limit, or to the first state.
+    input.addEventListener("keydown", (event) => {
+      if (input.value === "" && /^(Arrow|Home|End|Page)/.test(event.key)) event.preventDefault();
+    });
     const unit = this.signal.unit ? make("span", { class: "unit" }, this.signal.unit) : null;
     return make("div", { class: "control" }, label, slider, make("span", { class: "enter" }, input, unit), ends, this.answer);
   }
@@ -98,13 +114,34 @@ export class Control {
     say(this.answer, reason ?? "");
   }
 
-  // Show what the robot says; of a wide whole number also exactly, as text.
+  // Show the robot's value, of a wide whole number also exactly, as text; null for a value that is unknown.
   see(value, exact) {
-    const held = this.underWay || performance.now() - this.touched < HOLD || this.inputs.includes(document.activeElement) && document.activeElement.type === "number";
-    if (!held && value !== null && value !== undefined && !Number.isNaN(value)) this.reflect(value, exact);
+    this.known = value !== null;
+    if (!this.underWay && performance.now() - this.touched >= HOLD) this.show(this.known && !Number.isNaN(value) ? value : null, exact);
+    this.update();
+  }
+
+  show(value, exact) {
+    const { slider, input, signal } = this;
+    const place = Number.isFinite(value);
+    if (slider) {
+      // Without a value the thumb is hidden, and the keys begin nearest to 0.
+      slider.value = place ? value : Math.min(Math.max(signal.low, 0), signal.high);
+      slider.toggleAttribute("data-unknown", !place);
+    }
+    const typing = input === document.activeElement && input.type === "number" && !input.disabled;
+    if (typing) return;
+    if (value === null) this.clear();
+    else this.reflect(value, exact);
   }
 
   enable(allowed) {
-    this.inputs.forEach((input) => (input.disabled = !allowed));
+    this.allowed = allowed;
+    this.update();
+  }
+
+  update() {
+    this.input.disabled = !this.allowed || !(this.known || this.signal.stream === null);
+    if (this.slider) this.slider.disabled = !this.allowed || this.slider.hasAttribute("data-unknown");
   }
 }

@@ -16,7 +16,8 @@ export class Lease {
 
   // Tell the state; of one that has ended, why it did.
   say(streams) {
-    const value = (signal) => (signal.stream === null ? null : streams[signal.stream].shown[signal.column]);
+    // A lease of which no group is sampled has no signals that can be shown.
+    const value = (signal) => (signal ? streams[signal.stream].shown[signal.column] : null);
     const state = text(this.state, value(this.state));
     this.element.dataset.state = state;
     say(this.output, state === "fault" ? `${state}: ${text(this.reason, value(this.reason))}` : state);

@@ -190,7 +190,7 @@ function draw(now) {
 }
 
 function tellTexts() {
-  if (!paused) cards.forEach((card) => card.say(streams, status?.exact ?? {}));
+  if (!paused) cards.forEach((card) => card.say(streams, status?.exact ?? {}, status?.written ?? {}));
   leases.forEach((lease) => lease.say(streams));
   if (status) {
     say(at("rate"), count(Math.round(samplesPerSecond)));

@@ -5,9 +5,9 @@ export class Stream {
     this.name = name;
     this.periodic = rate; // samples a second as the robot says; null where they are not periodic
     this.rate = rate ?? 0; // as they come
-    this.latest = Array(columns).fill(null); // null for what no curve can show
+    this.latest = Array(columns).fill(null); // of the newest sample, for curves; null for a value that no curve can show
     this.newest = -Infinity;
-    this.shown = Array(columns).fill(null);
+    this.shown = Array(columns).fill(null); // of the newest sample, as it came; null for a value that is unknown
     this.cards = []; // whose plots move with it
     this.columns = columns;
     this.counted = 0;
@@ -26,7 +26,9 @@ export class Stream {
 
   // Hold no value any longer that is from before an instant.
   forget(until = Infinity) {
-    if (this.newest < until) this.latest.fill(null);
+    if (this.newest >= until) return;
+    this.latest.fill(null);
+    this.shown.fill(null);
   }
 
   // Note how many came within some seconds.
