@@ -9,6 +9,7 @@ import sys
 import threading
 from contextlib import contextmanager
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 import pytest
@@ -17,7 +18,7 @@ import unity_link
 from unity_link.protocol.finding import NOWHERE, Found, answer, asked
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Iterator, Mapping, Sequence
 
 PROGRAM = str(Path(sys.executable).parent / "unity-link")
 LAMP = Found(bytes.fromhex("02554c000001"), NOWHERE, 0x1234ABCD, has_fingerprint=True, session_open=False, name="lamp")
@@ -38,12 +39,21 @@ def find(*arguments: str) -> subprocess.CompletedProcess[str]:
 
 
 @contextmanager
-def boards(founds: Sequence[Found], *, heeds: bool = True, address: str = "127.0.0.1") -> Iterator[int]:
+def boards(
+    founds: Sequence[Found],
+    *,
+    heeds: bool = True,
+    becomes: Mapping[Found, Found] = MappingProxyType({}),
+    also: Found | None = None,
+    address: str = "127.0.0.1",
+) -> Iterator[int]:
     """Answer for boards behind one socket, as hubs show boards of one address; gives its port.
 
     Args:
         founds: what they tell.
         heeds: true if they take addresses.
+        becomes: boards as they are after the first question for one board.
+        also: board that answers a question for another board as well, and no question to all.
         address: of the socket.
     """
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as opened:
@@ -56,6 +66,10 @@ def boards(founds: Sequence[Found], *, heeds: bool = True, address: str = "127.0
                 data, source = opened.recvfrom(2000)
                 if over.is_set():
                     return
+                if not data[2] & 1:
+                    known[:] = [becomes.get(found, found) for found in known]
+                    if also is not None:
+                        opened.sendto(answer(also), source)
                 for place, found in enumerate(known):
                     if asked(data, found.mac):
                         if heeds and data[2:8] == found.mac:
@@ -137,11 +151,66 @@ def test_a_board_is_given_an_address_and_shown_with_it() -> None:
     assert missing.stderr == f"error: no board with the MAC address 02:55:4c:00:00:09 has answered at port {port}\n"
 
 
-def test_a_name_does_nothing_to_the_terminal() -> None:
-    with boards([LAMP._replace(name="\x1b[2Jx\x07")]) as port:
+def test_a_name_does_nothing_to_the_terminal_and_makes_no_line() -> None:
+    names = ["\x1b[2Jx\x07", "a\nudp://10.0.0", "b\r\nmap", "c\rmap", "d\tmap"]
+    founds = [
+        LAMP._replace(name=name, mac=bytes.fromhex(f"02554c0000{number:02x}")) for number, name in enumerate(names, 1)
+    ]
+    with boards(founds) as port:
         result = find("--port", str(port), "--wait", "0.4")
     assert "\x1b" not in result.stdout
     assert "\x07" not in result.stdout
+    rows = result.stdout.splitlines()
+    assert [row.split("  ")[2] for row in rows] == ["\ufffd[2Jx\ufffd", "a udp://10.0.0", "b map", "c map", "d map"]
+    # A note of many boards with one address names some.
+    (note,) = result.stderr.splitlines()
+    assert note.count(" and ") == 4
+    assert "02:55:4c:00:00:04 (c map) and 1 more: give each another one" in note
+
+
+@contextmanager
+def echo(address: str, port: int = 0) -> Iterator[int]:
+    """Send each datagram back, as the service `echo` does; gives the port."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as opened:
+        opened.bind((address, port))
+
+        def serve() -> None:
+            while (received := opened.recvfrom(2000))[0]:
+                opened.sendto(*received)
+
+        thread = threading.Thread(target=serve)
+        thread.start()
+        try:
+            yield opened.getsockname()[1]
+        finally:
+            with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as last:
+                last.sendto(b"", opened.getsockname())
+            thread.join()
+
+
+def test_an_echo_of_the_question_is_no_board() -> None:
+    with echo("127.0.0.1") as port:
+        listed = find("--port", str(port), "--wait", "0.2")
+        assigned = find("--port", str(port), "--wait", "0.2", "--assign", "02:55:4c:00:00:01=10.1.2.3")
+    assert listed.stderr.startswith(f"error: no board has answered at port {port}: ")
+    assert assigned.stderr == f"error: no board with the MAC address 02:55:4c:00:00:01 has answered at port {port}\n"
+
+
+@pytest.mark.parametrize("heeds", [True, False])
+def test_an_address_that_another_board_has_taken_since_is_not_assigned(heeds: bool) -> None:
+    later = CART._replace(ip=socket.inet_aton("10.1.2.3"))
+    with boards([LAMP, CART], heeds=heeds, becomes={CART: later}) as port:
+        result = find("--port", str(port), "--wait", "0.4", "--assign", "02:55:4c:00:00:01=10.1.2.3")
+    words = "error: 10.1.2.3 is the address of 02:55:4c:00:00:02 (cart) already: give another one\n"
+    assert (result.returncode, result.stdout, result.stderr) == (1, "", words)
+
+
+def test_an_answer_of_another_board_does_not_show_that_an_address_was_taken() -> None:
+    """A board answers each question, also the one for another board, whose address it has: nobody took it."""
+    intruder = CART._replace(ip=socket.inet_aton("10.1.2.3"))
+    with boards([LAMP], heeds=False, also=intruder) as port:
+        result = find("--port", str(port), "--wait", "0.4", "--assign", "02:55:4c:00:00:01=10.1.2.3")
+    assert result.stderr == "error: 02:55:4c:00:00:01 (lamp) has answered, but its address is still 127.0.0.1\n"
 
 
 def test_foreign_datagrams_are_no_boards() -> None:

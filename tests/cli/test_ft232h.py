@@ -67,6 +67,17 @@ def test_what_an_eeprom_says_is_shown() -> None:
     assert (data["channel_type"], data["is_valid"], data["serial"]) == ("UART", True, "S17")
 
 
+def test_strings_of_an_eeprom_make_no_lines() -> None:
+    with plugged_in(build_eeprom("UART", "S1\r\npins", manufacturer="A\nEEPROM", product="B\x1b[2J\rpins")):
+        text = run("info", URL)[1]
+        listed = run("info")[1]
+    assert [line.split()[0] for line in text.splitlines()].count("pins") == 1
+    assert "A EEPROM" in text
+    assert "S1 pins" in text
+    assert len(listed.splitlines()) == 1
+    assert "\x1b" not in text + listed
+
+
 def test_a_blank_eeprom_is_shown_as_such() -> None:
     with plugged_in(BLANK):
         assert "blank" in run("info", URL)[1]

@@ -7,9 +7,10 @@ from unity_link.protocol.finding import EVERYBODY, Found, answer, ask, asked, re
 
 MAC = bytes.fromhex("02554c000001")
 MACS = st.binary(min_size=6, max_size=6)
+OF_GATEWAYS = MACS.map(lambda mac: bytes([mac[0] & 0xFE]) + mac[1:])
 NAMES = st.text(st.characters(min_codepoint=0x20, max_codepoint=0x7E), max_size=15)
 WORDS = st.integers(0, 0xFFFFFFFF)
-FOUND = st.builds(Found, MACS, st.binary(min_size=4, max_size=4), WORDS, st.booleans(), st.booleans(), NAMES)
+FOUND = st.builds(Found, OF_GATEWAYS, st.binary(min_size=4, max_size=4), WORDS, st.booleans(), st.booleans(), NAMES)
 
 
 def test_question_and_answer_have_the_bytes_of_the_document() -> None:
@@ -25,7 +26,7 @@ def test_an_answer_is_read_as_it_was_told_and_no_longer_than_the_question(found:
     assert len(answer(found)) == len(ask(found.mac, found.ip))
 
 
-@given(st.text(min_size=16), FOUND)
+@given(st.text(st.characters(exclude_categories=["Cc", "Cs"]), min_size=16), FOUND)
 def test_a_name_that_is_too_long_loses_its_end(name: str, found: Found) -> None:
     told = read_answer(answer(found._replace(name=name)))
     assert told is not None
@@ -35,7 +36,14 @@ def test_a_name_that_is_too_long_loses_its_end(name: str, found: Found) -> None:
 @given(st.binary(max_size=80) | st.binary(max_size=80).map(b"U?".__add__))
 def test_any_bytes_are_an_answer_or_none(data: bytes) -> None:
     found = read_answer(data)
-    assert (found is not None) == (len(data) == 32 and data.startswith(b"U?"))
+    # The MAC of a gateway is not that of a group, which the first bit shows.
+    assert (found is not None) == (len(data) == 32 and data.startswith(b"U?") and data[2] % 2 == 0)
+    assert found is None or not found.name or found.name.isprintable()
+
+
+@given(st.binary(min_size=4, max_size=4))
+def test_a_question_to_all_that_comes_back_is_no_answer(ip: bytes) -> None:
+    assert read_answer(ask(EVERYBODY, ip)) is None
 
 
 @given(MACS)

@@ -17,6 +17,8 @@ from unity_link.protocol.finding import DEFAULT_PORT, parse_ip, parse_mac
 if TYPE_CHECKING:
     from unity_link.transport.finding import FoundBoard
 
+_MOST_NAMED = 4
+"""Boards of one address that a note names."""
 _EXAMPLE = "02:55:4c:00:00:01=192.168.1.101"
 
 
@@ -81,12 +83,16 @@ async def _find(places: list[str], port: int, wanted: dict[bytes, bytes], *, pat
 
     boards = await find(places, port, patience=patience)
     if wanted:
+        addresses = {mac: socket.inet_ntoa(ip) for mac, ip in wanted.items()}
+        for mac, address in addresses.items():
+            _check_free(boards, mac, address)
         for mac, ip in wanted.items():
-            _check_free(boards, mac, socket.inet_ntoa(ip))
-        boards = [
-            _taken(await find(places, port, patience=patience, mac=mac, ip=ip), mac, socket.inet_ntoa(ip), port)
-            for mac, ip in wanted.items()
-        ]
+            await find(places, port, patience=patience, mac=mac, ip=ip)
+        # Only a new list shows the boards that took an address, and other boards that have taken it since.
+        boards = await find(places, port, patience=patience)
+        for mac, address in addresses.items():
+            _check_free(boards, mac, address)
+        boards = [_taken(boards, mac, address, port) for mac, address in addresses.items()]
     if not boards:
         raise ConnectError(
             f"no board has answered at port {port}: is one in the network, and does no firewall drop what comes from "
@@ -122,12 +128,13 @@ def _taken(boards: list[FoundBoard], mac: bytes, address: str, port: int) -> Fou
     Raises:
         ConnectError: where none has.
     """
-    if not boards:
+    meant = [board for board in boards if board.found.mac == mac]
+    if not meant:
         raise ConnectError(f"no board with the MAC address {mac.hex(':')} has answered at port {port}")
-    for board in boards:
+    for board in meant:
         if board.address == address:
             return board
-    raise ConnectError(f"{_called(boards[0])} has answered, but its address is still {boards[0].address}")
+    raise ConnectError(f"{_called(meant[0])} has answered, but its address is still {meant[0].address}")
 
 
 def _called(board: FoundBoard) -> str:
@@ -177,7 +184,9 @@ def _notes(boards: list[FoundBoard]) -> list[str]:
             notes.append(f"two boards have the MAC address {mac}: build one of them with another")
     for address, those in by_address.items():
         if len({board.mac for board in those}) > 1:
-            names = " and ".join(map(_called, those))
+            names = " and ".join(map(_called, those[:_MOST_NAMED]))
+            if len(those) > _MOST_NAMED:
+                names += f" and {len(those) - _MOST_NAMED} more"
             notes.append(
                 f"{address} is the address of {names}: give each another one, by unity-link find --assign MAC=ADDRESS"
             )

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.doctor.findings import FaultName, Finding
 from unity_link.errors import ConnectError
+from unity_link.quoting import one_line
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -132,7 +133,7 @@ def list_ports() -> Iterator[Finding]:
         if Path(port.device).exists() and (denied := check_permission(port.device)):
             yield denied
         else:
-            yield Finding("port", f"serial:{port.device}  {port.description}")
+            yield Finding("port", f"serial:{port.device}  {one_line(port.description)}")
     chips = list(_list_chips())
     yield from chips
     if not ports and not chips:

@@ -8,6 +8,7 @@ import struct
 from typing import NamedTuple
 
 from unity_link.errors import ArgumentError
+from unity_link.quoting import one_line
 
 DEFAULT_PORT = 21_845
 """The port of gateways that were built with no other."""
@@ -86,9 +87,12 @@ def answer(found: Found) -> bytes:
 
 
 def read_answer(datagram: bytes) -> Found | None:
-    """Return what an answer says, None for a datagram that is none."""
-    if len(datagram) != _LAYOUT.size or not datagram.startswith(_MARK):
+    """Return the contents of an answer, the name as one printable line; None for a datagram that is no answer.
+
+    The echo of a question to all gateways is none: it has the MAC of a group.
+    """
+    if len(datagram) != _LAYOUT.size or not datagram.startswith(_MARK) or datagram[2] & 1:
         return None
     _, mac, ip, build_id, flags, name = _LAYOUT.unpack(datagram)
-    shown = name.partition(b"\0")[0].decode("ascii", "replace")
+    shown = one_line(name.partition(b"\0")[0].decode("ascii", "replace"))
     return Found(mac, ip, build_id, bool(flags & _FINGERPRINT), bool(flags & _SESSION_OPEN), shown)

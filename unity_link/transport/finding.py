@@ -68,7 +68,7 @@ async def find(
     async with contextlib.AsyncExitStack() as stack:
         askers: list[_Asker] = []
         for source, place in _ways(places):
-            asker = _Asker(_open(source), (place, port), enough if mac != EVERYBODY else None)
+            asker = _Asker(_open(source), (place, port), mac, enough)
             await asyncio.get_running_loop().create_datagram_endpoint(lambda asker=asker: asker, sock=asker.socket)  # type: ignore[misc]
             stack.callback(asker.close)
             askers.append(asker)
@@ -90,13 +90,15 @@ class _Asker(asyncio.DatagramProtocol):
     Args:
         opened: the socket.
         place: the address and port to ask.
-        enough: is set at an answer, if not None.
+        mac: of the gateway that is asked; only its answers count, unless all gateways are asked.
+        enough: is set at an answer of that gateway.
     """
 
-    def __init__(self, opened: socket.socket, place: tuple[str, int], enough: asyncio.Event | None) -> None:
+    def __init__(self, opened: socket.socket, place: tuple[str, int], mac: bytes, enough: asyncio.Event) -> None:
         self.socket = opened
         self.answers: Counter[tuple[Found, str]] = Counter()
         self._place = place
+        self._mac = mac
         self._enough = enough
 
     def connection_made(self, transport: Any) -> None:
@@ -104,10 +106,11 @@ class _Asker(asyncio.DatagramProtocol):
 
     def datagram_received(self, data: bytes, addr: tuple[Any, ...]) -> None:
         found = read_answer(data)
-        if found is not None and addr[1] == self._place[1]:
-            self.answers[found, addr[0] if found.ip == NOWHERE else socket.inet_ntoa(found.ip)] += 1
-            if self._enough is not None:
-                self._enough.set()
+        if found is None or addr[1] != self._place[1] or self._mac not in (EVERYBODY, found.mac):
+            return
+        self.answers[found, addr[0] if found.ip == NOWHERE else socket.inet_ntoa(found.ip)] += 1
+        if found.mac == self._mac:
+            self._enough.set()
 
     def ask(self, question: bytes) -> str:
         """Send a question; returns why that can't be done, nothing where it could."""

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol, cast, get_args
 import msgspec
 
 from unity_link.errors import ArgumentError, ConnectError
+from unity_link.quoting import one_line
 from unity_link.transport import load_stand_in
 from unity_link.transport.ft232h.eeprom_image import BLANK, ChannelType, channel_type, is_valid
 from unity_link.transport.ft232h.kinds import (
@@ -280,7 +281,7 @@ def list_chips() -> list[tuple[str, str]]:
     places = {(device.bus, device.address) for device in _find_devices()}
     chips = [device for device in devices if (device[0].bus, device[0].address) in places]
     found: list[tuple[str, str]] = UsbTools.build_dev_strings("ftdi", Ftdi.VENDOR_IDS, names, chips)
-    return found
+    return [(one_line(url), one_line(description)) for url, description in found]
 
 
 def _find_devices() -> list[Any]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import struct
 from typing import TYPE_CHECKING, Literal
 
+from unity_link.quoting import one_line
 from unity_link.transport.ft232h.kinds import FT232H, PORT_A
 
 if TYPE_CHECKING:
@@ -91,11 +92,11 @@ def channel_type(image: bytes | bytearray, kind: ChipKind = FT232H, port: int = 
 
 
 def strings(image: bytes | bytearray, kind: ChipKind = FT232H) -> tuple[str, str, str]:
-    """Return manufacturer, product and serial number, empty where there is none."""
+    """Return manufacturer, product and serial number, each as one printable line, empty if there is none."""
     if not is_valid(image):
         return ("FTDI", kind.name, "")
     texts = []
     for index in range(3):
         place, length = image[_STRING_TABLE + 2 * index], image[_STRING_TABLE + 2 * index + 1]
-        texts.append(image[place + 2 : place + length].decode("utf-16-le", errors="replace"))
+        texts.append(one_line(image[place + 2 : place + length].decode("utf-16-le", errors="replace")))
     return (texts[0], texts[1], texts[2] if image[0x0A] & _HAS_SERIAL_NUMBER else "")
