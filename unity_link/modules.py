@@ -51,7 +51,9 @@ class Bus(Protocol):
 
 def link_under(bus: Bus) -> Link:
     """Return the link that a bus stands on."""
-    return cast("Link", getattr(bus, "link", bus))
+    # A link has no such attribute, and its error would be made for each signal, with names that are like `link`.
+    has_link = "link" in getattr(bus, "__dict__", ()) or hasattr(type(bus), "link")
+    return cast("Link", getattr(bus, "link") if has_link else bus)  # noqa: B009  (of a class that is not known)
 
 
 class Module(Sealed):

@@ -26,6 +26,19 @@ public rover() {
   @port = 0x50: READWRITE();
 }
 """)
+
+
+def test_making_a_robot_looks_for_no_similar_names(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A suggestion takes as long as making a hundred signals."""
+
+    def fail(*_: object, **__: object) -> None:
+        raise AssertionError
+
+    monkeypatch.setattr("difflib.get_close_matches", fail)
+    with blocking.connect("sim:") as link:
+        assert len(put(unity_link.load(SPEC), link).signals) == 7
+
+
 FACES = ("loaded", "generated", "blocking")
 NEAR = {
     "robot": ("lfet", "'left'"),

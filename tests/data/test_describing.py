@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import zlib
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +14,7 @@ from support.simulated_time import on_simulated_time
 from unity_link.data.describing import read_spec
 from unity_link.errors import UnsupportedError
 from unity_link.protocol.configuration import Feature
-from unity_link.protocol.description import page_address
+from unity_link.protocol.description import PAGE_WORDS, page_address, words_of
 from unity_link.spec import compile_file
 from unity_link.virtual.build import put_behind_line, simulate
 
@@ -88,6 +89,48 @@ async def test_one_that_is_damaged_for_good_is_refused() -> None:
         damaged: Any = Damaged()
         with pytest.raises(UnsupportedError, match="description cannot be read: its CRC is wrong"):
             await read_spec(damaged)
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ("public r() { " + "@s = q; " * 1000 + "}", "is none of this version: ':', '(' or '[' was expected, not ';'"),
+        (f"public r() {{ @{'n' * 9000} = 0: NONE(); }}", "is none of this version: there is no access 'NONE'"),
+        (f"public r() {{ @s = 0: READ(UNIT={'u' * 9000}); }}", f"none of this version: nothing is called '{'u' * 280}"),
+        (
+            f"public r() {{ @s = {'-' * 1_000_000}1: READ(); }}",
+            "cannot be used (it has more signals, words or expressions",
+        ),
+        ("\0", "is none of this version: the control character U+0000 stands here"),
+    ],
+)
+@on_simulated_time
+async def test_a_description_that_cannot_be_used_is_refused_in_one_sentence(text: str, says: str) -> None:
+    packer = zlib.compressobj(9, zlib.DEFLATED, -15)
+    description = packer.compress(text.encode()) + packer.flush()
+    async with unity_link.connect(f"sim:{BALANCER}") as link:
+
+        class Described:
+            gateway = link.gateway
+
+            def __init__(self) -> None:
+                self.words = words_of(description, link.gateway.data_bits)
+                self.page = 0
+
+            async def post(self, _: int, page: int) -> None:
+                self.page = page
+
+            async def read_block(self, _: int, count: int) -> list[int]:
+                return [self.page, *self.words[self.page * PAGE_WORDS :][: count - 1]]
+
+        described: Any = Described()
+        with pytest.raises(UnsupportedError) as refusal:
+            await read_spec(described)
+    sentence = str(refusal.value)
+    assert says in sentence
+    assert sentence.startswith("the gateway's description ")
+    assert "\n" not in sentence
+    assert len(sentence) < 400
 
 
 @on_simulated_time

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 import zlib
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -112,6 +114,101 @@ def test_a_description_reads_no_file_of_this_machine(tmp_path: Path, monkeypatch
         compile_description(packed('import "secret.ul";\npublic b() { @c = 1: READ(); }'))
     with pytest.raises(SpecError, match="there is no component 'PWM'"):
         compile_description(packed("public b() { a: PWM() @(1); }"))
+
+
+def members(count: int, member: str) -> str:
+    return "public r() { " + "".join(member.replace("#", str(number)) for number in range(count)) + " }"
+
+
+LARGE = {
+    "one row of all addresses": "public r() { @s[65536] = i: READ(); }",
+    "rows in an array": "public r() { c[50]: b() @(i * 1000); } b(): @(x) { @a[1000] = x + i: READ(); }",
+    "a row with arguments": 'public r() { @s[20000] = 2 * i: signed READWRITE(UNIT="V", MIN=-5, MAX=5, ID="a" + i); }',
+    "many words": members(3000, '@joint_# = #: signed 16 READWRITE(SCALE=0.01, UNIT="deg", MIN=-50, MAX=60);\n'),
+    "a long string": f'public r() {{ @s = 1: READ(UNIT="{"a" * 900_000}"); }}',
+    "escapes": f'public r() {{ @s = 1: READ(UNIT="{chr(92) * 900_000}"); }}',
+    "comments in a line": f"public r() {{ @s = 1: READ(); {'/**/' * 200_000} }}",
+    "comments in lines": "public r() { @s = 1: READ(); " + "//\n" * 300_000 + "}",
+    "line ends": "public r() { @s = 1: READ(); " + "\n" * 1_000_000 + "}",
+}
+"""Descriptions that are as large as a board's may be."""
+TOO_LARGE = {
+    "too many arguments": 'public r() { @s[65536] = i: READWRITE(UNIT="V", MIN=0, MAX=5, ID="a" + i); }',
+    "two rows": "public r() { @s[65536] = i: READ(); @t[65536] = 65536 + i: READ(); }",
+    "a component that is not used": "public r() { } c() { @s[65536] = i: READ(); @t[65536] = 0: READ(); }",
+    "signs": f"public r() {{ @s = {'-' * 1_000_000}1: READ(); }}",
+    "terms": f"public r() {{ @s = {'0+' * 500_000}0: READ(); }}",
+    "terms in a row": f"public r() {{ @s[1000] = {'0+' * 5000}i: READ(); }}",
+    "joined strings": "public r() { @s[20000] = i: READ(UNIT=" + '"a"+' * 900 + '"b" + i); }',
+    "a long name in a row": f"public r() {{ @{'n' * 50_000}[5000] = i: READ(); }}",
+    "a long name of an array": f"public r() {{ {'n' * 50_000}[5000]: b() @(i); }} b(): @(x) {{ @a = x: READ(); }}",
+    "arrays in arrays": "public r() { a[4]: c0(); }"
+    + "".join(f" c{number}() {{ a[4]: c{number + 1}(); }}" for number in range(20))
+    + " c20() { }",
+    "parameters": f"public r() {{ c[500]: b({', '.join(f'p{number}=1' for number in range(1000))}) @(i); }} "
+    f"b({', '.join(f'p{number}' for number in range(1000))}): @(x) {{ @a = x: READ(); }}",
+    "defaults": "public r() { c[3000]: b() @(i); } "
+    f"b({', '.join(f'p{number}=1' for number in range(10_000))}): @(x) {{ @a = x: READ(); }}",
+    "names that a row copies": "".join(f"group g{number}(RATE=10);" for number in range(10_000))
+    + "public r() { @s[10000] = i: READ(); }",
+    "names of an enumeration": f"enum e {{ {', '.join(f'a{number}' for number in range(20_000))} }} "
+    "public r() { @s[5000] = i: e 16 READ(); }",
+    "open strings": "public r() { @s = 1: READ(); " + '"\n' * 400_000 + "}",
+}
+FAULTY = {
+    "faults in a long line": "public r() {\n" + members(5000, "@s# = q#: READ();")[12:],
+    "semicolons": f"public r() {{ @s = 1: READ(); {';' * 200_000} }}",
+    "a long name": f"public r() {{ @{'a' * 100_000}b = 0: READ(); @x = {'a' * 100_000}c: READ(); }}",
+    "one address": members(5000, "@s# = 0[0]: bool READ();"),
+    "levels": "public r() { a: c0() @(0); }"
+    + "".join(f" c{number}(): @(x) {{ a: c{number + 1}() @(x); }}" for number in range(5000)),
+}
+TOO_MUCH = "it has more signals, words or expressions than are read from a board"
+_COST = """
+import resource, sys, time
+from unity_link.spec import SpecError, compile_description, compile_text
+compile_text("public r() { @s = 0: READ(); }")
+description = sys.stdin.buffer.read()
+before, began = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss, time.process_time()
+try:
+    outcome = str(len(compile_description(description, 32, 32).interface().signals))
+except SpecError as error:
+    outcome = f"{len(error.diagnostics)} error"
+except ValueError as error:
+    outcome = str(error)
+print(time.process_time() - began, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before, outcome)
+"""
+
+
+def cost_of(text: str) -> tuple[float, int, str]:
+    """Compile a description in a process; return its processor time in seconds, its memory in KiB, and the outcome."""
+    command = [sys.executable, "-c", _COST]
+    done = subprocess.run(command, input=packed(text), stdout=subprocess.PIPE, check=True, timeout=300)
+    seconds, memory, outcome = done.stdout.decode().split(" ", 2)
+    return float(seconds), int(memory), outcome.strip()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", [*LARGE, *TOO_LARGE, *FAULTY])
+def test_a_description_costs_at_most_two_seconds_and_100_megabytes(name: str) -> None:
+    seconds, memory, outcome = cost_of((LARGE | TOO_LARGE | FAULTY)[name])
+    assert seconds < 2
+    assert memory < 100 * 1024
+    refusal = "1 error" if name in FAULTY else TOO_MUCH
+    assert outcome.isdecimal() if name in LARGE else outcome == refusal
+
+
+@pytest.mark.parametrize("name", ["signs", "terms", "parameters", "open strings"])
+def test_a_description_that_is_too_much_work_is_refused(name: str) -> None:
+    with pytest.raises(ValueError, match=TOO_MUCH):
+        compile_description(packed(TOO_LARGE[name]), 32, 32)
+
+
+def test_a_description_is_refused_with_its_first_error_alone() -> None:
+    with pytest.raises(SpecError) as refusal:
+        compile_description(packed(FAULTY["one address"]), 32, 32)
+    (error,) = refusal.value.diagnostics
+    assert error.message.startswith("s1 takes bit 0 at address 0x0, which s0 has")
 
 
 @given(st.binary(min_size=1, max_size=3000), st.sampled_from([8, 12, 16, 24, 32, 64]))

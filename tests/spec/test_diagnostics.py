@@ -25,6 +25,12 @@ def underlined(text: str, found: Diagnostic) -> str:
     return line[found.span.column - 1 : found.span.end_column - 1 if found.span.end_line == found.span.line else None]
 
 
+def test_faults_of_a_line_share_it_however_long_it_is() -> None:
+    texts = [found.text for found in faults("public x() {\n" + "".join(f"@s{i}=q:READ();" for i in range(100)) + "\n}")]
+    assert len(texts) == 100
+    assert all(text is texts[0] for text in texts)
+
+
 JOINT = "\njoint(name): @(pos, vel) { @pos: READ(ID=name + \":p\"); @vel: READ(ID=name + \":v\"); }"  # fmt: skip
 MODE = "\nenum mode { off, on = 5 }"
 PLAN = '\nSCHEDULE(): @(at) { ENTITY("ul_schedule", TIME, STAGE); @entry = at: unsigned 32 WRITE(); }'

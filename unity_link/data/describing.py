@@ -24,6 +24,8 @@ ATTEMPTS = 5
 """Readings of a description: another program that reads it at the same time turns its pages, too."""
 MOST_DIFFERENCES = 5
 """Differences that an error says."""
+_LONGEST_REASON = 300
+"""Characters of a description's error that are shown; its names may be longer."""
 R = TypeVar("R", bound=Robot)
 
 
@@ -123,8 +125,12 @@ async def read_spec(link: DescribedBus) -> Spec:
             continue
         try:
             return compile_description(description, info.address_bits, info.data_bits)
-        except (ValueError, SpecError) as error:
-            raise UnsupportedError(f"the gateway's description is none of this version: {error}") from None
+        except SpecError as error:
+            reason = error.diagnostics[0].message[:_LONGEST_REASON]
+            raise UnsupportedError(f"the gateway's description is none of this version: {reason}") from None
+        except ValueError as error:
+            advice = "give the spec that it was built from"
+            raise UnsupportedError(f"the gateway's description cannot be used ({error}): {advice}") from None
     raise UnsupportedError(f"the gateway's description cannot be read: {damage}")
 
 

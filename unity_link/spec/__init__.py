@@ -134,7 +134,7 @@ def compile_text(
     """
     # What names its file, as recordings and generated files do, is text, whatever bytes the file has for its name.
     name = name.encode(errors="backslashreplace").decode()
-    return _compile(text, name, path, None, (address_bits, data_bits))
+    return _compile(text, name, path, None, (address_bits, data_bits), Reporter())
 
 
 def compile_description(description: bytes, address_bits: int | None = None, data_bits: int | None = None) -> Spec:
@@ -146,24 +146,29 @@ def compile_description(description: bytes, address_bits: int | None = None, dat
         data_bits: as for `compile_file`.
 
     Raises:
-        ValueError: where it is none.
-        SpecError: where its text cannot be compiled, as one of another version of this package.
+        ValueError: if it is none, or if it takes more work and memory than a board of the largest size.
+        SpecError: with the first error of its text, as of one of another version of this package.
     """
-    from unity_link.spec.description import unpack
+    from unity_link.spec.description import DescriptionReporter, unpack
 
     text, maps = unpack(description)
-    return _compile(text, "<description>", None, maps, (address_bits, data_bits))
+    reporter = DescriptionReporter([text, *maps.values()])
+    return _compile(text, "<description>", None, maps, (address_bits, data_bits), reporter)
 
 
 def _compile(
-    text: str, name: str, path: Path | None, maps: Mapping[str, str] | None, widths: tuple[int | None, int | None]
+    text: str,
+    name: str,
+    path: Path | None,
+    maps: Mapping[str, str] | None,
+    widths: tuple[int | None, int | None],
+    reporter: Reporter,
 ) -> Spec:
     from unity_link.spec.cores import Cores
     from unity_link.spec.description import describe
     from unity_link.spec.elaborate import Elaborator
     from unity_link.spec.loading import Loader, read_import, refuse_import
 
-    reporter = Reporter()
     with _no_garbage_collection():
         loader = Loader(reporter, read_import if maps is None else refuse_import)
         loader.load(name, text, path)

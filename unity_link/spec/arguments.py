@@ -57,6 +57,7 @@ class ArgumentSlot(NamedTuple):
     """The arguments that a clause takes by itself, all of them by place or by name."""
 
 
+_EFFORT_OF_AN_ARGUMENT = 4
 ADDRESS = (0, (1 << 32) - 1)
 DIVISOR = (1, 0xFFFF)
 GROUP_NUMBER = (0, 255)
@@ -179,6 +180,7 @@ class Binder:
         by_place: int,
         prefix: str,
     ) -> Bound:
+        self._evaluator.reporter.spend(_EFFORT_OF_AN_ARGUMENT * len(arguments))
         known = {slot.name: slot for slot in slots}
         bound: Bound = {}
         seen: set[str] = set()

@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 
 MOST_PARTS = 100_000
 """Signals, components and modules of one interface: more is a mistake in an array."""
+_EFFORT_OF_A_PART = 15
+"""Effort of a signal or a module, without its expressions and arguments."""
 
 
 class Address(NamedTuple):
@@ -105,14 +107,21 @@ class Builder:
         self._draft.limits.append(message)
         return message(self._draft.clock_hz)
 
-    def count(self, evaluator: Evaluator, place: tuple[int, int]) -> bool:
-        """Count one more part; False where there are too many."""
+    def count(self, evaluator: Evaluator, place: tuple[int, int], where: Where) -> bool:
+        """Count one more part of a component, which has names in its scope; False if there are too many parts."""
         self._draft.parts += 1
+        self.context.reporter.spend(_EFFORT_OF_A_PART + len(where.scope) // 8)
         if self._draft.parts > MOST_PARTS and not self._full:
             self._full = True
             message = f"an interface of more than {MOST_PARTS:,} signals and components is too large"
             evaluator.fault(place, "too-many", message, "look at the sizes of the arrays")
         return not self._full
+
+    def path_of(self, where: Where, name: str, index: int | None) -> str:
+        """Return the path of a signal or a component, of which the model keeps a copy."""
+        path = where.path_of(name, index)
+        self.context.reporter.spend(len(path) // 32)
+        return path
 
     # Signals
 
@@ -132,7 +141,7 @@ class Builder:
         if address.value is None or parts is None:
             return None
         bound, name = parts.arguments, str(node.name)
-        path = where.path_of(name, index)
+        path = self.path_of(where, name, index)
         fifo: Bound | None = bound.get("FIFO")
         groups = self._groups(evaluator, bound, parts.places)
         signal = Signal(

@@ -10,6 +10,7 @@ The grammar knows no comments. This room hangs each on the tree, so that `fmt` l
 
 from __future__ import annotations
 
+import re
 from itertools import zip_longest
 from typing import TYPE_CHECKING
 
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from unity_link.spec.diagnostics import SourceText
+
+_SPACE_IN_LINE = re.compile(f"[{SPACE.replace(chr(10), '')}]*+")
 
 
 def attach_comments(file: File, source: SourceText) -> None:
@@ -70,21 +73,19 @@ class _Attacher:
             if self._is_alone(found) or self._source.line_of(found.start) != line:
                 return
             # Another statement may follow on the same line: then the comment between is the next one's.
-            rest = self._source.text[found.end : end].partition("\n")
-            if (
-                not rest[1]
-                and end < len(self._source.text)
-                and not rest[0].strip(SPACE)
-                and self._same_line(found, end)
-            ):
+            is_before = _SPACE_IN_LINE.fullmatch(self._source.text, found.end, end) is not None
+            if is_before and end < len(self._source.text) and self._same_line(found, end):
                 return
             statement.trailing.append(self._comment(found))
             self._next += 1
 
     def _is_alone(self, found: TextPlace) -> bool:
         """Return whether nothing stands before a comment on its line."""
-        line_start = self._source.text.rfind("\n", 0, found.start) + 1
-        return not self._source.text[line_start : found.start].strip(SPACE)
+        text, place = self._source.text, found.start
+        # The text before a comment is not copied: a line may have a hundred thousand comments.
+        while place and text[place - 1] != "\n" and text[place - 1] in SPACE:
+            place -= 1
+        return not place or text[place - 1] == "\n"
 
     def _same_line(self, found: TextPlace, end: int) -> bool:
         return self._source.line_of(found.end - 1) == self._source.line_of(end) and self._source.text[end] != "}"

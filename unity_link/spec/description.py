@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import dataclasses
 import zlib
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from unity_link.spec.diagnostics import Reporter, SourceText
+from unity_link.spec.diagnostics import Reporter, SourceText, SpecError
 from unity_link.spec.entity import LIMIT_WORDS
 from unity_link.spec.parser import parse
 from unity_link.spec.printer import print_file
@@ -25,17 +25,52 @@ from unity_link.spec.syntax import (
     Placement,
     Statement,
 )
+from unity_link.spec.tokens import tokenize
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping, Sequence
+    from collections.abc import Iterable, Iterator, Mapping, Sequence
 
     from unity_link.spec.syntax import Item
 
 MOST_BYTES = 1 << 20
 """Most characters of a description that is read: far more than a spec of the largest size that is allowed has."""
+MOST_EFFORT = 1_150_000
+"""Most work of a description, by `Reporter.spend`: 65,536 signals of one row, or 25,000 with five arguments each."""
+_EFFORT_OF_A_TOKEN = 4
 _RAW = -15
 """Window of a deflated stream without a header, as zlib counts."""
 _NEXT = "\f"
+
+
+class DescriptionReporter(Reporter):
+    """Reporter of a description, which anybody may have written: it ends the compilation early.
+
+    Args:
+        texts: those of the description, whose length counts as work.
+
+    Raises:
+        ValueError: by `spend`, and at once, if the work exceeds `MOST_EFFORT`.
+        SpecError: by `error`, with this error.
+    """
+
+    def __init__(self, texts: Iterable[str]) -> None:
+        super().__init__()
+        self._effort = 0
+        for text in texts:
+            self.spend(len(text))
+            for _ in tokenize(text):
+                self.spend(_EFFORT_OF_A_TOKEN)
+
+    def spend(self, effort: int) -> None:
+        """Count work, in units of about a microsecond."""
+        self._effort += effort
+        if self._effort > MOST_EFFORT:
+            raise ValueError("it has more signals, words or expressions than are read from a board")
+
+    def error(self, *args: Any, **options: Any) -> None:
+        """Raise an error."""
+        super().error(*args, **options)
+        raise SpecError(found for found in self.diagnostics if found.severity == "error")
 
 
 def describe(interface: str, texts: Mapping[str, Sequence[str]]) -> bytes:

@@ -136,6 +136,7 @@ class SourceText:
         self.name = name
         self.text = text
         self._starts = [0, *(match.end() for match in re.finditer("\n", text))]
+        self._lines: dict[int, str] = {}
 
     @property
     def sha256(self) -> str:
@@ -147,9 +148,11 @@ class SourceText:
         return bisect.bisect_right(self._starts, offset)
 
     def line(self, number: int) -> str:
-        """Return a line of the text without its end."""
-        end = self._starts[number] - 1 if number < len(self._starts) else len(self.text)
-        return self.text[self._starts[number - 1] : end].rstrip("\r")
+        """Return a line of the text without its end; all diagnostics of a line share it, however long it is."""
+        if number not in self._lines:
+            end = self._starts[number] - 1 if number < len(self._starts) else len(self.text)
+            self._lines[number] = self.text[self._starts[number - 1] : end].rstrip("\r")
+        return self._lines[number]
 
     def span(self, start: int, end: int) -> Span:
         """Return the place of the characters from `start` to before `end`."""
@@ -204,6 +207,9 @@ class Reporter:
         self._found[code, span] = Diagnostic(
             severity, code, message, span, source.line(span.line), help, tuple(Note(*note) for note in notes)
         )
+
+    def spend(self, effort: int) -> None:
+        """Count work that a spec causes, in units of about a microsecond. Files of a user may cause any amount."""
 
     @property
     def failed(self) -> bool:

@@ -111,6 +111,7 @@ class Evaluator:
 
     def evaluate(self, expression: Expression, scope: Mapping[str, Result]) -> Result:  # noqa: PLR0911
         """Return the value of an expression, None where it has none."""
+        self.reporter.spend(1)
         match expression:
             case Number():
                 return self._number(expression)
@@ -163,6 +164,7 @@ class Evaluator:
 
     def _chain(self, chain: Chain, scope: Mapping[str, Result]) -> Result:
         """Compute operands and operators by the precedence of the operators, from the left among equals."""
+        self.reporter.spend(len(chain.operators))
         values = [self.evaluate(operand, scope) for operand in chain.operands]
         if None in values:
             return None

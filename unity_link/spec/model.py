@@ -378,10 +378,10 @@ class ComponentSpec(msgspec.Struct, frozen=True, kw_only=True, tag_field="part",
     @property
     def rows(self) -> dict[str, tuple[Signal, ...]]:
         """Its signals by their names: those of a row together, any other one by itself."""
-        rows: dict[str, tuple[Signal, ...]] = {}
+        rows: dict[str, list[Signal]] = {}
         for signal in self.signals:
-            rows[signal.name] = (*rows.get(signal.name, ()), signal)
-        return rows
+            rows.setdefault(signal.name, []).append(signal)
+        return {name: tuple(signals) for name, signals in rows.items()}
 
     def walk(self) -> Iterator[ComponentSpec]:
         """Return this component and all in it, in the order of the spec."""

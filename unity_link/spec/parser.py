@@ -52,7 +52,7 @@ MOST_NESTED = 40
 MOST_CHARACTERS = 16 << 20
 # Tab and line ends are space; the others no language takes in a comment, and a terminal obeys them.
 _CONTROL = re.compile(r"[\x00-\x08\x0b\x0e-\x1f\x7f-\x84\x86-\x9f]")
-_BRACKETS = re.compile(r'"(?:\\[^\n]|[^"\\\n])*"|//[^\n]*|/\*.*?\*/|[(\[{}\])]', re.DOTALL)
+_BRACKETS = re.compile(r'"(?:\\[^\n]|[^"\\\n])*+"|//[^\n]*|/\*.*?\*/|[(\[{}\])]', re.DOTALL)
 
 
 def parse(source: SourceText, reporter: Reporter) -> File | None:

@@ -43,6 +43,8 @@ _FORMER = {
     "COUNTER": "it is the core ENCODER now, with COUNTER=true, one for each channel",
 }
 """Words of former modules that have another name now."""
+_EFFORT_OF_A_COMPONENT = 60
+_EFFORT_OF_A_PARAMETER = 3
 MOST_LEVELS = 24
 MOST_ITEMS = 65_536
 """Most items of an array."""
@@ -112,7 +114,7 @@ class Contents:
         for member in members:
             if member.name is not None:
                 self._take_name(member)
-            if not self._builder.count(self._evaluator, member.place):
+            if not self._builder.count(self._evaluator, member.place, self._where):
                 return
             if isinstance(member, SignalDeclaration) and member.access in PORT_WORDS:
                 self._hardware.add_port(self._builder, self._source, member)
@@ -151,7 +153,7 @@ class Contents:
             return
         # Of a row whose length is not known, one is checked as far as that can be done without its index.
         for index in self._count(member) or (None,):
-            if not self._builder.count(self._evaluator, member.place):
+            if not self._builder.count(self._evaluator, member.place, self._where):
                 return
             where = self._where._replace(scope={**self._where.scope, INDEX_NAME: index})
             signal = self._builder.signal(self._source, member, where, module, base, index or 0)
@@ -190,7 +192,7 @@ class Contents:
             self._evaluator.fault(member.type.place, "misplaced", "an array of modules has no members of its own")
             return
         for index in self._count(member) or ():
-            if not self._builder.count(self._evaluator, member.place):
+            if not self._builder.count(self._evaluator, member.place, self._where):
                 return
             self._place_named_module(member, module, base, index)
 
@@ -229,7 +231,7 @@ class Contents:
             return
         items = []
         for index in indices:
-            if index is not None and not self._builder.count(self._evaluator, member.place):
+            if index is not None and not self._builder.count(self._evaluator, member.place, self._where):
                 break
             items.append(self._component(member, declared, index, module, base, core))
         if member.count is None:
@@ -304,7 +306,8 @@ class Contents:
         node = declared.node
         arguments, places = _with_base(member, node) if core is not None else (member.arguments, member.addresses or [])
         values = self._bind(member, node.parameters, arguments, scope, "argument")
-        known = self._builder.context_of(declared.source).globals
+        known = dict(self._builder.context_of(declared.source).globals)
+        self._context.reporter.spend(_EFFORT_OF_A_COMPONENT + len(known) // 8)
         given: dict[str, Result] = {}
         for parameter in node.parameters:
             name = str(parameter.name)
@@ -313,13 +316,14 @@ class Contents:
             else:
                 default = parameter.default
                 tools = Evaluator(declared.source, self._context.reporter)
-                given[name] = None if default is None else tools.evaluate(default, known | given)
-        addresses, pins = self._addresses(member, declared, places, scope, known | given)
-        inner = {**known, **given, **{name: one.value for name, one in addresses.items()}}
+                given[name] = None if default is None else tools.evaluate(default, known)
+            known[name] = given[name]
+        addresses, pins = self._addresses(member, declared, places, scope, known)
+        inner = known | {name: one.value for name, one in addresses.items()}
         chain = (*self._where.chain, str(node.name))
         folder = None if core is None else core.folder
         stands = {name: SignalPlace(self._source, place) for name, (_, place) in values.items()}
-        path = self._where.path_of(member.name, index)
+        path = self._builder.path_of(self._where, member.name, index)
         where = Where(path, addresses, inner, module, base, chain, pins, folder, stands)
         component = put_component(self._builder, declared, where, str(member.name), index, given)
         if not index:
@@ -386,20 +390,20 @@ class Contents:
         word: str,
     ) -> dict[str, tuple[Result, tuple[int, int]]]:
         """Match what a component is given with what it takes; give values and places by the names of the parameters."""
-        names = [str(parameter.name) for parameter in parameters]
+        self._context.reporter.spend(_EFFORT_OF_A_PARAMETER * (len(parameters) + len(arguments)))
+        names = {str(parameter.name): parameter for parameter in parameters}
         # Pins are given by name alone.
-        pins = {str(parameter.name) for parameter in parameters if parameter.default is _NO_PIN}
-        free = [name for name in names if name not in pins]
+        pins = {name for name, parameter in names.items() if parameter.default is _NO_PIN}
         seen: set[str] = set()
+        free = (name for name in names if name not in pins and name not in seen)
         bound: dict[str, tuple[Result, tuple[int, int]]] = {}
         surplus = 0
         for argument in arguments:
             value = self._evaluator.evaluate(argument.value, scope)
             if argument.name is None:
-                if not free:
+                if not (name := next(free, "")):
                     surplus += 1
                     continue
-                name = free.pop(0)
             elif argument.name not in names:
                 advice = did_you_mean(argument.name, names)
                 message = f"{member.type} has no {word} '{argument.name}'"
@@ -411,13 +415,12 @@ class Contents:
                 continue
             else:
                 name = str(argument.name)
-                free = [other for other in free if other != name]
             seen.add(name)
             if value is not LEFT_OUT or name in pins:
                 bound[name] = (value, argument.value.place)
         named = [name for name in names if name not in pins]
         missing = [str(one.name) for one in parameters if str(one.name) not in bound and one.default is None]
-        if surplus or (missing and not any(argument.name not in {None, *names} for argument in arguments)):
+        if surplus or (missing and all(argument.name is None or argument.name in names for argument in arguments)):
             self._report_number(member, named, arguments, missing, word)
         return bound
 

@@ -200,6 +200,8 @@ class SignalReader:
 
     def _enumerated(self, node: SignalDeclaration, kind: Kind, enumeration: Enumeration) -> Kind | None:
         assert node.kind is not None
+        # Each of the values is compared.
+        self._evaluator.reporter.spend(len(enumeration.values) // 32)
         if enumeration.largest >> kind.width:
             needed = enumeration.largest.bit_length()
             message = (

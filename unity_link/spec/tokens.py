@@ -32,6 +32,7 @@ SIGNS = {
     "~": "TILDE",
 }
 SPACE = " \t\r\n\f\ufeff"
+# A possessive `*+` needs no memory for each character of a string.
 # Whatever begins like a number is one token, so that 0x1G and 12bit are named as what they are.
 _TOKEN = re.compile(
     r"""
@@ -40,7 +41,7 @@ _TOKEN = re.compile(
     |(?P<NAME>[A-Za-z_][A-Za-z0-9_]*)
     |(?P<SIGN>[;{}()\[\],:=@~-])
     |(?P<NUMBER>0[xXbB][0-9A-Za-z_]*|[0-9][0-9_]*(?:\.[0-9][0-9_]*)?(?:[eE][+-]?[0-9]+)?[0-9A-Za-z_]*)
-    |(?P<STRING>"(?:\\[^\n]|[^"\\\n])*")
+    |(?P<STRING>"(?:\\[^\n]|[^"\\\n])*+")
     |(?P<BAD_COMMENT>/\*)
     |(?P<OPERATOR><<|>>|[+*/%&|^])
     |(?P<BAD_STRING>"[^\n]*)
@@ -50,7 +51,7 @@ _TOKEN = re.compile(
 )
 
 
-_COMMENT = re.compile(r'"(?:\\[^\n]|[^"\\\n])*"|//[^\n]*|/\*.*?\*/', re.DOTALL)
+_COMMENT = re.compile(r'"(?:\\[^\n]|[^"\\\n])*+"|//[^\n]*|/\*.*?\*/', re.DOTALL)
 
 
 class TextPlace(NamedTuple):
