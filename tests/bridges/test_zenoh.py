@@ -114,6 +114,40 @@ def test_what_makes_no_sense_is_refused_and_nothing_of_it_is_written(
     assert ask(refusing, "robot/1/signals/j1/pos_sp") == 0
 
 
+SIGNALS = [f"signals/j{joint}/{name}" for joint in (1, 2, 3, 4) for name in ("cpos", "spd", "pos_sp", "spd_sp")]
+
+
+@pytest.mark.parametrize(
+    ("key", "payload", "answers"),
+    [
+        ("robot/**/info", None, ["info"]),
+        ("**/info", None, ["info"]),
+        ("robot/**/read", None, ["read"]),
+        ("robot/**/read", ["j1.cpos"], ["read"]),
+        ("robot/*/read", ["j1.cpos"], ["read"]),
+        ("robot/**/write", {"j2.pos_sp": 1}, ["write"]),
+        ("robot/**/write", None, []),
+        ("robot/**/cpos", None, SIGNALS[::4]),
+        ("robot/**/signals/j2/cpos", None, ["signals/j2/cpos"]),
+        ("robot/*/signals/j2/pos_sp", 1, ["signals/j2/pos_sp"]),
+        ("robot/*/signals/gripper", None, []),
+        ("robot/*/signals/gripper", 1, []),
+        ("robot/**/pos_sp", 1, []),
+        ("robot/*/*", ["j1.cpos"], ["info"]),
+        ("robot/**", {"j2.pos_sp": 1}, ["info"]),
+        ("robot/**", None, ["info", "read", *SIGNALS]),
+    ],
+)
+def test_wildcards_get_answers_and_no_errors(
+    key: str, payload: object, answers: list[str], refusing: zenoh.Session
+) -> None:
+    given = None if payload is None else msgspec.json.encode(payload)
+    replies = list(refusing.get(key, payload=given))
+    assert [reply.err.payload.to_string() for reply in replies if reply.err is not None] == []
+    keys = [str(reply.ok.key_expr) for reply in replies if reply.ok is not None]
+    assert sorted(keys) == sorted(f"robot/1/{answer}" for answer in answers)
+
+
 @pytest.fixture(scope="module")
 def refusing() -> Iterator[zenoh.Session]:
     place = free_endpoint()
@@ -425,6 +459,8 @@ def test_a_router_that_goes_and_comes_back_has_nothing_written_twice(tmp_path: P
     ("arguments", "words"),
     [
         (["--prefix", "robot/*"], "'robot/*' is no prefix of keys"),
+        (["--prefix", "@robot/1"], "'@robot/1' is no prefix of keys"),
+        (["--prefix", "robot/@1"], "as in robot/1; no wildcard includes a name that begins with @"),
         (["--prefix", "robot/1", "--link", "sim:delta"], "no robot 'delta' is known"),
         (["--prefix", "robot/1", "--connect", "nowhere"], "connect/endpoints: Endpoints must be"),
         (["--prefix", "robot/1", "--mode", "client"], "a client of Zenoh needs a router: connect to one, such as"),

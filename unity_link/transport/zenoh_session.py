@@ -138,9 +138,10 @@ def check_prefix(prefix: str) -> str:
 
     text = prefix.strip("/")
     with contextlib.suppress(zenoh.ZError):
-        if text and not set("*$?#") & set(text):
+        if text and not set("*$?#") & set(text) and "/@" not in f"/{text}":
             return str(zenoh.KeyExpr(text))
-    raise ArgumentError(f"{prefix!r} is no prefix of keys: names with / between them were expected, as in robot/1")
+    expected = "names with / between them were expected, as in robot/1"
+    raise ArgumentError(f"{prefix!r} is no prefix of keys: {expected}; no wildcard includes a name that begins with @")
 
 
 def find_zenoh() -> None:

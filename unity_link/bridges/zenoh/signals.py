@@ -171,7 +171,7 @@ class ZenohSignals:
         return {"info": describe(self._robot, self._prefix) | {"written": self.written}}
 
     async def _write(self, key: zenoh.KeyExpr, payload: bytes) -> dict[str, Any]:
-        if not payload and str(key) != f"{self._prefix}/write":
+        if not _names(key, "write") or (_is_pattern(key) and not payload):
             # A query for all keys writes nothing.
             return {}
         return {"write": await self._write_objects(self._reader.read(payload))}
@@ -183,8 +183,10 @@ class ZenohSignals:
         self.written += count
         return {"written": count}
 
-    async def _read(self, _: zenoh.KeyExpr, payload: bytes) -> dict[str, Any]:
+    async def _read(self, key: zenoh.KeyExpr, payload: bytes) -> dict[str, Any]:
         if payload:
+            if not _names(key, "read"):
+                return {}
             try:
                 paths = msgspec.json.decode(payload, type=list[str])
             except (msgspec.DecodeError, RecursionError) as error:
@@ -197,12 +199,17 @@ class ZenohSignals:
         return {"read": {path: values[self._robot[path]] for path in paths}}
 
     async def _signals(self, key: zenoh.KeyExpr, payload: bytes) -> dict[str, Any]:
-        # The key may have wildcards: it means what matches here, and may mean as much elsewhere.
         found = {name: proxy for name, proxy in self._by_name.items() if key.intersects(_key(f"{self._prefix}/{name}"))}
         if payload:
+            # A payload for `read` or `write` is none for a signal, even if `**` includes signals.
+            if "/signals/" not in str(key) or (_is_pattern(key) and not found):
+                return {}
             return await self._write_signal(key, found, payload)
         readable = {name: proxy for name, proxy in found.items() if isinstance(proxy, Readable)}
         if not readable:
+            if _is_pattern(key):
+                # Another handler of this bridge, or another bridge, has what the wildcards select.
+                return {}
             one = next(iter(found.values()), None)
             raise ArgumentError(f"there is no signal at {key}" if one is None else f"{one.path} cannot be read so")
         values = await self._group(tuple(readable.values())).get()
@@ -219,6 +226,16 @@ class ZenohSignals:
     @staticmethod
     def _make_group(proxies: tuple[Proxy[Any], ...]) -> Group:
         return Group(*proxies)
+
+
+def _is_pattern(key: zenoh.KeyExpr) -> bool:
+    """Return whether a key has wildcards: it may select keys of several handlers and bridges."""
+    return "*" in str(key)
+
+
+def _names(key: zenoh.KeyExpr, name: str) -> bool:
+    """Return whether the last level of a key is a name, and no wildcard."""
+    return str(key).rpartition("/")[2] == name
 
 
 @functools.lru_cache(4096)
