@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import asyncio
 import io
 import json
+import math
 import struct
 import subprocess
 import sys
@@ -11,19 +13,26 @@ from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import jsonschema
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from mcap.exceptions import McapError
 from mcap.reader import NonSeekingReader, make_reader
 from mcap.records import Chunk, MessageIndex
 from mcap.stream_reader import StreamReader, get_chunk_data_stream
 from zstandard import ZstdError
 
+import unity_link
 from generate.every_kind import every_kind
 from support.recordings import record, sequence_in
 from unity_link.bridges.messages import Encoder
 from unity_link.bridges.recording import Recording
 from unity_link.bridges.recording.chunks import CHUNK, ChunkWriter
+from unity_link.data import Batch
+from unity_link.data.layout import GroupLayout
+from unity_link.link.subscription import Sample
 from unity_link.spec import compile_text
 
 if TYPE_CHECKING:
@@ -192,10 +201,55 @@ def assert_foxglove_takes(schema: dict[str, Any], what: str) -> None:
         if part["type"] == "array":
             shown = part["items"]
             assert shown["type"] != "array", f"{what}.{name}"
+        assert isinstance(shown["type"], str)
         assert shown["type"] in ("boolean", "string", "number", "integer", "object"), f"{what}.{name}"
         assert "contentEncoding" not in shown
         if shown["type"] == "object":
             assert_foxglove_takes(shown, f"{what}.{name}")
+
+
+FLOATS = """
+public robot() { legs[2]: leg() @(0x10 * i); @row[3] = 0x80 + i: float 32 READ(); @gap[3] = 0x90 + i: READ(); }
+leg(): @(base) { @load = base: float 32 READ(); @heat = base + 1: float 32 READ(); @on = base + 2: bool READ(); }
+"""
+FLOAT_PATHS = ["legs[0].load", "legs[0].heat", "legs[1].load", "row[0]", "row[2]"]
+WORDS = {math.nan: 0x7FC00000, math.inf: 0x7F800000, -math.inf: 0xFF800000, 0.0: 0, 1.5: 0x3FC00000}
+
+
+async def _robot_of_floats() -> Any:
+    async with unity_link.connect("sim:") as link:
+        return unity_link.load(compile_text(FLOATS))(link)
+
+
+@pytest.fixture(scope="module")
+def robot_of_floats() -> Any:
+    return asyncio.run(_robot_of_floats())
+
+
+@given(
+    rows=st.lists(st.tuples(*[st.sampled_from([*WORDS])] * len(FLOAT_PATHS)), min_size=1, max_size=5),
+    time=st.none() | st.floats(0, 1e6),
+)
+def test_every_message_fits_its_schema_and_says_what_can_be_said(
+    robot_of_floats: Any, rows: list[tuple[float, ...]], time: float | None
+) -> None:
+    signals = [robot_of_floats[path] for path in [*FLOAT_PATHS, "legs[1].on", "gap[1]"]]
+    words = [np.array([*map(WORDS.__getitem__, row), 1, 7], np.uint64) for row in rows]
+    samples = [Sample(number, time, 0.0, values, 0) for number, values in enumerate(words)]
+    encoder = Encoder([proxy.signal for proxy in signals])
+    messages = [json.loads(message) for message in encoder.encode(Batch(GroupLayout(signals), samples), 32)]
+
+    assert_foxglove_takes(encoder.schema, "message")
+    for number, (row, message) in enumerate(zip(rows, messages, strict=True)):
+        jsonschema.Draft202012Validator(encoder.schema).validate(message)
+        known = [value if math.isfinite(value) else None for value in row]
+        assert message.get("time") == time
+        assert message["sequence"] == number
+        first, second = message["signals"]["legs"]
+        assert (first.get("load"), first.get("heat"), second.get("load"), second["on"]) == (*known[:3], True)
+        assert message["signals"]["row"] == [known[3], None, known[4]]
+        assert message["signals"]["gap"] == [None, 7]
+        assert None not in [*first.values(), *second.values(), message.get("time", 0)]
 
 
 LEGS = """

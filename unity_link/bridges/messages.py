@@ -6,11 +6,13 @@
 
 ``signals`` is the tree of the spec, so that what a program calls ``legs[2].coxa.cpos`` has the same name in the tools
 that open the file. ``words`` has the words of the group, in the order of its addresses, each as hex digits of whole
-bytes: the values again, exactly.
+bytes: the values again, exactly. ``time`` is left out without a clock, and so is a value that is no number of JSON, NaN
+or an infinity; in a row of signals that value is null.
 """
 
 from __future__ import annotations
 
+import functools
 import json
 import re
 from typing import TYPE_CHECKING, Any
@@ -21,13 +23,17 @@ import numpy as np
 from unity_link.spec.kinds import KindName
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Collection, Sequence
+
+    from numpy.typing import NDArray
 
     from unity_link.data import Batch
     from unity_link.protocol.arrays import Words
     from unity_link.spec import Signal
 
 _STEP = re.compile(r"([^.\[\]]+)|\[(\d+)\]")
+_ALWAYS = ("sequence", "lost", "words")
+"""Fields of each message, beside its values."""
 _TYPES = {"b": "boolean", "i": "integer", "u": "integer", "f": "number"}
 
 
@@ -35,40 +41,59 @@ class RecordedMessage(msgspec.Struct):
     """A message as it is read back."""
 
     sequence: int
-    time: float | None
     lost: int
     words: str
+    time: float | None = None
 
 
 class Encoder:
     """Writes the samples of one group, all of a batch at once."""
 
     def __init__(self, signals: Sequence[Signal]) -> None:
-        tree: dict[str, Any] = {}
+        self._tree: dict[str, Any] = {}
         for place, signal in enumerate(signals):
-            _plant(tree, _steps(signal.path), place)
-        self._order: list[int] = []
-        values = _template(tree, self._order)
-        head = '{"sequence":%d,"time":%b,"lost":%d,"words":"%b","signals":'
-        self._template = f"{head}{values}}}".encode()
-        self.schema = _message_schema(tree, signals)
+            _plant(self._tree, _steps(signal.path), place)
+        self._floats = [
+            place for place, signal in enumerate(signals) if signal.kind.name is KindName.FLOAT and signal.index is None
+        ]
+        """Places of the values that are left out if JSON has no number for them."""
+        # Values come and go, in as many ways as there are sets of them.
+        self._template = functools.lru_cache(256)(self._make_template)
+        self.schema = _message_schema(self._tree, signals)
         """JSON schema of a message."""
 
     def encode(self, batch: Batch, word_bits: int) -> list[bytes]:
         """Return the messages of the samples of a batch."""
-        times = [b"null"] * len(batch) if batch.time is None else _texts(batch.time.tolist())
-        columns = [column.tolist() for column in batch.columns.values()]
-        texts = [_texts(columns[place]) for place in self._order]
-        rows = zip(
-            batch.sequence.tolist(),
-            times,
-            batch.lost.tolist(),
-            words_to_hex(batch.words, word_bits),
-            *texts,
-            strict=True,
-        )
-        template = self._template
-        return [template % row for row in rows]
+        columns = list(batch.columns.values())
+        time = [] if batch.time is None else [_texts(batch.time)]
+        head = [batch.sequence.tolist(), *time, batch.lost.tolist(), words_to_hex(batch.words, word_bits)]
+        texts = [_texts(column) for column in columns]
+        missing = np.zeros((len(batch), len(self._floats)), bool)
+        for number, place in enumerate(self._floats):
+            missing[:, number] = ~np.isfinite(columns[place])
+        if not missing.any():
+            return self._fill(missing[0], head, texts)
+        messages = [b""] * len(batch)
+        patterns, which = np.unique(missing, axis=0, return_inverse=True)
+        for number, pattern in enumerate(patterns):
+            rows = np.flatnonzero(which.ravel() == number).tolist()
+            some = [[[column[row] for row in rows] for column in part] for part in (head, texts)]
+            for row, message in zip(rows, self._fill(pattern, *some), strict=True):
+                messages[row] = message
+        return messages
+
+    def _fill(self, missing: NDArray[np.bool_], head: Sequence[list[Any]], texts: Sequence[list[bytes]]) -> list[bytes]:
+        """Return messages, of which all lack the same values, from their columns of texts."""
+        template, order = self._template(len(head), missing.tobytes())
+        return [template % row for row in zip(*head, *(texts[place] for place in order), strict=True)]
+
+    def _make_template(self, fields: int, missing: bytes) -> tuple[bytes, list[int]]:
+        """Return the template of messages with so many fields before their values, and the places of the values."""
+        order: list[int] = []
+        absent = {place for place, is_missing in zip(self._floats, missing, strict=True) if is_missing}
+        values = _template(self._tree, order, absent)
+        time = '"time":%b,' if fields > len(_ALWAYS) else ""
+        return f'{{"sequence":%d,{time}"lost":%d,"words":"%b","signals":{values}}}'.encode(), order
 
 
 def words_to_hex(words: Words, word_bits: int) -> list[bytes]:
@@ -97,9 +122,9 @@ def _word_bytes(word_bits: int) -> int:
     return -(-word_bits // 8)
 
 
-def _texts(values: list[Any]) -> list[bytes]:
-    """Write numbers as JSON does; one that JSON cannot say is null."""
-    return msgspec.json.encode(values)[1:-1].split(b",")
+def _texts(values: NDArray[Any]) -> list[bytes]:
+    """Write numbers as JSON does; NaN and infinities are null."""
+    return msgspec.json.encode(values.tolist())[1:-1].split(b",")
 
 
 # The tree of names: objects are dicts, arrays are lists with {} where the group has nothing, leaves are places.
@@ -120,18 +145,22 @@ def _plant(tree: Any, steps: list[str | int], place: int) -> None:
         tree = tree[step]
 
 
-def _template(tree: Any, order: list[int]) -> str:
+def _template(tree: Any, order: list[int], missing: Collection[int]) -> str:
     if isinstance(tree, int):
         order.append(tree)
         return "%b"
     if isinstance(tree, list):
         is_row = _value_of(tree) is not None
-        return f"[{','.join('null' if is_row and item == {} else _template(item, order) for item in tree)}]"
-    return f"{{{','.join(f'{json.dumps(name)}:{_template(item, order)}' for name, item in tree.items())}}}"
+        return f"[{','.join('null' if is_row and item == {} else _template(item, order, missing) for item in tree)}]"
+    there = [
+        (json.dumps(name), item) for name, item in tree.items() if not isinstance(item, int) or item not in missing
+    ]
+    return f"{{{','.join(f'{name}:{_template(item, order, missing)}' for name, item in there)}}}"
 
 
-# Foxglove wants one type for each property, properties for each object, and no arrays in arrays. That a value may be
-# null can't be said so, and need not be: a schema tells what there is to be plotted, and no message is checked by it.
+# Foxglove wants one type for each property and for the items of an array, properties for each object, and no arrays in
+# arrays. So a property is never null, but left out; and items that may be null are `prefixItems`, which Foxglove does
+# not read, and which a validator takes instead of `items`.
 
 
 def _message_schema(tree: Any, signals: Sequence[Signal]) -> dict[str, Any]:
@@ -140,7 +169,7 @@ def _message_schema(tree: Any, signals: Sequence[Signal]) -> dict[str, Any]:
         "type": "object",
         "properties": {
             "sequence": {"type": "integer", "description": "number of the sample, lost ones counted"},
-            "time": {"type": "number", "description": "instant of sampling, seconds of the gateway's clock, or null"},
+            "time": {"type": "number", "description": "instant of sampling, seconds of the gateway's clock"},
             "lost": {"type": "integer", "description": "samples lost before this one"},
             "words": {"type": "string", "description": "the words as they came, in hex"},
             "signals": _schema(tree, signals),
@@ -154,7 +183,7 @@ def _schema(tree: Any, signals: Sequence[Signal]) -> dict[str, Any]:
     if isinstance(tree, list):
         value = _value_of(tree)
         if value is not None:
-            return {"type": "array", "items": _value_schema(signals[value])}
+            return _row_schema(tree, signals[value])
         # Readers want one schema for all items; an item may lack what the group has only of others.
         merged: dict[str, Any] = {}
         for item in tree:
@@ -169,11 +198,19 @@ def _value_of(items: list[Any]) -> int | None:
     return next((item for item in items if isinstance(item, int)), None)
 
 
+def _row_schema(items: list[Any], signal: Signal) -> dict[str, Any]:
+    """Return the schema of a row of signals like one of them; an item without a place is not in the group."""
+    value = _value_schema(signal)
+    schema: dict[str, Any] = {"type": "array", "items": value}
+    if signal.kind.name is KindName.FLOAT or not all(isinstance(item, int) for item in items):
+        schema["prefixItems"] = [{"type": [value["type"], "null"]}] * len(items)
+    return schema
+
+
 def _value_schema(signal: Signal) -> dict[str, Any]:
     kind = signal.kind
     schema: dict[str, Any] = {"type": _TYPES[kind.dtype.kind]}
-    # What JSON has no number for.
-    null = "or null for NaN and infinities" if kind.name is KindName.FLOAT else ""
+    absent = "no value for NaN and infinities" if kind.name is KindName.FLOAT else ""
     names = [f"{value.value}: {value.name}" for value in kind.enumeration.values] if kind.enumeration else []
-    described = "; ".join(filter(None, [signal.doc, ", ".join(names), signal.unit and f"in {signal.unit}", null]))
+    described = "; ".join(filter(None, [signal.doc, ", ".join(names), signal.unit and f"in {signal.unit}", absent]))
     return {**schema, "description": described} if described else schema
