@@ -57,15 +57,15 @@ def expanded(form: CompactForm, data: bytes) -> bytes:
         ends = byte in b"\n\r"
         if byte in START:
             if content is not None:
-                text += text_of_frame(form, content) + b"\n"
+                text += text_of_frame(form, content) + END + b"\n"
             elif text and text[-1] not in b"\n\r":
-                text += b"\n"
+                text += END + b"\n"
             content, escaped = bytearray(), False
         elif content is None:
             text.append(byte)
             text += b"\n" * (byte in END)
         elif byte in END or ends:
-            text += text_of_frame(form, content) + (bytes((byte,)) if ends else b"\n")
+            text += text_of_frame(form, content) + (END if ends or escaped else b"") + b"\n"
             content = None
         elif escaped or byte not in ESCAPE:
             content.append(byte ^ STUFFED if escaped else byte)

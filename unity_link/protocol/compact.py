@@ -47,8 +47,11 @@ _STUFFING: Final = [(bytes((byte,)), ESCAPE + bytes((byte ^ STUFFED,))) for byte
 _PLAIN: Final = [bytes((byte ^ STUFFED,)) for byte in range(256)]
 """The byte that is meant, for each that stands behind an escape."""
 _SAMPLE: Final = COMMANDS.index("P")
+_REST_OF_A_SAMPLE: Final = START + b"\xf0"
 _FIRST_LETTER: Final = ord("g")
 _ESCAPED = re.compile(rb"\xd3(.?)", re.DOTALL)
+_CUT: Final = END + b"\n"
+"""What ends the text of a cut frame: a character that is no digit, so that no CRC fits, and the line end."""
 _DIGITS: Final = b"0123456789ABCDEF"
 _FRAME = re.compile(rb"\xb5[^\n\r\xb5\xca]*\xca\n?|[^\n\xb5\xca]*\n")
 _PIECE = re.compile(rb"\xb5([^\n\r\xb5\xca]*)([\n\r\xb5\xca])|([\n\r])|(\xca)|[^\n\r\xb5\xca]+")
@@ -159,8 +162,7 @@ class Packer:
 class Unpacker:
     """Makes text of what arrives in both forms.
 
-    A line end or a start in a compact frame cuts it, and an end that nothing began ends a line: what is before is
-    damaged, and the check above finds it.
+    The text of a cut frame (docs/protocol.md, "Cut frames") ends in the byte of an end and LF, so its check fails.
 
     Args:
         form: of the frames in this direction.
@@ -237,6 +239,9 @@ class Unpacker:
         count = data.count(START)
         if data[:1] != START or data[-1:] != END or data.count(END) != count or b"\n" in data or b"\r" in data:
             return b""
+        if ESCAPE + END in data:
+            # Perhaps an escape without its byte, which cuts the frame.
+            return b""
         if count == 1:
             return self._text(data[1:-1]) + b"\n"
         if self._has_node or data.count(END + START) != count - 1:
@@ -257,20 +262,21 @@ class Unpacker:
         at = 0
         while at < len(data):
             if data[at] == START[0] and self._in_line:
-                yield b"\n"
+                yield _CUT
                 self._in_line = False
             found = _PIECE.match(data, at)
             if found is None:
-                # Its end is still to come, or it is none: then it can't be longer than a frame.
+                # Its end is still to come. Noise without an end must not grow: its text is given now, longer than any
+                # frame, and what follows continues that text as the rest of a sample, for which no request waits.
                 self._begun = data[at:]
                 if len(self._begun) > LONGEST_FRAME:
                     yield self._text(self._begun[1:])
-                    self._begun, self._in_line = b"", True
+                    self._begun = _REST_OF_A_SAMPLE
                 return
             at = found.end()
             if data[found.start()] == START[0]:
-                yield self._text(found[1])
-                yield b"\n" if found[2] in (START, END) else found[2]
+                is_whole = found[2] == END and not _ends_in_escape(found[1])
+                yield self._text(found[1]) + (b"\n" if is_whole else _CUT)
                 at -= found[2] == START
             else:
                 yield found[0] + b"\n" if found[4] else found[0]
@@ -319,10 +325,15 @@ def _stuffed(content: bytes) -> bytes:
     return content
 
 
+def _ends_in_escape(content: bytes) -> bool:
+    """Return whether the last byte is an escape, whose byte has not come; one that is escaped itself is none."""
+    return bool((len(content) - len(content.rstrip(ESCAPE))) % 2)
+
+
 def _unstuffed(content: bytes) -> bytes:
     """Return bytes without their escapes."""
     before, *others = content.split(ESCAPE)
     if b"" not in others:
         return before + b"".join([_PLAIN[part[0]] + part[1:] for part in others])
-    # Behind one stands another, or nothing: it was damaged.
+    # An escape follows another one, or nothing follows: the sender was no packer, or the line damaged the frame.
     return _ESCAPED.sub(lambda pair: bytes(byte ^ STUFFED for byte in pair[1]), content)

@@ -1,0 +1,450 @@
+"""A gateway as docs/protocol.md describes it, written from the page alone: text, compact and cut frames.
+
+It imports nothing of the product, so that both can be compared. It knows plain memory, sessions and repetitions; of
+groups it knows only that none was set up (a `GS` that would set one up raises `NotImplementedError`).
+"""
+
+from __future__ import annotations
+
+import re
+from typing import NamedTuple
+
+START, END, ESCAPE, LF, CR = 0xB5, 0xCA, 0xD3, 0x0A, 0x0D
+NUMBERED = ["r", "rm", "rq", "w", "wm", "wq", "wk", "ws", "h", "gn", "gx", "gp", "i", "n", "x", "P"]
+"""Commands that have a compact form, each at its number."""
+WITH_ADDRESS = ("r", "rm", "rq", "w", "wm", "wq", "wk", "ws")
+LOOKING = ("R", "RM", "H", "Q", "K")
+CRC, UNKNOWN, MALFORMED, RANGE, LONG, NO_SESSION, UNDER_WAY = 1, 2, 3, 6, 7, 0x0A, 0x0B
+HEX = re.compile(r"[0-9A-Fa-f]*")
+
+
+class Frame(NamedTuple):
+    """What stands between two ends, as text."""
+
+    text: str
+    plain: bool
+
+
+class Widths(NamedTuple):
+    """What `Q` says that matters here."""
+
+    id_digits: int = 3
+    crc_bits: int = 16
+    polynomial: int = 0x1021
+    address_digits: int = 2
+    data_digits: int = 8
+    block_words: int = 255
+    group_words: int = 32
+    groups: int = 16
+    node: int | None = None
+    compact: bool = True
+
+    @property
+    def crc_digits(self) -> int:
+        """Digits of a CRC."""
+        return self.crc_bits // 4
+
+    @property
+    def session_digits(self) -> int:
+        """Digits of the number of a session."""
+        return 2 if self.crc_bits == 8 else 4
+
+    @property
+    def ring(self) -> int:
+        """Number of IDs."""
+        return 16**self.id_digits
+
+    @property
+    def prefix(self) -> str:
+        """Beginning of an addressed frame."""
+        return "" if self.node is None else f"Z{self.node:02X}"
+
+    @property
+    def longest(self) -> int:
+        """Characters of the longest checked request, CRC included."""
+        head = 2 + self.id_digits + self.address_digits
+        fields = [2, self.data_digits * self.block_words, 2 * self.data_digits]
+        group = 2 + self.id_digits + 10 + self.address_digits * self.group_words if self.groups else 0
+        return max(head + max(fields), group) + self.crc_digits
+
+    def crc(self, text: str, seed: int = 0) -> int:
+        """Return the CRC of a text, with a seed xored in before its first character behind the prefix."""
+        top, mask = 1 << self.crc_bits - 1, (1 << self.crc_bits) - 1
+        rest = 0
+        for place, character in enumerate(text):
+            if place == len(self.prefix):
+                rest ^= seed
+            rest ^= ord(character) << self.crc_bits - 8
+            for _ in range(8):
+                rest = (rest << 1 ^ (self.polynomial if rest & top else 0)) & mask
+        return rest
+
+    def spare(self, command: str, *, from_gateway: bool) -> bool:
+        """Return whether a digit that says nothing stands behind the number of a command."""
+        digits = 1 + self.crc_digits + (0 if command == "P" else self.id_digits)
+        if command in WITH_ADDRESS and not from_gateway:
+            digits += self.address_digits
+        if command == "h" and from_gateway:
+            digits += self.id_digits
+        return digits % 2 == 1
+
+    def pack(self, text: str, *, from_gateway: bool) -> bytes:
+        """Return a checked frame, given without LF, in compact form if it has one, and as text otherwise."""
+        body = text[len(self.prefix) :]
+        command = next((body[:size] for size in (2, 1) if body[:size] in NUMBERED), "")
+        digits = ""
+        if command:
+            digits = text[1 : len(self.prefix)] + f"{NUMBERED.index(command):X}"
+            digits += "0" * self.spare(command, from_gateway=from_gateway) + body[len(command) :]
+        if not command or len(digits) % 2 or not HEX.fullmatch(digits):
+            return text.encode("latin-1") + b"\n"
+        packed = bytearray((START,))
+        for byte in bytes.fromhex(digits):
+            if byte in (START, END, ESCAPE, LF, CR):
+                packed += bytes((ESCAPE, byte ^ 0x40))
+            else:
+                packed.append(byte)
+        packed.append(END)
+        return bytes(packed) + b"\n" * (self.node is not None)
+
+
+class Cutter:
+    """Cuts the bytes of one direction into frames."""
+
+    def __init__(self, widths: Widths, *, from_gateway: bool) -> None:
+        self._widths, self._from_gateway = widths, from_gateway
+        self._text = ""
+        self._content: bytearray | None = None
+        self._escaped = False
+
+    def take(self, data: bytes) -> list[Frame]:
+        """Return the frames that end in some bytes, empty ones too."""
+        return [frame for byte in data for frame in self._take(byte)]
+
+    def _take(self, byte: int) -> list[Frame]:
+        if not self._widths.compact:
+            if byte in (LF, CR):
+                return [self._ended(plain=byte == CR)]
+            self._text += chr(byte)
+            return []
+        if byte == START:
+            begun = self._content is not None or self._text
+            frames = [self._cut()] if begun else []
+            self._content = bytearray()
+            return frames
+        if self._content is None:
+            if byte in (LF, CR):
+                return [self._ended(plain=byte == CR)]
+            if byte == END:
+                return [self._cut()]
+            self._text += chr(byte)
+        elif byte in (LF, CR) or (byte == END and self._escaped):
+            return [self._cut()]
+        elif byte == END:
+            return [self._ended(plain=False)]
+        elif self._escaped:
+            self._content.append(byte ^ 0x40)
+            self._escaped = False
+        elif byte == ESCAPE:
+            self._escaped = True
+        else:
+            self._content.append(byte)
+        return []
+
+    def _cut(self) -> Frame:
+        return self._ended(plain=False, behind=chr(END))
+
+    def _ended(self, *, plain: bool, behind: str = "") -> Frame:
+        text = self._text if self._content is None else self._expanded(bytes(self._content))
+        self._text, self._content, self._escaped = "", None, False
+        return Frame(text + behind, plain)
+
+    def _expanded(self, content: bytes) -> str:
+        prefix = ""
+        if self._widths.node is not None and content:
+            prefix, content = f"Z{content[0]:02X}", content[1:]
+        if not content:
+            return prefix
+        command = NUMBERED[content[0] >> 4]
+        spare = self._widths.spare(command, from_gateway=self._from_gateway)
+        return prefix + command + content.hex().upper()[1 + spare :]
+
+
+class Refusal(Exception):
+    """An error in the place of an answer."""
+
+    def __init__(self, code: int, id_: str = "", rest: str = "") -> None:
+        super().__init__(code)
+        self.body = f"x{id_}{code:02X}{rest}" if id_ else f"X{code:02X}"
+
+
+class GatewayOnThePage:
+    """The gateway.
+
+    Args:
+        widths: of its frames.
+        configuration: the answer to `Q`, without its letter.
+    """
+
+    def __init__(self, widths: Widths = Widths(), configuration: str = "") -> None:  # noqa: B008  (it cannot change)
+        self.widths = widths
+        self._configuration = configuration
+        self._cutter = Cutter(widths, from_gateway=False)
+        self.memory: dict[int, int] = {}
+        self.session = self.asked = 0
+        self.expected = 0
+        self.for_program = False
+        self._gap_told = False
+        self._outcomes: dict[int, int] = {}
+        self._kept: dict[int, int] = {}
+
+    @property
+    def seed(self) -> int:
+        """What a host puts into the check of a frame of the session."""
+        return 2 * self.session
+
+    def answers(self, data: bytes) -> list[bytes]:
+        """Return the answers to some bytes, each with its end."""
+        return [answer for frame in self._cutter.take(data) for answer in self._answer(frame)]
+
+    # Frames
+
+    def _answer(self, frame: Frame) -> list[bytes]:
+        widths = self.widths
+        text, prefix = frame.text, widths.prefix
+        to_all = False
+        if prefix:
+            if text[:3].upper() not in (prefix, "ZFF") or text[:1] != "Z":
+                return []
+            to_all = text[:3].upper() == "ZFF"
+            prefix, text = text[:3], text[3:]
+        if not text:
+            return []
+        try:
+            body = self._read(prefix, text, plain=frame.plain, to_all=to_all)
+        except Refusal as refusal:
+            body = refusal.body
+        return [self._framed(body, plain=frame.plain)] if body and not to_all else []
+
+    def _framed(self, body: str, *, plain: bool) -> bytes:
+        prefix = self.widths.prefix
+        if plain:
+            return f"{prefix}{body}\r\n".encode()
+        seed = 2 * self.session + 1 if self.session and (body[0].islower() or body[0] == "P") else 0
+        if body[0] == "x" and len(body) > 3 + self.widths.id_digits:
+            # Without a session.
+            seed = 0
+        check = self.widths.crc(prefix + body, seed)
+        text = f"{prefix}{body}{check:0{self.widths.crc_digits}X}"
+        if self.asked != self.session:
+            return self.widths.pack(text, from_gateway=True)
+        return text.encode() + b"\n"
+
+    def _read(self, prefix: str, text: str, *, plain: bool, to_all: bool) -> str:
+        """Go through the checks in the order of the page; return the body of the answer."""
+        widths = self.widths
+        if len(text) > widths.longest:
+            raise Refusal(LONG)
+        body, residue = text, 0
+        if not plain:
+            body, check = text[: -widths.crc_digits], text[-widths.crc_digits :]
+            if len(check) < widths.crc_digits or not HEX.fullmatch(check):
+                raise Refusal(CRC)
+            small = "a" <= body[:1] <= "z"
+            residue = widths.crc(prefix + body, self.seed if small else 0) ^ int(check, 16)
+            if residue and not (small and not self.session):
+                raise Refusal(CRC)
+        letters = re.match("[G-Zg-z]*", body)
+        command = letters[0] if letters else ""
+        has_id = command.islower()
+        name = command.upper()
+        if name not in FORMS or (has_id and name in "QK") or command not in (name, name.lower()):
+            raise Refusal(UNKNOWN)
+        rest = body[len(command) :]
+        if not HEX.fullmatch(rest):
+            raise Refusal(MALFORMED)
+        id_ = rest[: widths.id_digits].upper() if has_id else ""
+        if len(id_) < widths.id_digits * has_id:
+            raise Refusal(MALFORMED)
+        fields = self._fields(name, rest[len(id_) :], short=plain and not has_id)
+        if to_all:
+            if name == "WS" and not has_id and not (plain and self.for_program):
+                self._execute(name, fields)
+            return ""
+        if self.for_program and (plain if has_id else name not in LOOKING):
+            raise Refusal(UNDER_WAY, id_)
+        if has_id:
+            return self._in_order(name, id_, fields, residue)
+        if name == "K":
+            return self._k(fields, rest, plain=plain)
+        answer = self._execute(name, fields)
+        repeated = {"R": 1, "RM": 2, "RQ": 2, "W": 1, "WM": 1, "WQ": 1, "WK": 1}.get(name, 0)
+        if name == "WS":
+            return ""
+        said = name + "".join(self._written(name, fields)[:repeated])
+        if name in ("WM", "WQ"):
+            said += f"{len(fields) - 1:02X}"
+        if name[0] in "GI" and name != "H":
+            said += f"{fields[0]:02X}"
+        return said + answer
+
+    def _written(self, name: str, fields: list[int]) -> list[str]:
+        widths = [self.widths.address_digits, *([2] if name[:2] in ("RM", "RQ") else [])]
+        return [f"{field:0{width}X}" for field, width in zip(fields, widths, strict=False)]
+
+    def _fields(self, name: str, digits: str, *, short: bool) -> list[int]:
+        widths = self.widths
+        a, d = widths.address_digits, widths.data_digits
+        sizes: list[int]
+        match name:
+            case "WM" | "WQ":
+                words, odd = divmod(len(digits) - a, d)
+                if odd or not 1 <= words <= 255:
+                    raise Refusal(MALFORMED)
+                sizes = [a, *[d] * words]
+            case "W" | "WS" if short:
+                if not a < len(digits) <= a + d:
+                    raise Refusal(MALFORMED)
+                sizes = [a, len(digits) - a]
+            case "K":
+                sizes = [widths.id_digits, widths.session_digits] if digits else []
+            case "GS":
+                count = int(digits[8:10], 16) if len(digits) >= 10 else 0
+                sizes = [2, 2, 4, 2, *[a] * count]
+            case _:
+                sizes = [{"a": a, "d": d, "2": 2}[letter] for letter in FORMS[name]]
+        if sum(sizes) != len(digits):
+            raise Refusal(MALFORMED)
+        fields, at = [], 0
+        for size in sizes:
+            fields.append(int(digits[at : at + size], 16))
+            at += size
+        return fields
+
+    # Sessions
+
+    def _k(self, fields: list[int], digits: str, *, plain: bool) -> str:
+        size = self.widths.session_digits
+        if not fields:
+            return f"K{self.asked:0{size}X}"
+        first, asked = fields
+        high = 1 << 4 * size - 1
+        number = asked & high - 1
+        if self.session and number == self.session:
+            raise Refusal(UNDER_WAY)
+        if number == 0 or (asked & high and not self.widths.compact):
+            raise Refusal(RANGE)
+        ended, self.asked, self.session, self.expected = self.asked, asked, number, first
+        self.for_program, self._gap_told = not plain, False
+        return f"K{digits.upper()}{ended:0{size}X}"
+
+    def _in_order(self, name: str, id_: str, fields: list[int], residue: int) -> str:
+        widths = self.widths
+        if not self.session:
+            raise Refusal(NO_SESSION, id_, f"{residue:0{widths.crc_digits}X}")
+        number = int(id_, 16)
+        ahead = (number - self.expected) % widths.ring
+        if 0 < ahead < widths.ring // 2:
+            told, self._gap_told = self._gap_told, True
+            return "" if told else f"n{self.expected:0{widths.id_digits}X}"
+        said = name.lower() + id_
+        place = number % (widths.ring // 2)
+        if ahead:
+            if outcome := self._outcomes.get(place, 0):
+                raise Refusal(outcome, id_)
+            return self._again(name, said, fields, number)
+        self.expected, self._gap_told = (number + 1) % widths.ring, False
+        self._outcomes[place] = 0
+        try:
+            answer = self._execute(name, fields)
+        except Refusal as refusal:
+            self._outcomes[place] = int(refusal.body[1:3], 16)
+            raise Refusal(self._outcomes[place], id_) from None
+        if name in ("RQ", "WK"):
+            for at in range(0, len(answer), widths.data_digits):
+                kept = int(answer[at : at + widths.data_digits], 16)
+                self._kept[(number + at // widths.data_digits) % 256] = kept
+        if name == "H":
+            answer = "0" * widths.id_digits
+        return "" if name == "WS" else said + answer
+
+    def _again(self, name: str, said: str, fields: list[int], number: int) -> str:
+        """Return the answer to a repetition of what ended well."""
+        widths = self.widths
+        if name in ("R", "RM"):
+            try:
+                return said + self._execute(name, fields)
+            except Refusal as refusal:
+                raise Refusal(int(refusal.body[1:3], 16), said[len(name) :]) from None
+        if name == "WS":
+            return ""
+        if name == "H":
+            return said + "0" * widths.id_digits
+        count = 1 if name == "WK" else fields[1] if name == "RQ" else 0
+        if name == "RQ" and not 1 <= count <= widths.block_words:
+            raise Refusal(RANGE, said[len(name) :])
+        places = [(number + place) % 256 for place in range(count)]
+        return said + "".join(f"{self._kept.get(place, 0):0{widths.data_digits}X}" for place in places)
+
+    # What is executed: addresses and words fill their digits.
+
+    def _execute(self, name: str, fields: list[int]) -> str:
+        widths, memory = self.widths, self.memory
+        wrap = 16**widths.address_digits
+        match name, fields:
+            case "R", [address]:
+                words = [memory.get(address, 0)]
+            case ("RM" | "RQ"), [address, count]:
+                if not 1 <= count <= widths.block_words:
+                    raise Refusal(RANGE)
+                step = name == "RM"
+                words = [memory.get((address + step * place) % wrap, 0) for place in range(count)]
+            case ("W" | "WS"), [address, word]:
+                memory[address] = word
+                words = []
+            case ("WM" | "WQ"), [address, *written]:
+                if len(written) > widths.block_words:
+                    raise Refusal(RANGE)
+                for place, word in enumerate(written):
+                    memory[(address + (name == "WM") * place) % wrap] = word
+                words = []
+            case "WK", [address, mask, word]:
+                words = [memory.get(address, 0)]
+                memory[address] = words[0] & ~mask | word & mask
+            case "GS", [group, flags, divisor, count, *_]:
+                unknown = flags & (0xE0 if self.for_program else 0xC0)
+                if not unknown and group < widths.groups and divisor and 1 <= count <= widths.group_words:
+                    raise NotImplementedError("a group is set up")
+                raise Refusal(RANGE)
+            case ("GN" | "GX" | "GP"), _:
+                raise Refusal(RANGE)
+            case "I", [mode]:
+                if mode > 2:
+                    raise Refusal(RANGE)
+                words = []
+            case "Q", _:
+                return self._configuration
+            case _:
+                words = []
+        return "".join(f"{word:0{widths.data_digits}X}" for word in words)
+
+
+FORMS = {
+    "R": "a",
+    "RM": "a2",
+    "RQ": "a2",
+    "W": "ad",
+    "WM": "",
+    "WQ": "",
+    "WK": "add",
+    "WS": "ad",
+    "GS": "",
+    "GN": "2",
+    "GX": "2",
+    "GP": "2",
+    "I": "2",
+    "H": "",
+    "Q": "",
+    "K": "",
+}
+"""Fields of each command behind its ID: an address, a word, or two digits; those of some depend on more."""

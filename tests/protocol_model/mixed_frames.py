@@ -1,0 +1,158 @@
+"""Frames of a host in both forms, whole and damaged, for a gateway on the page and those that are to agree with it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from protocol_model.gateway_on_the_page import CR, END, ESCAPE, LF, NUMBERED, START
+
+if TYPE_CHECKING:
+    import random
+    from collections.abc import Iterator
+
+    from protocol_model.gateway_on_the_page import GatewayOnThePage
+
+RESERVED = bytes((START, END, ESCAPE, LF, CR))
+_HARMLESS = b"\x00\x11\x13\x30\x72\x93\xff"
+_FIRST_SESSION = "K 0 session"
+
+
+class Mixture:
+    """A host that knows the protocol, on a line that does not carry all that it sends.
+
+    Args:
+        gateway: takes each piece, and says which ID is next.
+        rng: draws.
+        damage: part of the pieces that are damaged.
+        most_words: of a block.
+    """
+
+    def __init__(
+        self, gateway: GatewayOnThePage, rng: random.Random, *, damage: float = 0.5, most_words: int = 8
+    ) -> None:
+        self._gateway, self._rng, self._damage, self._most_words = gateway, rng, damage, most_words
+
+    def pieces(self, count: int) -> Iterator[tuple[bytes, bytes]]:
+        """Return so many frames as they arrive, and what the gateway on the page answers to each."""
+        for _ in range(count):
+            piece = self._frame()
+            if self._rng.random() < self._damage:
+                piece = self._damaged(piece)
+            yield piece, b"".join(self._gateway.answers(piece))
+
+    # What a host sends
+
+    def _frame(self) -> bytes:
+        draw, widths = self._rng.random(), self._gateway.widths
+        if draw < 0.03:
+            return self._rng.choice([b"\n", b"\r", b"\r\n", bytes((START, END)), bytes((START, END, LF))])
+        if draw < 0.06:
+            return self._garbage()
+        body = self._body()
+        text = widths.prefix + body
+        if self._rng.random() < 0.05 and widths.prefix:
+            text = self._rng.choice(["ZFF", "Z00", ""]) + body
+        if draw < 0.16:
+            return text.encode("latin-1") + b"\r"
+        small = "a" <= body[:1] <= "z"
+        seed = self._gateway.seed if small else 0
+        if self._rng.random() < 0.03:
+            # Another session's, or what a gateway sends.
+            seed ^= self._rng.choice([1, 2, 0x1236])
+        text += f"{widths.crc(text, seed & (1 << widths.crc_bits) - 1):0{widths.crc_digits}X}"
+        if self._rng.random() < 0.35 or not text.startswith(widths.prefix):
+            return text.encode("latin-1") + b"\n"
+        return widths.pack(text, from_gateway=False)
+
+    def _body(self) -> str:
+        rng, gateway = self._rng, self._gateway
+        widths = gateway.widths
+        if not gateway.session or rng.random() < 0.01:
+            if rng.random() < 0.7:
+                return self._opening()
+        command = rng.choice(["r", "w", "ws", "h", "rm", "wm", "rq", "wq", "wk", "w", "r", "gp", "i", "n", "x", "P"])
+        fields = self._fields(command)
+        if rng.random() < 0.2:
+            return rng.choice([command.upper(), command.upper(), "Q", "K", "H", "GS"]) + fields
+        number = gateway.expected
+        draw = rng.random()
+        if draw < 0.25:
+            number -= rng.choice([1, 1, 2, 3, rng.randrange(widths.ring)])
+        elif draw < 0.35:
+            number += rng.choice([1, 2, rng.randrange(widths.ring)])
+        return f"{command}{number % widths.ring:0{widths.id_digits}X}{fields}"
+
+    def _opening(self) -> str:
+        widths = self._gateway.widths
+        high = 1 << 4 * widths.session_digits - 1
+        number = self._rng.choice([self._rng.randrange(1, high), self._rng.randrange(1, high), 0, self._gateway.session])
+        asked = number | self._rng.choice([high, high, high, 0])
+        return f"K{self._rng.randrange(widths.ring):0{widths.id_digits}X}{asked:0{widths.session_digits}X}"
+
+    def _fields(self, command: str) -> str:
+        rng, widths = self._rng, self._gateway.widths
+        address = rng.choice([0x0A, 0x0D, 0xB5, 0xCA, 0xD3, rng.randrange(256)])
+        a, d = f"{address:0{widths.address_digits}X}", widths.data_digits
+        count = rng.choice([0, 1, 2, rng.randrange(1, self._most_words + 1), widths.block_words + 1 & 0xFF])
+        match command:
+            case "r":
+                return a
+            case "rm" | "rq":
+                return f"{a}{min(count, self._most_words):02X}"
+            case "w" | "ws":
+                return a + self._words(1)
+            case "wk":
+                return a + self._words(2)
+            case "wm" | "wq":
+                return a + self._words(max(min(count, self._most_words), 1))
+            case "gn" | "gx" | "gp" | "i":
+                return f"{rng.choice([0, 1, 2, 3, 0xFF]):02X}"
+            case "x" | "P" | "n":
+                return "0" * rng.choice([0, 2, d])
+        return ""
+
+    def _words(self, count: int) -> str:
+        digits = self._gateway.widths.data_digits
+        pairs = [self._rng.choice(["B5", "CA", "D3", "0A", "0D", "00", "11", "93", "FF"]) for _ in range(count * digits)]
+        return "".join(pairs)[: count * digits]
+
+    def _garbage(self) -> bytes:
+        return bytes(self._rng.choice(RESERVED + _HARMLESS) for _ in range(self._rng.randrange(1, 12)))
+
+    # What becomes of it on the way
+
+    def _damaged(self, piece: bytes) -> bytes:
+        rng = self._rng
+        at = rng.randrange(len(piece))
+        draw = rng.random()
+        if draw < 0.3:
+            # The end, where most of the rules of cut frames are.
+            at = max(len(piece) - rng.randrange(1, 4), 0)
+        match rng.randrange(8):
+            case 0:
+                return piece[:at] + piece[at + 1 :]
+            case 1:
+                return piece[:at] + bytes((rng.choice(RESERVED),)) + piece[at + 1 :]
+            case 2:
+                return piece[:at] + bytes((rng.choice(RESERVED),)) + piece[at:]
+            case 3:
+                return piece[:at]
+            case 4:
+                return piece[at:]
+            case 5:
+                return piece[:at] + bytes((piece[at] ^ 1 << rng.randrange(8),)) + piece[at + 1 :]
+            case 6:
+                # An escape that is not needed; before a reserved byte one that cuts.
+                return piece[:at] + bytes((ESCAPE, piece[at] ^ rng.choice([0, 0x40]))) + piece[at + 1 :]
+            case _:
+                return piece[:at] + self._garbage() + piece[at:]
+
+
+def as_text(frames: bytes) -> str:
+    """Return bytes as a message of a failed test shows them."""
+    return frames.hex(" ")
+
+
+def commands_with_form() -> list[str]:
+    """Return the commands that have a compact form."""
+    return list(NUMBERED)
