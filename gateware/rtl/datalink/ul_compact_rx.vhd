@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Makes text of frames in compact form, and passes text (docs/protocol.md, "The compact form"). What is cut or has no
--- beginning becomes a damaged line, which the check behind finds.
+-- Makes text of frames in compact form, and passes text (docs/protocol.md, "The compact form"). The text of a cut frame
+-- ends in the byte of an end, which is no digit, so that `ul_datalink_rx` finds no CRC.
 --
 -- A character leaves each cycle; a byte that has become two holds back what comes.
 
@@ -94,6 +94,14 @@ begin
 
     end procedure give;
 
+    procedure cut is
+    begin
+
+      give(compact_end);
+      rest <= line_end;
+
+    end procedure cut;
+
   begin
 
     if rising_edge(clk) then
@@ -138,7 +146,7 @@ begin
               out_lost <= lost or in_lost;
               if in_data = compact_start then
                 if (inside or in_line) = '1' then
-                  give(lf);
+                  cut;
                 else
                   lost <= lost or in_lost;
                 end if;
@@ -150,10 +158,10 @@ begin
                 in_line <= to_std_logic(not is_end);
                 if in_data = compact_end then
                   in_line <= '0';
-                  rest    <= line_end;
+                  cut;
                 end if;
-              elsif is_end then
-                give(in_data);
+              elsif is_end or (in_data = compact_end and escaped = '1') then
+                cut;
                 inside <= '0';
               elsif in_data = compact_end then
                 give(lf);

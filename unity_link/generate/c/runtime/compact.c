@@ -77,7 +77,18 @@ static char *put_expanded(ul_link *link, char *at, unsigned byte)
     return is_filled(link, byte >> 4, THEIRS) ? at : put_number(at, 1, byte);
 }
 
-/* Make text of what has come, and give its size. What it is made of may stand so far behind that it is never reached. */
+/* End the text of a cut frame (docs/protocol.md, Cut frames): by a character that is no digit, so that no check fits. */
+static char *put_cut(char *at)
+{
+    *at++ = (char)COMPACT_END;
+    *at++ = CHECKED_END;
+    return at;
+}
+
+/* Make text of what has come, and give its size. A byte becomes MOST_EXPANDED characters at most: what it is made of may
+ * stand so far behind that it is never reached. */
+enum { MOST_EXPANDED = 3 };     /* Z and two digits of a node, or two letters and a digit */
+
 static size_t expand(ul_link *link, char *to, const char *from, size_t size)
 {
     char *at = to;
@@ -88,17 +99,17 @@ static size_t expand(ul_link *link, char *to, const char *from, size_t size)
         /* On a shared medium it belongs to the frame. */
         if (follows_end && byte == CHECKED_END) continue;
         if (byte == COMPACT_START) {
-            if (link->in_compact || link->in_line) *at++ = CHECKED_END;
+            if (link->in_compact || link->in_line) at = put_cut(at);
             link->in_compact = true;
             link->in_line = link->is_escaped = false;
             link->compact_place = link->node < 0 ? UL_AT_COMMAND : UL_AT_NODE;
-        } else if (!link->in_compact) {
+        } else if (!link->in_compact && byte != COMPACT_END) {
             *at++ = (char)byte;
-            if (byte == COMPACT_END) *at++ = CHECKED_END;
-            link->in_line = !ends_line && byte != COMPACT_END;
+            link->in_line = !ends_line;
         } else if (ends_line || byte == COMPACT_END) {
-            *at++ = ends_line ? (char)byte : CHECKED_END;
-            link->in_compact = false;
+            if (link->in_compact && !link->is_escaped && !ends_line) *at++ = CHECKED_END;
+            else at = put_cut(at);
+            link->in_compact = link->in_line = link->is_escaped = false;
         } else if (byte == COMPACT_ESCAPE && !link->is_escaped) {
             link->is_escaped = true;
             continue;

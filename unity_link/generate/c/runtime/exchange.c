@@ -625,17 +625,16 @@ static bool fill(ul_link *link)
     size_t rest = link->receive_size - link->receive_start;
     memmove(link->receive, link->receive + link->receive_start, rest);
     link->shown_size -= link->receive_start;
-    /* A byte of the compact form becomes two characters, and those around a frame one more. */
-    size_t room = (sizeof link->receive - rest) / (link->compact ? 2 : 1);
-    if (room <= (link->compact ? COMPACT_ROOM : 0)) {
+    size_t room = (sizeof link->receive - rest) / (link->compact ? MOST_EXPANDED : 1);
+    if (room == 0) {
         rest = link->shown_size = 0;
         link->in_compact = false;
         link->unasked += FEWEST_OF_A_FLOOD;
-        room = sizeof link->receive / (link->compact ? 2 : 1);
+        room = sizeof link->receive / (link->compact ? MOST_EXPANDED : 1);
     }
     link->receive_start = 0;
     link->receive_size = rest;
-    char *to = link->receive + rest, *at = link->compact ? link->receive + sizeof link->receive - (room -= COMPACT_ROOM) : to;
+    char *to = link->receive + rest, *at = link->compact ? link->receive + sizeof link->receive - room : to;
     ptrdiff_t come = link->transport.receive(link->transport.context, at, room);
     if (come < 0) lose(link, LINE_GONE);
     if (come <= 0) return false;
