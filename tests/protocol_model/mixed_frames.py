@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from protocol_model.gateway_on_the_page import CR, END, ESCAPE, LF, NUMBERED, START
+from protocol_model.gateway_on_the_page import CR, END, ESCAPE, LF, START
 
 if TYPE_CHECKING:
     import random
@@ -14,7 +14,6 @@ if TYPE_CHECKING:
 
 RESERVED = bytes((START, END, ESCAPE, LF, CR))
 _HARMLESS = b"\x00\x11\x13\x30\x72\x93\xff"
-_FIRST_SESSION = "K 0 session"
 
 
 class Mixture:
@@ -37,7 +36,7 @@ class Mixture:
         for _ in range(count):
             piece = self._frame()
             if self._rng.random() < self._damage:
-                piece = self._damaged(piece)
+                piece = self.damaged(piece)
             yield piece, b"".join(self._gateway.answers(piece))
 
     # What a host sends
@@ -121,7 +120,7 @@ class Mixture:
 
     # What becomes of it on the way
 
-    def _damaged(self, piece: bytes) -> bytes:
+    def damaged(self, piece: bytes) -> bytes:
         rng = self._rng
         at = rng.randrange(len(piece))
         draw = rng.random()
@@ -146,13 +145,3 @@ class Mixture:
                 return piece[:at] + bytes((ESCAPE, piece[at] ^ rng.choice([0, 0x40]))) + piece[at + 1 :]
             case _:
                 return piece[:at] + self._garbage() + piece[at:]
-
-
-def as_text(frames: bytes) -> str:
-    """Return bytes as a message of a failed test shows them."""
-    return frames.hex(" ")
-
-
-def commands_with_form() -> list[str]:
-    """Return the commands that have a compact form."""
-    return list(NUMBERED)
