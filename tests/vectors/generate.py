@@ -521,6 +521,11 @@ def compact_form(script: Script) -> None:
         "without its start": packed[1:] + other,
         "cut by a line end": packed[:4] + b"\n" + other,
         "cut by a CR": packed[:4] + b"\r" + other,
+        "whole but for a CR in the place of its end": packed[:-1] + b"\r\n" + other,
+        "whole but for an LF in the place of its end": packed[:-1] + b"\n" + other,
+        "an end in the place of the LF of a text": frame[:-1] + END + other,
+        "a start that an LF cuts": START + b"\n" + other,
+        "a start that a start cuts": START + other,
         "an end behind it": packed + END + other,
         "a start behind it": packed + START + b"\n" + other,
         "a start in a line": frame[:5] + packed + other,
@@ -541,7 +546,7 @@ def compact_form(script: Script) -> None:
         damaged = bytearray(script.packer.pack_one(script.frame(body)))
         at = source.randrange(len(damaged))
         flipped = bytes((damaged[at] ^ 1 << source.randrange(8),))
-        damaged[at : at + 1] = source.choice([b"", START, END, ESCAPE, b"\n", flipped])
+        damaged[at : at + 1] = source.choice([b"", START, END, ESCAPE, b"\n", b"\r", flipped])
         script.send_as_it_is("a damaged compact frame", bytes(damaged))
     script.send_as_it_is("the end of what was cut", b"\n")
 
