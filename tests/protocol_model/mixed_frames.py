@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
+import random
+import re
 from typing import TYPE_CHECKING
 
-from protocol_model.gateway_on_the_page import CR, END, ESCAPE, LF, START
+from protocol_model.gateway_on_the_page import CR, END, ESCAPE, LF, START, Cutter, GatewayOnThePage, Widths
 
 if TYPE_CHECKING:
-    import random
     from collections.abc import Iterator
-
-    from protocol_model.gateway_on_the_page import GatewayOnThePage
 
 RESERVED = bytes((START, END, ESCAPE, LF, CR))
 _HARMLESS = b"\x00\x11\x13\x30\x72\x93\xff"
+HOSTS = [
+    Widths(),
+    Widths(id_digits=2, crc_bits=8, polynomial=0x07, address_digits=3),
+    Widths(crc_bits=32, polynomial=0x04C11DB7, address_digits=8, node=5),
+    Widths(id_digits=2, node=0xB5),
+]
+"""Widths of the frames that hosts are sent."""
+FRAMES = 100
+"""Frames that `from_a_gateway` returns."""
 
 
 class Mixture:
@@ -145,3 +153,25 @@ class Mixture:
                 return piece[:at] + bytes((ESCAPE, piece[at] ^ rng.choice([0, 0x40]))) + piece[at + 1 :]
             case _:
                 return piece[:at] + self._garbage() + piece[at:]
+
+
+def from_a_gateway(widths: Widths, seed: int) -> list[bytes]:
+    """Return what a gateway sends, whole and damaged, in pieces; a whole frame is at the end."""
+    rng = random.Random(seed)
+    hosts = Mixture(GatewayOnThePage(widths), rng)
+    pieces = []
+    for piece, answer in hosts.pieces(FRAMES):
+        sent = answer or piece
+        pieces.append(hosts.damaged(sent) if sent and rng.random() < 0.5 else sent)
+    return [*pieces, bytes((LF, START, END))]
+
+
+def lines_on_the_page(widths: Widths, data: bytes) -> list[bytes]:
+    """Return the text of each frame of a gateway that is not empty, with its end."""
+    frames = Cutter(widths, from_gateway=True).take(data)
+    return lines_in(b"".join(frame.text.encode("latin-1") + (b"\r" if frame.plain else b"\n") for frame in frames))
+
+
+def lines_in(text: bytes) -> list[bytes]:
+    """Return the lines of a text that are not empty, with their ends."""
+    return [line for line in re.findall(rb"[^\r\n]*[\r\n]", text) if line.strip(b"\r\n")]
