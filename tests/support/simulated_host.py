@@ -12,6 +12,7 @@ from unity_link.errors import Outcome, UnansweredError
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.requests import Request
 from unity_link.protocol.session import Session
+from unity_link.protocol.trial import FIRST_IDS
 from unity_link.virtual.faults import Noise, NoisyLine
 
 if TYPE_CHECKING:
@@ -27,7 +28,10 @@ LATENCY = 0.001
 
 
 class LineOfASession:
-    """A line that spoils bytes from the answer to `K` on, so that two hosts meet the same; what they send is kept."""
+    """A line that spoils bytes from the first request of a session on, so that two hosts meet the same.
+
+    What they send is kept. The trial of the compact form comes before, and passes.
+    """
 
     def __init__(self, gateway: Gateway, seed: int, **chances: float) -> None:
         self._clean = gateway
@@ -35,16 +39,21 @@ class LineOfASession:
         self.sent: list[tuple[float, bytes]] = []
         """Frames sent in the session, and their instants."""
         self.chosen: tuple[int, int] | None = None
-        """The first ID of the session, and its number."""
+        """Number by which the first ID of the session is chosen, and the number of the session."""
+        self._is_tried = True
 
     def receive(self, data: bytes, now: float) -> bytes:
         """Take bytes at a time, and return what arrives."""
-        if self.chosen is not None:
+        if self.chosen is not None and self._is_tried:
             if data:
                 self.sent.append((now, data))
             return self._noisy.receive(data, now)
+        self._is_tried |= data != b""
         if begun := re.search(rb"K([0-9A-F]{2,3})([0-9A-F]{4})[0-9A-F]{4}\n", data):
-            self.chosen = int(begun[1], 16), int(begun[2], 16) & GatewayInfo().last_session
+            first, asked = int(begun[1], 16), int(begun[2], 16)
+            number = asked & GatewayInfo().last_session
+            self._is_tried = asked == number
+            self.chosen = first if self._is_tried else FIRST_IDS[len(begun[1])].index(first), number
         return self._clean.receive(data, now)
 
 
@@ -54,7 +63,7 @@ class SimulatedHost:
     Args:
         gateway: takes bytes and the time, and gives the bytes that arrive after `LATENCY`.
         shortest_timeout: of the medium.
-        chosen: the first ID of the session, and its number.
+        chosen: number by which the first ID of the session is chosen, and the number of the session.
     """
 
     def __init__(

@@ -189,6 +189,7 @@ class Flow:
             takes_turns=seat is not None,
             byte_time=stream.byte_time,
             longest_try=stream.longest_try,
+            is_transparent=stream.in_datagrams,
         )
 
     def detach(self) -> None:

@@ -47,6 +47,10 @@ DAMAGE_PATIENCE = 16
 SHORTEST_TRY = 0.002
 DAMAGE_COST = 1 / 16
 """Part of a try that a question counts that was answered by something else."""
+TRIALS = 4
+"""Number of times a request of the trial of the compact form is sent before the line is taken not to carry that."""
+TRIAL_FACTOR = 5
+"""Factor by which a trial takes longer than the opening of the session before it, at most: it has as many more bytes."""
 SURE = 3
 """Number of times an impossible answer is heard before it is believed: a datagram that was damaged can come twice."""
 ECHO_PATIENCE = 0.5

@@ -9,6 +9,9 @@ Where the same host has had a session before, it asks by `K` first: a gateway th
 that has another's is left to that. The answer to `K i s` says which session it ended, and so of a reset behind that
 answer.
 
+If the session was asked for in compact form, the line is tried next (`unity_link.protocol.trial`). On a line that does
+not carry the form, `K i s` begins another session, whose frames are text.
+
 What comes back as it was sent is an adapter's echo, which is passed over where an answer follows.
 """
 
@@ -32,10 +35,13 @@ from unity_link.protocol.constants import (
     LONGEST_TRY,
     SHORTEST_TRY,
     SURE,
+    TRIAL_FACTOR,
+    TRIALS,
 )
 from unity_link.protocol.crc import NO_SESSION
 from unity_link.protocol.frames import COMPACT_END, LF, MOST_LINES, FrameError
 from unity_link.protocol.host_codec import HostCodec
+from unity_link.protocol.trial import Trial, first_id
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -47,6 +53,7 @@ TAKEN = (
     "another program has begun a session with the gateway, and this one's is over: let both use it through "
     "`unity-link serve`, or end the other program"
 )
+NOT_CARRIED = "the gateway answers text but no compact frames: the line changes bytes, and compact=0 in the URL keeps text"
 NEVER_CHOSEN = (0x10, 0x1000)
 """Numbers of sessions with which damage to the size of a first letter could pass a CRC of 8 or of 16 bits."""
 _DIFFERENT = 16
@@ -76,6 +83,8 @@ class State(enum.Enum):
     ASKED_WHOSE = enum.auto()
     """Asked which session is under way."""
     ASKED_SESSION = enum.auto()
+    TRYING = enum.auto()
+    """Trying whether the line carries the compact form."""
     COMPLETE = enum.auto()
 
 
@@ -96,6 +105,8 @@ _TABLE = {
     State.ASKED_WHOSE: _Row(b"K", "_told_whose", RESET_TRIES, State.ASKED_SESSION),
     # With a first ID and the number of a session, another one each time.
     State.ASKED_SESSION: _Row(b"K", "_session_begun"),
+    # Questions and answers of its own.
+    State.TRYING: _Row(b"", "", TRIALS, State.ASKED_SESSION),
 }
 
 
@@ -137,6 +148,7 @@ class Handshake:
         person: True for a session of somebody who types: it shuts nothing out, and its first ID is 0.
         compact: whether the compact form is asked for where the gateway has it, and no adapter gives back what is sent.
         echo: True where an adapter is known to do so: then an echo, however long it is alone, says nothing.
+        is_transparent: whether the line is known to carry the compact form, so that it is not tried.
     """
 
     def __init__(  # noqa: PLR0913  (each is a choice of its own, by keyword)
@@ -151,6 +163,7 @@ class Handshake:
         person: bool = False,
         compact: bool = False,
         echo: bool = False,
+        is_transparent: bool = False,
     ) -> None:
         self._wire_time = wire_time
         self._longest_try = longest_try
@@ -161,6 +174,9 @@ class Handshake:
         self._node = node
         self._numbers = numbers
         self._person, self._wants_compact = person, compact
+        self._tries_line = compact and not is_transparent
+        self._trial: Trial | None = None
+        """The trial of the line, from its beginning on."""
         self._first = 0 if person else numbers.choose()
         self._before = before
         self.session = NO_SESSION
@@ -199,7 +215,14 @@ class Handshake:
     @property
     def first(self) -> int:
         """The first ID of the session."""
+        if self._tries_line and Feature.COMPACT in self.codec.info.features:
+            return first_id(self._first, self.codec.info)
         return self._first & self.codec.ring - 1
+
+    @property
+    def line_changes_bytes(self) -> bool:
+        """True if a trial of the line has begun and not passed."""
+        return self._trial is not None and not self._trial.has_passed
 
     @property
     def has_echo(self) -> bool:
@@ -235,11 +258,13 @@ class Handshake:
             return ECHO
         if self._doubtful:
             return f"what answers is no gateway: it said {self._doubtful[:80]!r}"
+        if self.line_changes_bytes:
+            return NOT_CARRIED
         if self._believed:
             counts = f"{self._answers} of {self._questions} questions"
             return f"it answered {counts}: what is sent or answered is lost or damaged on the way"
         if heard := self._heard + self._unread:
-            return f"{heard} bytes arrived, none of them an answer: check the speed of the port"
+            return f"{heard} bytes arrived, none of them an answer: check the speed of the port, and that CR and LF arrive unchanged"
         return "nothing arrived: check that the gateway is powered, the port and the wiring"
 
     def describe_end(self, reason: Exception | None) -> str:
@@ -290,23 +315,31 @@ class Handshake:
         if state is not State.COMPLETE:
             # What has answered soon, be it damaged, will again; a session has more to do.
             self._patience = FIRST_TRY if state is State.ASKED_SESSION else min(self._patience, FIRST_TRY)
+            if state is State.TRYING:
+                self._trial = Trial(self.codec, self.session, takes_turns=self._wire_time is not None)
+                self._patience = FIRST_TRY + TRIAL_FACTOR * self.round_trip
             self._tries = _TABLE[state].tries
             self._send(now)
 
     def _send(self, now: float) -> None:
-        self._questions += 1
         self._asked_at = now
+        self._damaged = False
+        if self._trial is not None and self.state is State.TRYING:
+            self._out += self._trial.frames()
+            self.deadline = self._until()
+            return
+        self._questions += 1
         if self.state is State.ASKED_SESSION:
             self.session = self._numbers.next(self.codec.info.last_session)
             self._asked_for[self.session] = now
             self.compact = self._wants_compact and Feature.COMPACT in self.codec.info.features and not self.has_echo
         framing, question = self.codec.framing, self._question()
         self._sent = framing.plain_request(question) if self._is_plain else framing.checked(question)
-        if self.state is State.ASKED_PLAIN:
-            # A line end first, for what an earlier program left unfinished; LF, for CR would execute it unchecked.
+        if self.state is State.ASKED_PLAIN or self._trial is not None:
+            # A line end first, for what an earlier program or a trial left unfinished; LF, for CR would execute it
+            # unchecked.
             self._sent = LF + self._sent
         self._out += self._sent
-        self._damaged = False
         self.deadline = self._until()
 
     def expire(self, now: float) -> None:
@@ -315,6 +348,8 @@ class Handshake:
             return
         if self._damaged:
             self._tries -= DAMAGE_COST
+        elif self.state is State.TRYING:
+            self._tries -= 1
         else:
             self._patience = max(self._patience, min(2 * self._patience, LONGEST_TRY, self._longest_try))
             self._tries -= 1
@@ -322,6 +357,7 @@ class Handshake:
             self._send(now)
         elif (instead := _TABLE[self.state].unanswered) is not None:
             self._doubtful = b""
+            self._wants_compact &= self.state is not State.TRYING
             self._ask(instead, now)
 
     # The answers
@@ -332,10 +368,17 @@ class Handshake:
         That is behind the answer that completes the handshake, or behind `MOST_LINES`.
         """
         start = lines = 0
-        while not self.complete and lines < MOST_LINES and (end := data.find(LF, start)) >= 0:
+        while not self.complete and self.state is not State.TRYING and lines < MOST_LINES and (end := data.find(LF, start)) >= 0:
             self._receive_line(data[start:end], now)
             start = end + 1
             lines += 1
+        if self._trial is not None and self.state is State.TRYING:
+            self._trial.receive(data[start:])
+            start = len(data)
+            if self._trial.has_passed:
+                self._ask(State.COMPLETE, now)
+            elif self._trial.is_answered:
+                self.deadline = min(self.deadline, now + DAMAGE_PAUSE)
         self._heard += start
         self._unread = len(data) - start
         return start
@@ -417,7 +460,7 @@ class Handshake:
         ended = self._number_in(body)
         if self._before and ended not in (self._before, *self._asked_for):
             self.found_reset = True
-        return State.COMPLETE
+        return State.TRYING if self.compact and self._tries_line else State.COMPLETE
 
     def _number_in(self, answer: bytes) -> int:
         """Return the number of the session that an answer to `K` tells."""

@@ -73,6 +73,7 @@ _UNKNOWN_PATIENCE = 0.25
 """Seconds that an answer to the handshake can be on its way where nothing is known of the line."""
 _MOST_ECHOES = 8192
 """Lines that may come back, at most."""
+COMPACT_HINT = " (if the line changes bytes of compact frames, compact=0 in the URL keeps them text)"
 SILENT = "the gateway does not answer any more: is it powered and connected, or does another program read its answers?"
 RESET = "the gateway was reset"
 FLOODED = (
@@ -139,6 +140,8 @@ class Session:
         self._asked_alone = False
         self._byte_time: float | None = None
         self._longest_try = math.inf
+        self._is_transparent = False
+        """True if the line is known to carry the compact form."""
         self._before_flood = 0.0, -1, 0, 0
         """Instant of the last answer, and the counts then: answers, lines that are none, and what was sent."""
         self._answers: Answers | None = None
@@ -281,6 +284,7 @@ class Session:
         takes_turns: bool = False,
         byte_time: float | None = None,
         longest_try: float = math.inf,
+        is_transparent: bool = False,
     ) -> None:
         """Begin on a new connection.
 
@@ -291,10 +295,13 @@ class Session:
             byte_time: seconds that a byte needs on the wire, None where that is not known.
             longest_try: seconds after which a question of the handshake is asked again, at most, where the medium needs
                 less than others.
+            is_transparent: whether the medium is known to carry every byte as it is, so that the compact form needs no
+                trial.
         """
         self._shortest_timeout = max(shortest_timeout, ANSWER_PATIENCE) if takes_turns else shortest_timeout
         self._takes_turns, self._byte_time, self._longest_try = takes_turns, byte_time, longest_try
         self._blocked = False
+        self._is_transparent = is_transparent
         self._drop_rest()
         self.output.clear()
         self._begin(now, again=self.epoch >= 0)
@@ -302,6 +309,7 @@ class Session:
     def _begin(self, now: float, *, again: bool) -> None:
         wire_time = (self._byte_time or 0.0) * _FIRST_TURN if self._takes_turns else None
         before = self.codec.session if again else NO_SESSION
+        self._use_form(compact=False)
         self._handshake = Handshake(
             self._node,
             self._numbers,
@@ -311,6 +319,7 @@ class Session:
             longest_try=self._longest_try,
             compact=self._wants_compact,
             echo=self._knows_echo,
+            is_transparent=self._is_transparent,
         )
         if not self._takes_turns:
             self.output.append(self._handshake.take_output())
@@ -637,9 +646,10 @@ class Session:
         before = counters.repetitions
         run = window.expire(now)
         if run is not None:
-            run.give_up(window.oldest, UnansweredError, "every try was damaged on the way", events)
+            reason = f"every try was damaged on the way{self._hint}"
+            run.give_up(window.oldest, UnansweredError, reason, events)
         if window.signs.lost:
-            events.append(Unusable(LinkLostError(SILENT)))
+            events.append(Unusable(LinkLostError(SILENT + self._hint)))
             return
         if window.repetition.is_due():
             self._repeat()
@@ -651,7 +661,12 @@ class Session:
             self._waiting.append(Confirmation(self.codec, of_session=True))
             self._admit(now, events)
         if flood:
-            events.append(Unusable(LinkLostError(FLOODED.format(lines=flood))))
+            events.append(Unusable(LinkLostError(FLOODED.format(lines=flood) + self._hint)))
+
+    @property
+    def _hint(self) -> str:
+        """What else may be the cause of an end, for its message: empty if frames are text."""
+        return "" if self._packer is None else COMPACT_HINT
 
     def _find_flood(self, now: float) -> int:
         """Return how many lines have come in place of answers, where what is sent cannot be the cause of so many."""
@@ -710,6 +725,8 @@ class Session:
             return
         self.codec.begin(handshake.session)
         self._use_form(compact=handshake.compact)
+        self._is_transparent |= handshake.compact
+        self._wants_compact &= not handshake.line_changes_bytes
         credit = None if Feature.FLOW_CONTROL in info.features else info.receive_fifo_bytes
         self.window = Window(
             codec.ring,

@@ -95,6 +95,11 @@ class Stream(asyncio.Protocol):
         return math.inf if known is None else float(known)
 
     @property
+    def in_datagrams(self) -> bool:
+        """True if frames are sent in datagrams, whose bytes arrive unchanged."""
+        return self.longest_frame < math.inf
+
+    @property
     def byte_time(self) -> float | None:
         """Seconds that a byte needs on the wire, None where that is not known."""
         return None if self._transport is None else self._transport.get_extra_info("byte_time")

@@ -16,6 +16,7 @@ static const char SILENT[] =
 static const char FLOODED[] =
     "the line is full of what is no answer: is an echo on, as behind `stty sane`, has the speed of the port changed, or "
     "does another program use it?";
+static const char COMPACT_HINT[] = " (if the line changes bytes of compact frames, compact=0 in the URL keeps them text)";
 static const char TOO_WIDE[] = "the gateway's words have fewer bits";
 static const char LINE_GONE[] = "the connection was lost (its port, or its other side, is gone)";
 
@@ -38,13 +39,14 @@ static bool is_lost(ul_status status)
 /* Leave a sentence for `ul_error`. Without a reason it is that of the status, and of a lost link what ended it. */
 static ul_status fail(ul_link *link, ul_status status, const char *what, const char *reason)
 {
-    const char *between = *what == '\0' ? "" : ": ", *outcome = "";
+    const char *between = *what == '\0' ? "" : ": ", *outcome = "", *hint = "";
     if (reason == NULL) reason = ul_status_text(status);
     if (is_lost(status) && link->end != NULL) {
         outcome = strchr(reason, ';');
         reason = link->end;
     }
-    snprintf(link->error, sizeof link->error, "%s%s%s%s", what, between, reason, outcome);
+    if (link->compact && (status == UL_UNANSWERED || reason == SILENT || reason == FLOODED)) hint = COMPACT_HINT;
+    snprintf(link->error, sizeof link->error, "%s%s%s%s%s", what, between, reason, hint, outcome);
     return status;
 }
 

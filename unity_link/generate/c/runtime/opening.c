@@ -5,6 +5,9 @@
  * publishes nothing. The number of the session is another one each time that it is asked for, and in the check of each
  * frame of it, so that nothing of a session before is taken for one of this.
  *
+ * If the session was asked for in compact form, the line is tried next. On a line that does not carry the form, another
+ * session begins, whose frames are text.
+ *
  * An adapter that listens while it sends gives each question back, which is passed over.
  */
 
@@ -12,6 +15,8 @@ enum { PROTOCOL_VERSION = 3, LONGEST_ANSWER = 160 };
 enum { LONGEST_QUESTION = 32 };
 enum { LONGEST_REST = 48 };     /* of a frame, beside its words */
 
+static const char NOT_CARRIED[] =
+    "the gateway answers text but no compact frames: the line changes bytes, and compact=0 in the URL keeps text";
 static const char ECHO[] = "what is sent comes back as it is: is TX wired to RX, or an echo switched on?";
 
 typedef struct opening {
@@ -23,6 +28,7 @@ typedef struct opening {
     bool believes;                      /* the gateway has said what it is */
     bool hears_echo;
     bool is_compact;                    /* the session was asked for in compact form */
+    bool not_carried;                   /* which the line does not carry */
     bool is_alone, is_loop;             /* nothing but the question was heard, and for so long that nothing else will be */
     double alone_since;
     char asked_text[LONGEST_QUESTION];  /* as it was sent, without the line end of a checked one */
@@ -136,7 +142,7 @@ static void choose_session(opening *opens, char *question)
     do link->session = draw(opens, session_digits(link)) & (uint32_t)ones(4 * session_digits(link) - 1);
     while (link->session == 0 || link->session == before || link->session == (session_digits(link) == 2 ? 0x10 : 0x1000));
     opens->is_compact = link->info.features & UL_FEATURE_COMPACT && !opens->hears_echo && !link->transport.echoes
-        && !link->transport.text_only;
+        && !link->transport.text_only && !opens->not_carried;
     uint32_t asked = link->session | (opens->is_compact ? (uint32_t)1 << (4 * session_digits(link) - 1) : 0);
     *put_number(put_number(put_text(question, "K"), link->info.id_digits, opens->first), session_digits(link), asked) = '\0';
 }
@@ -287,6 +293,7 @@ static ul_status fail_to_open(const opening *opens)
     ul_link *link = opens->link;
     if (opens->is_alone && !link->transport.echoes) return fail(link, UL_NO_CONNECTION, "", ECHO);
     if (link->gone) return fail(link, UL_NO_CONNECTION, "", "the connection was lost before the gateway answered");
+    if (opens->not_carried) return fail(link, UL_NO_CONNECTION, "", NOT_CARRIED);
     if (opens->believes) {
         snprintf(link->error, sizeof link->error,
                  "the gateway answered %u of %u questions: what is sent or answered is lost or damaged on the way",
@@ -294,7 +301,8 @@ static ul_status fail_to_open(const opening *opens)
         return UL_NO_CONNECTION;
     }
     if (opens->heard > 0)
-        return fail(link, UL_NO_CONNECTION, "", "no gateway answered, but bytes arrived: check the speed of the port");
+        return fail(link, UL_NO_CONNECTION, "",
+                    "no gateway answered, but bytes arrived: check the speed of the port, and that CR and LF arrive unchanged");
     return fail(link, UL_NO_CONNECTION, "", "no gateway answered: check its power, the port and the wiring");
 }
 
@@ -318,15 +326,97 @@ static ul_status learn(opening *opens)
     return status == UL_UNSUPPORTED ? status : fail_to_open(opens);
 }
 
+/* The trial of the line (docs/protocol.md, The trial of the line): requests that execute nothing, with IDs that put into
+ * both directions the bytes which lines change. The last one starts a line again that another has stopped. */
+static const uint16_t TRIED_2[] = { {{ TRIAL.IDS[2] | join(", ") }} }, TRIED_3[] = { {{ TRIAL.IDS[3] | join(", ") }} };
+enum { MOST_TRIED = sizeof TRIED_3 / sizeof *TRIED_3 };
+enum { FIRST_2 = {{ TRIAL.FIRST_IDS[2].start }}, FIRSTS_2 = {{ TRIAL.FIRST_IDS[2] | length }} };
+enum { FIRST_3 = {{ TRIAL.FIRST_IDS[3].start }}, FIRSTS_3 = {{ TRIAL.FIRST_IDS[3] | length }} };
+
+typedef struct trial {
+    uint16_t ids[MOST_TRIED];   /* of the requests that were not answered */
+    unsigned left;
+    int awaited;                /* answers to what was sent last that have not come, damaged ones among them */
+} trial;
+
+static void put_trial(ul_link *link, trial *tries)
+{
+    for (unsigned index = 0; index < tries->left; index++) send_request(link, &FENCE, tries->ids[index]);
+    tries->awaited = (int)tries->left;
+}
+
+/* Try one request alone, where the gateway takes no more at once. */
+static void try_alone(const ul_link *link, trial *tries)
+{
+    tries->ids[0] = link->info.id_digits == 2 ? {{ TRIAL.ID_ALONE[2] }} : {{ TRIAL.ID_ALONE[3] }};
+    tries->left = 1;
+}
+
+/* Take an answer: `h` with the number of posted writes that failed, which are none, or an error that the gateway has kept
+ * from an earlier session. */
+static void take_tried(const ul_link *link, trial *tries, text line)
+{
+    uint64_t id, field;
+    char letter = first_letter(link, line);
+    tries->awaited--;
+    if (!take_check(link, &line, seed_of(link, letter, THEIRS)) || !take_prefix(link, &line)) return;
+    line = without_first(line, 1);
+    if (!take_number(&line, link->info.id_digits, &id)) return;
+    if (!take_number(&line, letter == 'h' ? link->info.id_digits : 2, &field) || line.size > 0) return;
+    if (letter == 'h' ? field != 0 : letter != 'x' || field < UL_BUS_ERROR || field > UL_OUT_OF_RANGE) return;
+    for (unsigned index = 0; index < tries->left; index++)
+        if (tries->ids[index] == id)
+            memmove(tries->ids + index, tries->ids + index + 1, (--tries->left - index) * sizeof *tries->ids);
+}
+
+/* Try the line; whether it carries the compact form. */
+static bool carries_compact(opening *opens, double round_trip)
+{
+    ul_link *link = opens->link;
+    trial tries = {.left = link->info.id_digits == 2 ? sizeof TRIED_2 / sizeof *TRIED_2 : MOST_TRIED};
+    memcpy(tries.ids, link->info.id_digits == 2 ? TRIED_2 : TRIED_3, tries.left * sizeof *tries.ids);
+    if (is_half_duplex(link)) try_alone(link, &tries);
+    for (int times = 0; times < TRIALS && !link->gone; times++) {
+        put_trial(link, &tries);
+        if (!(link->info.features & UL_FEATURE_FLOW_CONTROL) && link->send_size > link->info.receive_fifo_bytes) {
+            link->send_size = 0;
+            try_alone(link, &tries);
+            put_trial(link, &tries);
+        }
+        flush(link);
+        double end = now_of(link) + FIRST_TRY + TRIAL_FACTOR * round_trip;
+        if (end > link->open_until) end = link->open_until;
+        for (double now; (now = now_of(link)) < end && !link->gone;) {
+            for (text line; next_line(link, &line);)
+                if (line.size > 0) take_tried(link, &tries, line);
+            if (tries.left == 0) return true;
+            if (tries.awaited <= 0 && end > now + DAMAGE_PAUSE) end = now + DAMAGE_PAUSE;
+            link->transport.wait(link->transport.context, false, end - now);
+            fill(link);
+        }
+    }
+    link->compact = link->in_compact = link->in_line = link->is_escaped = false;
+    link->receive_start = link->receive_size = link->shown_size = 0;
+    return false;
+}
+
 /* Start the session, from a first ID on. The answer says to which `K` it is. */
 static ul_status start_session(opening *opens)
 {
     ul_link *link = opens->link;
+    bool tries_line = link->info.features & UL_FEATURE_COMPACT && !link->transport.text_only && !link->transport.datagrams;
     opens->first = draw(opens, link->info.id_digits);
+    if (tries_line)
+        opens->first = link->info.id_digits == 2 ? FIRST_2 + opens->first % FIRSTS_2 : FIRST_3 + opens->first % FIRSTS_3;
     if (!ask(opens, NULL, false, FOR_EVER)) return fail_to_open(opens);
     double round_trip = now_of(link) - opens->asked;
-    link->transport.echoes |= opens->hears_echo;
     link->compact = opens->is_compact;
+    if (link->compact && tries_line && !carries_compact(opens, round_trip)) {
+        opens->not_carried = true;
+        if (!ask(opens, NULL, false, FOR_EVER)) return fail_to_open(opens);
+        round_trip = now_of(link) - opens->asked;
+    }
+    link->transport.echoes |= opens->hears_echo;
     start_window(link, opens->first, round_trip / (double)(strlen(opens->asked_text) + 1), round_trip);
     return UL_OK;
 }
