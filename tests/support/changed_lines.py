@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
+import contextlib
+import functools
+import os
 import re
+import select
+import socket
+import threading
+import time
+import tty
 from typing import TYPE_CHECKING, NamedTuple
 
 from support.valve import Valve
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
 
     from unity_link.virtual.gateway import Gateway
 
@@ -16,43 +24,54 @@ XON, XOFF = 0x11, 0x13
 DIRECTIONS = ("to the gateway", "from the gateway", "both ways")
 
 
-class Line(NamedTuple):
-    """What becomes of bytes on their way."""
-
-    change: Callable[[bytes], bytes]
-    carries_text: bool
-    """True if no frame of text has a byte that is changed."""
-
-
-LINES = {
-    "XON and XOFF taken out": Line(lambda data: data.translate(None, bytes((XON, XOFF))), carries_text=True),
-    "seven bits": Line(lambda data: bytes(byte & 0x7F for byte in data), carries_text=True),
-    "FF doubled": Line(lambda data: data.replace(b"\xff", b"\xff\xff"), carries_text=True),
-    "FF and what follows taken out": Line(lambda data: re.sub(rb"\xff.?", b"", data, flags=re.DOTALL), carries_text=True),
-    "NUL taken out": Line(lambda data: data.replace(b"\x00", b""), carries_text=True),
-    "CR to LF": Line(lambda data: data.replace(b"\r", b"\n"), carries_text=False),
-    "LF to CR LF": Line(lambda data: data.replace(b"\n", b"\r\n"), carries_text=False),
-}
-
-
 class FlowControl:
     """A line that XOFF stops and XON starts again; it carries neither."""
 
     def __init__(self) -> None:
-        self._stopped = False
-        self._held = b""
+        self._held: bytes | None = None
+        """Bytes that wait while the line is stopped."""
 
     def __call__(self, data: bytes) -> bytes:
-        passed = b""
+        """Return what passes."""
+        passed = bytearray()
         for byte in data:
-            if byte in (XON, XOFF):
-                self._stopped = byte == XOFF
-                passed, self._held = passed + (b"" if self._stopped else self._held), self._held * self._stopped
-            elif self._stopped:
-                self._held += bytes((byte,))
+            if byte == XOFF:
+                self._held = self._held or b""
+            elif byte == XON:
+                passed += self._held or b""
+                self._held = None
+            elif self._held is None:
+                passed.append(byte)
             else:
-                passed += bytes((byte,))
-        return passed
+                self._held += bytes((byte,))
+        return bytes(passed)
+
+
+class Line(NamedTuple):
+    """What becomes of bytes on their way."""
+
+    change: Callable[[], Callable[[bytes], bytes]]
+    """Makes the function that changes the bytes of one direction."""
+    carries_text: bool
+    """True if no frame of text has a byte that is changed."""
+    stops: bool = False
+    """True if a byte may stop it."""
+
+
+def _without(pattern: bytes, instead: bytes = b"") -> Callable[[], Callable[[bytes], bytes]]:
+    return lambda: functools.partial(re.compile(pattern, re.DOTALL).sub, instead)
+
+
+LINES = {
+    "XON and XOFF taken out": Line(_without(rb"[\x11\x13]"), carries_text=True),
+    "XOFF stops and XON starts": Line(FlowControl, carries_text=True, stops=True),
+    "seven bits": Line(lambda: lambda data: bytes(byte & 0x7F for byte in data), carries_text=True),
+    "FF doubled": Line(_without(rb"\xff", b"\xff\xff"), carries_text=True),
+    "FF taken out with what follows": Line(_without(rb"\xff.?"), carries_text=True),
+    "NUL taken out": Line(_without(rb"\x00"), carries_text=True),
+    "CR to LF": Line(_without(rb"\r", b"\n"), carries_text=False),
+    "LF to CR LF": Line(_without(rb"\n", b"\r\n"), carries_text=False),
+}
 
 
 class ChangedLine(Valve):
@@ -60,19 +79,56 @@ class ChangedLine(Valve):
 
     Args:
         gateway: what is behind.
-        change: what becomes of bytes.
+        line: what becomes of bytes.
         direction: of the bytes that are changed, one of `DIRECTIONS`.
     """
 
-    def __init__(self, gateway: Gateway, change: Callable[[bytes], bytes], direction: str = DIRECTIONS[2]) -> None:
+    def __init__(self, gateway: Gateway, line: Line, direction: str = DIRECTIONS[2]) -> None:
         super().__init__(gateway)
-        self._to = bytes if direction == DIRECTIONS[1] else change
-        self._from = bytes if direction == DIRECTIONS[0] else change
+        self._to = bytes if direction == DIRECTIONS[1] else line.change()
+        self._from = bytes if direction == DIRECTIONS[0] else line.change()
+        self.sent = b""
+        """Bytes that the host has sent."""
 
     def receive(self, data: bytes, now: float) -> bytes:
         """Take bytes, and return what arrives of the answers."""
+        self.sent += data
         return self._from(super().receive(self._to(data), now))
 
     def advance(self, now: float, room: int | None = None) -> bytes:
         """Let time pass, and return what arrives of samples."""
         return self._from(super().advance(now, room))
+
+
+@contextlib.contextmanager
+def on_a_port(gateway: Gateway, kind: str) -> Iterator[str]:
+    """Answer at a socket or a pseudo-terminal in a thread of its own; gives the URL."""
+    with contextlib.ExitStack() as open_now:
+        if kind == "tcp":
+            server = open_now.enter_context(socket.create_server(("127.0.0.1", 0)))
+            url = f"tcp://127.0.0.1:{server.getsockname()[1]}"
+        else:
+            master, slave = os.openpty()
+            open_now.callback(os.close, slave)
+            tty.setraw(slave)
+            url = f"serial:{os.ttyname(slave)}"
+        ended = threading.Event()
+
+        def answer() -> None:
+            if kind == "tcp":
+                with contextlib.suppress(OSError), server.accept()[0] as connection:
+                    while data := connection.recv(4096):
+                        connection.sendall(gateway.receive(data, time.monotonic()))
+                return
+            while not ended.is_set():
+                if select.select([master], [], [], 0.05)[0]:
+                    os.write(master, gateway.receive(os.read(master, 4096), time.monotonic()))
+            os.close(master)
+
+        thread = threading.Thread(target=answer)
+        thread.start()
+        try:
+            yield url
+        finally:
+            ended.set()
+            thread.join()

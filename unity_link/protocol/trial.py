@@ -20,8 +20,9 @@ if TYPE_CHECKING:
 
 FIRST_IDS: Final = {2: range(0x14, 0x54), 3: range(0x132, 0x800)}
 """First IDs of a session, by digits of an ID: the IDs of the trial are in the half of the sequence space before them."""
-# 11 (XON) comes last: it starts a line again that 13 (XOFF) has stopped.
-IDS: Final = {2: (0x00, 0xD3, 0xFF, 0x13, 0x11), 3: (0x000, 0x0D3, 0xFFF, 0x113, 0x131, 0x111)}
+# Of three digits, the last two of an ID are a byte of the request, and the first two are a byte of the answer. 11 (XON)
+# comes last in both directions: it starts a line again that 13 (XOFF) has stopped.
+IDS: Final = {2: (0x00, 0xD3, 0xFF, 0x13, 0x11), 3: (0x000, 0x0D3, 0xFFF, 0x113, 0x131, 0x011, 0x110)}
 ID_ALONE: Final = {2: 0x13, 3: 0x113}
 """ID of the request where one is sent."""
 _KEPT_ERRORS: Final = [b"%02X" % code for code in (ErrorCode.BUS_ERROR, ErrorCode.BUS_TIMEOUT, ErrorCode.OUT_OF_RANGE)]
