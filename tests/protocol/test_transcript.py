@@ -10,8 +10,11 @@ from hypothesis import strategies as st
 
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.crc import Crc
+from unity_link.protocol.host_codec import HostCodec
 from unity_link.protocol.interpreter import FrameKind
 from unity_link.protocol.transcript import TimedFrame, Transcript
+from unity_link.protocol.trial import FIRST_IDS, IDS, Trial
+from unity_link.virtual import VirtualGateway
 
 
 def checked(body: bytes) -> bytes:
@@ -233,3 +236,31 @@ def test_the_words_of_a_sample_without_a_timestamp_are_all_that_it_has_whatever_
         b"<" + checked(b"P030100000007"),
     )
     assert said[2] == "sample 1 of group 3: 0x10 = 7"
+
+
+COMPACT = GatewayInfo(features=GatewayInfo().features | Feature.COMPACT)
+
+
+@pytest.mark.parametrize(
+    "cut",
+    [b"\xb5\x00\x00\xd3J^V\r", b"\xb5\x00\x00\xd3J^V\n", b"\xb5\x00\x00\xd3J^V\xd3\xca", b"r0000A5E56\xca", b"\xca"],
+)
+def test_a_cut_frame_is_damaged_whatever_it_says(cut: bytes) -> None:
+    whole = b"\xb5\x00\x00\xd3J^V\xca"
+    opening = b">" + checked(b"K0009234"), b"<" + checked(b"K00092340000")
+    kinds = [frame.meaning.kind for frame in frames_of(*opening, b">" + whole, b">" + cut, b">" + whole)][2:]
+    assert kinds == [FrameKind.REQUEST, FrameKind.DAMAGED, FrameKind.REQUEST]
+
+
+def test_requests_of_a_trial_are_not_counted_as_sent_before() -> None:
+    gateway, transcript, number = VirtualGateway(COMPACT), Transcript(), 0x1234
+    codec = HostCodec(COMPACT)
+    trial = Trial(codec, number, takes_turns=False)
+    opening = codec.framing.checked(codec.opening(FIRST_IDS[3][0], number | COMPACT.asks_compact))
+    codec.begin(number)
+    write = codec.request("W", FIRST_IDS[3][0], codec.fields("W", 1, 2), codec.seed)
+    again = []
+    for sent in (b"Q\r", opening, trial.frames(), write, write):
+        again += [frame.again for frame in transcript.take(sent, 0.0, sent=True)]
+        assert not any(frame.again for frame in transcript.take(gateway.receive(sent, 0.0), 0.0, sent=False))
+    assert again == [False] * (3 + len(IDS[3])) + [True]

@@ -14,12 +14,14 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import unity_link
+from support import makers
 from support.simulated_time import run_simulated
 from support.waveform import Waveform, bytes_at_pins
 from unity_link.errors import ArgumentError, GatewayError
+from unity_link.protocol.compact import END, ESCAPE, START, CompactForm, Packer
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.crc import Crc, seed_of
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.messages import Codec, ErrorCode
 from unity_link.transport import pcapng
 from unity_link.transport.pcapng import Packet
 from unity_link.transport.snoop import read
@@ -511,3 +513,25 @@ def test_samples_at_the_slowest_rate_are_awaited(tmp_path: Path) -> None:
 
     report = retraced(snoop_of(URLS["model"], tmp_path / "a.snoop", use))
     assert (report.first, report.samples) == (None, 2)
+
+
+COMPACT = choose({**makers.COMPACT}).info
+"""A gateway with the compact form."""
+
+
+def test_cut_frames_in_a_session_in_compact_form_have_the_same_answers(tmp_path: Path) -> None:
+    gateway, codec, packer = VirtualGateway(COMPACT), Codec(COMPACT), Packer(CompactForm.of(COMPACT, from_gateway=False))
+    text = [codec.request("W", number, codec.fields("W", 1, number), seed_of(1, from_gateway=False)) for number in range(9)]
+    whole = [packer.pack_one(frame) for frame in text]
+    cuts = [b"\r", b"\n", START + END, ESCAPE + END, b"\r\n"]
+    pieces = [b"\nQ\r", codec.framing.checked(codec.opening(0, 1 | COMPACT.asks_compact))]
+    for number, cut in enumerate(cuts):
+        pieces += [whole[number][:-1] + cut, whole[number]]
+    pieces += [text[5][:-1] + END, text[5], END, START + b"\n", text[6][:9] + whole[6]]
+    packets = []
+    for number, piece in enumerate(pieces):
+        packets += [(number + 1.0, True, piece), (number + 1.1, False, gateway.receive(piece, number + 1.0))]
+    report = retraced(written(tmp_path / "a.snoop", *packets))
+    assert (report.first, report.differences) == (None, 0)
+    assert report.answers == 2 + len(cuts) * 2 + 6
+    assert gateway.memory[1] == 6

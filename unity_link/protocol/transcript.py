@@ -85,6 +85,8 @@ class Transcript:
         self._cutters = {True: FrameCutter(sent=True), False: FrameCutter(sent=False)}
         self._use_forms()
         self._next: int | None = None
+        self._numbered = 0
+        """IDs of the session before the next one."""
         self._sent_at: dict[int, float | None] = {}
 
     def take(self, data: bytes, time: float, *, sent: bool) -> Iterator[TimedFrame]:
@@ -114,11 +116,16 @@ class Transcript:
                 frame[len(self.codec.framing.prefix) + 1 :][: self.codec.info.id_digits]
             )
             self._sent_at.clear()
+            self._numbered = 0
         if number is None or self._next is None:
             return False
-        again = (number - self._next) % ring >= ring // 2
-        if not again:
-            self._next = (number + 1) % ring
+        is_behind = (number - self._next) % ring >= ring // 2
+        # The IDs of a trial of the compact form are behind the first one of the session.
+        again = is_behind and (self._next - number) % ring <= self._numbered
+        if not is_behind:
+            after = (number + 1) % ring
+            self._numbered += (after - self._next) % ring
+            self._next = after
         self._sent_at[number] = None if again else time
         return again
 
