@@ -9,6 +9,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+from unity_link.protocol.compact import END, ESCAPE, START, CompactForm, Packer
+from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.crc import Crc, seed_of
 from unity_link.protocol.frames import TOKEN_LINE
 from unity_link.virtual import VirtualGateway
@@ -42,10 +44,15 @@ def main() -> int:
     requests = [
         checked(body, 1) for body in (b"r00088", b"w0018A0000002A", b"rm0028804", b"gs00303000A020A0B", b"gn00403")
     ]
+    form = CompactForm.of(GatewayInfo(features=Feature.COMPACT), from_gateway=False)
+    compact = [Packer(form).pack_one(request) for request in requests]
+    cut = compact[0][:-1] + b"\r" + compact[0][:-1] + ESCAPE + END + START + END + compact[1][1:]
     texts: dict[str, bytes] = {
         "frames/requests": session + b"".join(requests),
         "frames/plain": b"R0A\rW0A0000002A\r\nX03\r\n",
         "configuration/default": DEFAULT,
+        "frames/compact": session + b"".join(compact) + cut,
+        "gateway/compact": b"\x80" + checked(b"K0008001") + b"".join(compact) + cut,
         "gateway/session": b"\x80" + session + b"".join(requests),
         "gateway/plain": b"\x80Q\rR0A\rRM0AFF\rGS0000000103010203\rGN00\rGP00\r",
         "session/asks": bytes([1, 0, 1, 0, 1, 0, 1, 3, 7, 0, 3, 8, 1, 5, 3, 9, 3, 0, 1, 4, 9, 3, 2, 2, 9, 0, 1]),

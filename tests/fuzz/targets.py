@@ -19,7 +19,7 @@ from unity_link.bridges.live.writing import Hello, Stop, Write
 from unity_link.bridges.recording.reader import Recording
 from unity_link.bridges.recording.replay import replay
 from unity_link.errors import UnityLinkError
-from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import FrameError, Framing
 from unity_link.protocol.requests import Request
@@ -41,6 +41,7 @@ _FRAMINGS = [
     for bits, polynomial in ((8, 0x07), (16, 0x1021), (32, 0x04C11DB7))
     for node in (None, 5)
 ]
+_COMPACT = GatewayInfo(features=GatewayInfo().features | Feature.COMPACT)
 _FOLDER = Path(tempfile.mkdtemp(prefix="unity-link-fuzz."))
 
 
@@ -64,16 +65,16 @@ def configuration(data: bytes) -> None:
 
 
 def gateway(data: bytes) -> None:
-    """Feed bytes to a gateway in two pieces, as time passes."""
-    heard = VirtualGateway()
+    """Feed bytes to gateways without and with the compact form in two pieces, as time passes."""
     cut = data[0] * len(data) // 256 if data else 0
-    answered = 0
-    for now, part in ((0.0, data[1:cut]), (0.1, data[cut:])):
-        answered += len(heard.receive(part, now))
-    due = heard.next_due
-    if due is not None:
-        answered += len(heard.advance(due))
-    assert answered < LONGEST_ANSWER
+    for heard in (VirtualGateway(), VirtualGateway(_COMPACT)):
+        answered = 0
+        for now, part in ((0.0, data[1:cut]), (0.1, data[cut:])):
+            answered += len(heard.receive(part, now))
+        due = heard.next_due
+        if due is not None:
+            answered += len(heard.advance(due))
+        assert answered < LONGEST_ANSWER
 
 
 class _Line:

@@ -88,7 +88,8 @@ def test_a_handshake_goes_through_its_states_one_question_each() -> None:
     for answer in (PLAIN, CHECKED, FRAMING.checked(b"K%04X" % BEFORE), begins(ended=BEFORE)):
         handshake.receive(answer, 0.01)
         states.append(handshake.state)
-    assert states == list(State)
+    # A session in compact form has one more (`test_trial`).
+    assert states == [state for state in State if state is not State.TRYING]
 
 
 def test_a_question_is_asked_again_when_nothing_answers_half_as_often_each_time() -> None:

@@ -10,7 +10,7 @@ from unity_link.protocol.compact import CompactForm, Packer
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.constants import DAMAGE_PAUSE, FIRST_TRY, TRIALS
 from unity_link.protocol.crc import seed_of
-from unity_link.protocol.handshake import NOT_CARRIED, Handshake, SessionNumbers
+from unity_link.protocol.handshake import NOT_CARRIED, Handshake, SessionNumbers, State
 from unity_link.protocol.host_codec import HostCodec
 from unity_link.protocol.trial import FIRST_IDS, ID_ALONE, IDS, Trial, first_id
 from unity_link.virtual import VirtualGateway
@@ -34,7 +34,9 @@ def answers_of(info: GatewayInfo, *, fails: bool) -> bytes:
     """Return the answers to a trial, where the gateway has kept errors for its IDs or none."""
     codec, packer = HostCodec(info), Packer(CompactForm.of(info, from_gateway=True))
     zeros = b"0" * info.id_digits
-    bodies = [b"x%b04" % codec.id_text[i] if fails else b"h%b%b" % (codec.id_text[i], zeros) for i in IDS[info.id_digits]]
+    bodies = [
+        b"x%b04" % codec.id_text[i] if fails else b"h%b%b" % (codec.id_text[i], zeros) for i in IDS[info.id_digits]
+    ]
     seed = seed_of(SESSION, from_gateway=True)
     return b"".join(packer.pack_one(codec.framing.checked(body, seed)) for body in bodies)
 
@@ -87,18 +89,15 @@ def test_a_gateway_executes_nothing_of_a_trial_and_keeps_its_order(kind: str) ->
 
 
 @pytest.mark.parametrize(
-    ("fields", "takes_turns"),
+    ("info", "takes_turns"),
     [
-        ({"features": FEATURES | Feature.HALF_DUPLEX}, False),
-        ({"features": FEATURES}, True),
-        ({"features": FEATURES & ~Feature.FLOW_CONTROL, "receive_fifo_bytes": 16}, False),
+        (GatewayInfo(features=FEATURES | Feature.HALF_DUPLEX), False),
+        (GatewayInfo(features=FEATURES), True),
+        (GatewayInfo(features=FEATURES & ~Feature.FLOW_CONTROL, receive_fifo_bytes=16), False),
     ],
     ids=["half duplex", "turns", "small receive FIFO"],
 )
-def test_where_the_gateway_takes_no_more_at_once_one_request_is_tried(
-    fields: dict[str, int], *, takes_turns: bool
-) -> None:
-    info = GatewayInfo(**{**fields, "features": Feature(fields["features"])})
+def test_where_the_gateway_takes_no_more_at_once_one_request_is_tried(info: GatewayInfo, *, takes_turns: bool) -> None:
     trial = trial_of(info, takes_turns=takes_turns)
     assert trial.frames().count(START) == 1
     at = IDS[3].index(ID_ALONE[3])
@@ -138,7 +137,7 @@ class Opening:
 
 def test_a_session_in_compact_form_begins_when_the_trial_has_passed() -> None:
     opening = Opening()
-    assert not opening.handshake.complete
+    assert opening.handshake.state is State.TRYING
     opening.answer(0.01)
     assert opening.handshake.complete
     assert opening.handshake.compact

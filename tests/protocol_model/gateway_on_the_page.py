@@ -52,7 +52,7 @@ class Widths(NamedTuple):
     @property
     def ring(self) -> int:
         """Number of IDs."""
-        return 16**self.id_digits
+        return 1 << 4 * self.id_digits
 
     @property
     def prefix(self) -> str:
@@ -122,33 +122,30 @@ class Cutter:
         return [frame for byte in data for frame in self._take(byte)]
 
     def _take(self, byte: int) -> list[Frame]:
-        if not self._widths.compact:
-            if byte in (LF, CR):
-                return [self._ended(plain=byte == CR)]
-            self._text += chr(byte)
-            return []
-        if byte == START:
-            begun = self._content is not None or self._text
-            frames = [self._cut()] if begun else []
+        if byte == START and self._widths.compact:
+            frames = [self._cut()] if self._content is not None or self._text else []
             self._content = bytearray()
             return frames
-        if self._content is None:
-            if byte in (LF, CR):
-                return [self._ended(plain=byte == CR)]
-            if byte == END:
-                return [self._cut()]
-            self._text += chr(byte)
-        elif byte in (LF, CR) or (byte == END and self._escaped):
+        return self._take_text(byte) if self._content is None else self._take_content(self._content, byte)
+
+    def _take_text(self, byte: int) -> list[Frame]:
+        if byte in (LF, CR):
+            return [self._ended(plain=byte == CR)]
+        if byte == END and self._widths.compact:
             return [self._cut()]
-        elif byte == END:
+        self._text += chr(byte)
+        return []
+
+    def _take_content(self, content: bytearray, byte: int) -> list[Frame]:
+        if byte in (LF, CR) or (byte == END and self._escaped):
+            return [self._cut()]
+        if byte == END:
             return [self._ended(plain=False)]
-        elif self._escaped:
-            self._content.append(byte ^ 0x40)
-            self._escaped = False
-        elif byte == ESCAPE:
+        if byte == ESCAPE and not self._escaped:
             self._escaped = True
-        else:
-            self._content.append(byte)
+            return []
+        content.append(byte ^ 0x40 if self._escaped else byte)
+        self._escaped = False
         return []
 
     def _cut(self) -> Frame:
@@ -170,7 +167,7 @@ class Cutter:
         return prefix + command + content.hex().upper()[1 + spare :]
 
 
-class Refusal(Exception):
+class RefusalError(Exception):
     """An error in the place of an answer."""
 
     def __init__(self, code: int, id_: str = "", rest: str = "") -> None:
@@ -222,7 +219,7 @@ class GatewayOnThePage:
             return []
         try:
             body = self._read(prefix, text, plain=frame.plain, to_all=to_all)
-        except Refusal as refusal:
+        except RefusalError as refusal:
             body = refusal.body
         return [self._framed(body, plain=frame.plain)] if body and not to_all else []
 
@@ -240,53 +237,61 @@ class GatewayOnThePage:
             return self.widths.pack(text, from_gateway=True)
         return text.encode() + b"\n"
 
-    def _read(self, prefix: str, text: str, *, plain: bool, to_all: bool) -> str:
-        """Go through the checks in the order of the page; return the body of the answer."""
+    def _opened(self, prefix: str, text: str, *, plain: bool) -> tuple[str, int]:
+        """Make checks 2 and 3; return the text without its CRC, and what differs in the CRC where that is no error."""
         widths = self.widths
         if len(text) > widths.longest:
-            raise Refusal(LONG)
-        body, residue = text, 0
-        if not plain:
-            body, check = text[: -widths.crc_digits], text[-widths.crc_digits :]
-            if len(check) < widths.crc_digits or not HEX.fullmatch(check):
-                raise Refusal(CRC)
-            small = "a" <= body[:1] <= "z"
-            residue = widths.crc(prefix + body, self.seed if small else 0) ^ int(check, 16)
-            if residue and not (small and not self.session):
-                raise Refusal(CRC)
+            raise RefusalError(LONG)
+        if plain:
+            return text, 0
+        body, check = text[: -widths.crc_digits], text[-widths.crc_digits :]
+        if len(check) < widths.crc_digits or not HEX.fullmatch(check):
+            raise RefusalError(CRC)
+        small = "a" <= body[:1] <= "z"
+        residue = widths.crc(prefix + body, self.seed if small else 0) ^ int(check, 16)
+        if residue and not (small and not self.session):
+            raise RefusalError(CRC)
+        return body, residue
+
+    def _parted(self, body: str, *, plain: bool) -> tuple[str, str, list[int]]:
+        """Make checks 4 and 5; return the command in upper case, the ID or nothing, and the fields."""
         letters = re.match("[G-Zg-z]*", body)
         command = letters[0] if letters else ""
         has_id = command.islower()
         name = command.upper()
         if name not in FORMS or (has_id and name in "QK") or command not in (name, name.lower()):
-            raise Refusal(UNKNOWN)
+            raise RefusalError(UNKNOWN)
         rest = body[len(command) :]
-        if not HEX.fullmatch(rest):
-            raise Refusal(MALFORMED)
-        id_ = rest[: widths.id_digits].upper() if has_id else ""
-        if len(id_) < widths.id_digits * has_id:
-            raise Refusal(MALFORMED)
-        fields = self._fields(name, rest[len(id_) :], short=plain and not has_id)
+        id_ = rest[: self.widths.id_digits].upper() if has_id else ""
+        if not HEX.fullmatch(rest) or len(id_) < self.widths.id_digits * has_id:
+            raise RefusalError(MALFORMED)
+        return name, id_, self._fields(name, rest[len(id_) :], short=plain and not has_id)
+
+    def _read(self, prefix: str, text: str, *, plain: bool, to_all: bool) -> str:
+        """Go through the checks in the order of the page; return the body of the answer."""
+        body, residue = self._opened(prefix, text, plain=plain)
+        name, id_, fields = self._parted(body, plain=plain)
         if to_all:
-            if name == "WS" and not has_id and not (plain and self.for_program):
+            if name == "WS" and not id_ and not (plain and self.for_program):
                 self._execute(name, fields)
             return ""
-        if self.for_program and (plain if has_id else name not in LOOKING):
-            raise Refusal(UNDER_WAY, id_)
-        if has_id:
+        if self.for_program and (plain if id_ else name not in LOOKING):
+            raise RefusalError(UNDER_WAY, id_)
+        if id_:
             return self._in_order(name, id_, fields, residue)
         if name == "K":
-            return self._k(fields, rest, plain=plain)
+            return self._k(fields, body[1:], plain=plain)
         answer = self._execute(name, fields)
-        repeated = {"R": 1, "RM": 2, "RQ": 2, "W": 1, "WM": 1, "WQ": 1, "WK": 1}.get(name, 0)
-        if name == "WS":
-            return ""
-        said = name + "".join(self._written(name, fields)[:repeated])
+        return "" if name == "WS" else self._head(name, fields) + answer
+
+    def _head(self, name: str, fields: list[int]) -> str:
+        """Return how the answer to a request without an ID begins."""
+        said = name + "".join(self._written(name, fields)[: {"R": 1, "RM": 2, "RQ": 2}.get(name, name[0] == "W")])
         if name in ("WM", "WQ"):
             said += f"{len(fields) - 1:02X}"
-        if name[0] in "GI" and name != "H":
+        if name[0] in "GI":
             said += f"{fields[0]:02X}"
-        return said + answer
+        return said
 
     def _written(self, name: str, fields: list[int]) -> list[str]:
         widths = [self.widths.address_digits, *([2] if name[:2] in ("RM", "RQ") else [])]
@@ -300,11 +305,11 @@ class GatewayOnThePage:
             case "WM" | "WQ":
                 words, odd = divmod(len(digits) - a, d)
                 if odd or not 1 <= words <= 255:
-                    raise Refusal(MALFORMED)
+                    raise RefusalError(MALFORMED)
                 sizes = [a, *[d] * words]
             case "W" | "WS" if short:
                 if not a < len(digits) <= a + d:
-                    raise Refusal(MALFORMED)
+                    raise RefusalError(MALFORMED)
                 sizes = [a, len(digits) - a]
             case "K":
                 sizes = [widths.id_digits, widths.session_digits] if digits else []
@@ -314,7 +319,7 @@ class GatewayOnThePage:
             case _:
                 sizes = [{"a": a, "d": d, "2": 2}[letter] for letter in FORMS[name]]
         if sum(sizes) != len(digits):
-            raise Refusal(MALFORMED)
+            raise RefusalError(MALFORMED)
         fields, at = [], 0
         for size in sizes:
             fields.append(int(digits[at : at + size], 16))
@@ -331,9 +336,9 @@ class GatewayOnThePage:
         high = 1 << 4 * size - 1
         number = asked & high - 1
         if self.session and number == self.session:
-            raise Refusal(UNDER_WAY)
+            raise RefusalError(UNDER_WAY)
         if number == 0 or (asked & high and not self.widths.compact):
-            raise Refusal(RANGE)
+            raise RefusalError(RANGE)
         ended, self.asked, self.session, self.expected = self.asked, asked, number, first
         self.for_program, self._gap_told = not plain, False
         return f"K{digits.upper()}{ended:0{size}X}"
@@ -341,7 +346,7 @@ class GatewayOnThePage:
     def _in_order(self, name: str, id_: str, fields: list[int], residue: int) -> str:
         widths = self.widths
         if not self.session:
-            raise Refusal(NO_SESSION, id_, f"{residue:0{widths.crc_digits}X}")
+            raise RefusalError(NO_SESSION, id_, f"{residue:0{widths.crc_digits}X}")
         number = int(id_, 16)
         ahead = (number - self.expected) % widths.ring
         if 0 < ahead < widths.ring // 2:
@@ -351,15 +356,15 @@ class GatewayOnThePage:
         place = number % (widths.ring // 2)
         if ahead:
             if outcome := self._outcomes.get(place, 0):
-                raise Refusal(outcome, id_)
+                raise RefusalError(outcome, id_)
             return self._again(name, said, fields, number)
         self.expected, self._gap_told = (number + 1) % widths.ring, False
         self._outcomes[place] = 0
         try:
             answer = self._execute(name, fields)
-        except Refusal as refusal:
+        except RefusalError as refusal:
             self._outcomes[place] = int(refusal.body[1:3], 16)
-            raise Refusal(self._outcomes[place], id_) from None
+            raise RefusalError(self._outcomes[place], id_) from None
         if name in ("RQ", "WK"):
             for at in range(0, len(answer), widths.data_digits):
                 kept = int(answer[at : at + widths.data_digits], 16)
@@ -374,15 +379,15 @@ class GatewayOnThePage:
         if name in ("R", "RM"):
             try:
                 return said + self._execute(name, fields)
-            except Refusal as refusal:
-                raise Refusal(int(refusal.body[1:3], 16), said[len(name) :]) from None
+            except RefusalError as refusal:
+                raise RefusalError(int(refusal.body[1:3], 16), said[len(name) :]) from None
         if name == "WS":
             return ""
         if name == "H":
             return said + "0" * widths.id_digits
         count = 1 if name == "WK" else fields[1] if name == "RQ" else 0
         if name == "RQ" and not 1 <= count <= widths.block_words:
-            raise Refusal(RANGE, said[len(name) :])
+            raise RefusalError(RANGE, said[len(name) :])
         places = [(number + place) % 256 for place in range(count)]
         return said + "".join(f"{self._kept.get(place, 0):0{widths.data_digits}X}" for place in places)
 
@@ -391,42 +396,42 @@ class GatewayOnThePage:
     def _execute(self, name: str, fields: list[int]) -> str:
         widths, memory = self.widths, self.memory
         wrap = 16**widths.address_digits
+        words: list[int] = []
         match name, fields:
             case "R", [address]:
                 words = [memory.get(address, 0)]
-            case ("RM" | "RQ"), [address, count]:
-                if not 1 <= count <= widths.block_words:
-                    raise Refusal(RANGE)
+            case (("RM" | "RQ"), [address, count]):
+                self._check(1 <= count <= widths.block_words)
                 step = name == "RM"
                 words = [memory.get((address + step * place) % wrap, 0) for place in range(count)]
-            case ("W" | "WS"), [address, word]:
+            case (("W" | "WS"), [address, word]):
                 memory[address] = word
-                words = []
-            case ("WM" | "WQ"), [address, *written]:
-                if len(written) > widths.block_words:
-                    raise Refusal(RANGE)
+            case (("WM" | "WQ"), [address, *written]):
+                self._check(len(written) <= widths.block_words)
                 for place, word in enumerate(written):
                     memory[(address + (name == "WM") * place) % wrap] = word
-                words = []
             case "WK", [address, mask, word]:
                 words = [memory.get(address, 0)]
                 memory[address] = words[0] & ~mask | word & mask
-            case "GS", [group, flags, divisor, count, *_]:
-                unknown = flags & (0xE0 if self.for_program else 0xC0)
-                if not unknown and group < widths.groups and divisor and 1 <= count <= widths.group_words:
-                    raise NotImplementedError("a group is set up")
-                raise Refusal(RANGE)
-            case ("GN" | "GX" | "GP"), _:
-                raise Refusal(RANGE)
+            case "GS", _:
+                self._set_up(*fields[:4])
             case "I", [mode]:
-                if mode > 2:
-                    raise Refusal(RANGE)
-                words = []
-            case "Q", _:
-                return self._configuration
+                self._check(mode <= 2)
             case _:
-                words = []
-        return "".join(f"{word:0{widths.data_digits}X}" for word in words)
+                # `GN`, `GX` and `GP` of a group that was never set up.
+                self._check(name[0] != "G")
+        return self._configuration if name == "Q" else "".join(f"{word:0{widths.data_digits}X}" for word in words)
+
+    def _set_up(self, group: int, flags: int, divisor: int, count: int) -> None:
+        known = 0x1F if self.for_program else 0x3F
+        fits = group < self.widths.groups and not flags & ~known and divisor and 1 <= count <= self.widths.group_words
+        self._check(not fits)
+        raise NotImplementedError("a group is set up")
+
+    def _check(self, is_within: bool) -> None:
+        """Make check 7."""
+        if not is_within:
+            raise RefusalError(RANGE)
 
 
 FORMS = {

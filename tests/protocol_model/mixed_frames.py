@@ -74,9 +74,8 @@ class Mixture:
     def _body(self) -> str:
         rng, gateway = self._rng, self._gateway
         widths = gateway.widths
-        if not gateway.session or rng.random() < 0.01:
-            if rng.random() < 0.7:
-                return self._opening()
+        if rng.random() < (0.01 if gateway.session else 0.7):
+            return self._opening()
         command = rng.choice(["r", "w", "ws", "h", "rm", "wm", "rq", "wq", "wk", "w", "r", "gp", "i", "n", "x", "P"])
         fields = self._fields(command)
         if rng.random() < 0.2:
@@ -92,7 +91,9 @@ class Mixture:
     def _opening(self) -> str:
         widths = self._gateway.widths
         high = 1 << 4 * widths.session_digits - 1
-        number = self._rng.choice([self._rng.randrange(1, high), self._rng.randrange(1, high), 0, self._gateway.session])
+        number = self._rng.choice(
+            [self._rng.randrange(1, high), self._rng.randrange(1, high), 0, self._gateway.session]
+        )
         asked = number | self._rng.choice([high, high, high, 0])
         return f"K{self._rng.randrange(widths.ring):0{widths.id_digits}X}{asked:0{widths.session_digits}X}"
 
@@ -100,27 +101,26 @@ class Mixture:
         rng, widths = self._rng, self._gateway.widths
         address = rng.choice([0x0A, 0x0D, 0xB5, 0xCA, 0xD3, rng.randrange(256)])
         a, d = f"{address:0{widths.address_digits}X}", widths.data_digits
-        count = rng.choice([0, 1, 2, rng.randrange(1, self._most_words + 1), widths.block_words + 1 & 0xFF])
-        match command:
-            case "r":
-                return a
-            case "rm" | "rq":
-                return f"{a}{min(count, self._most_words):02X}"
-            case "w" | "ws":
-                return a + self._words(1)
-            case "wk":
-                return a + self._words(2)
-            case "wm" | "wq":
-                return a + self._words(max(min(count, self._most_words), 1))
-            case "gn" | "gx" | "gp" | "i":
-                return f"{rng.choice([0, 1, 2, 3, 0xFF]):02X}"
-            case "x" | "P" | "n":
-                return "0" * rng.choice([0, 2, d])
-        return ""
+        count = rng.choice([0, 1, 2, rng.randrange(1, self._most_words + 1)])
+        group = f"{rng.choice([0, 1, 2, 3, 0xFF]):02X}"
+        nothing = "0" * rng.choice([0, 2, d])
+        return {
+            "r": a,
+            "rm": f"{a}{count:02X}",
+            "rq": f"{a}{count:02X}",
+            "w": a + self._words(1),
+            "ws": a + self._words(1),
+            "wk": a + self._words(2),
+            "wm": a + self._words(max(count, 1)),
+            "wq": a + self._words(max(count, 1)),
+            "h": "",
+        }.get(command, group if command in ("gn", "gx", "gp", "i") else nothing)
 
     def _words(self, count: int) -> str:
         digits = self._gateway.widths.data_digits
-        pairs = [self._rng.choice(["B5", "CA", "D3", "0A", "0D", "00", "11", "93", "FF"]) for _ in range(count * digits)]
+        pairs = [
+            self._rng.choice(["B5", "CA", "D3", "0A", "0D", "00", "11", "93", "FF"]) for _ in range(count * digits)
+        ]
         return "".join(pairs)[: count * digits]
 
     def _garbage(self) -> bytes:
@@ -135,24 +135,22 @@ class Mixture:
         if draw < 0.3:
             # The end, where most of the rules of cut frames are.
             at = max(len(piece) - rng.randrange(1, 4), 0)
-        match rng.randrange(8):
-            case 0:
-                return piece[:at] + piece[at + 1 :]
-            case 1:
-                return piece[:at] + bytes((rng.choice(RESERVED),)) + piece[at + 1 :]
-            case 2:
-                return piece[:at] + bytes((rng.choice(RESERVED),)) + piece[at:]
-            case 3:
-                return piece[:at]
-            case 4:
-                return piece[at:]
-            case 5:
-                return piece[:at] + bytes((piece[at] ^ 1 << rng.randrange(8),)) + piece[at + 1 :]
-            case 6:
-                # An escape that is not needed; before a reserved byte one that cuts.
-                return piece[:at] + bytes((ESCAPE, piece[at] ^ rng.choice([0, 0x40]))) + piece[at + 1 :]
-            case _:
-                return piece[:at] + self._garbage() + piece[at:]
+        byte, before, behind = piece[at], piece[:at], piece[at + 1 :]
+        reserved = rng.choice(RESERVED)
+        # An escape that is not needed; before a reserved byte one that cuts.
+        escaped = bytes((ESCAPE, byte ^ rng.choice([0, 0x40])))
+        return rng.choice(
+            [
+                before + behind,
+                before + bytes((reserved,)) + behind,
+                before + bytes((reserved, byte)) + behind,
+                before,
+                piece[at:],
+                before + bytes((byte ^ 1 << rng.randrange(8),)) + behind,
+                before + escaped + behind,
+                before + self._garbage() + piece[at:],
+            ]
+        )
 
 
 def from_a_gateway(widths: Widths, seed: int) -> list[bytes]:

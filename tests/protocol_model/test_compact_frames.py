@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 FEATURES = GatewayInfo().features | Feature.COMPACT
 INFO = GatewayInfo(features=FEATURES)
 FRAMING = Framing(Crc())
-CODEC_32 = Codec(GatewayInfo(**CRC_32))
+CODEC_32 = Codec(GatewayInfo(crc_bits=32, crc_polynomial=CRC_32["crc_polynomial"]))
 GATEWAYS = {
     "default": (INFO, None),
     "short": (GatewayInfo(id_digits=2, crc_bits=8, crc_polynomial=0x07, features=FEATURES), None),

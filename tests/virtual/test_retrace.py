@@ -520,8 +520,14 @@ COMPACT = choose({**makers.COMPACT}).info
 
 
 def test_cut_frames_in_a_session_in_compact_form_have_the_same_answers(tmp_path: Path) -> None:
-    gateway, codec, packer = VirtualGateway(COMPACT), Codec(COMPACT), Packer(CompactForm.of(COMPACT, from_gateway=False))
-    text = [codec.request("W", number, codec.fields("W", 1, number), seed_of(1, from_gateway=False)) for number in range(9)]
+    gateway, codec, packer = (
+        VirtualGateway(COMPACT),
+        Codec(COMPACT),
+        Packer(CompactForm.of(COMPACT, from_gateway=False)),
+    )
+    text = [
+        codec.request("W", number, codec.fields("W", 1, number), seed_of(1, from_gateway=False)) for number in range(9)
+    ]
     whole = [packer.pack_one(frame) for frame in text]
     cuts = [b"\r", b"\n", START + END, ESCAPE + END, b"\r\n"]
     pieces = [b"\nQ\r", codec.framing.checked(codec.opening(0, 1 | COMPACT.asks_compact))]

@@ -50,7 +50,7 @@ DAMAGE_COST = 1 / 16
 TRIALS = 4
 """Number of times a request of the trial of the compact form is sent before the line is taken not to carry that."""
 TRIAL_FACTOR = 5
-"""Factor by which a trial takes longer than the opening of the session before it, at most: it has as many more bytes."""
+"""Factor by which a trial takes longer than the opening of its session, at most: it has as many more bytes."""
 SURE = 3
 """Number of times an impossible answer is heard before it is believed: a datagram that was damaged can come twice."""
 ECHO_PATIENCE = 0.5

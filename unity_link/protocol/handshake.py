@@ -53,7 +53,10 @@ TAKEN = (
     "another program has begun a session with the gateway, and this one's is over: let both use it through "
     "`unity-link serve`, or end the other program"
 )
-NOT_CARRIED = "the gateway answers text but no compact frames: the line changes bytes, and compact=0 in the URL keeps text"
+UNREADABLE = "check the speed of the port, and that CR and LF arrive unchanged"
+NOT_CARRIED = (
+    "the gateway answers text but no compact frames: the line changes bytes, and compact=0 in the URL keeps text"
+)
 NEVER_CHOSEN = (0x10, 0x1000)
 """Numbers of sessions with which damage to the size of a first letter could pass a CRC of 8 or of 16 bits."""
 _DIFFERENT = 16
@@ -258,13 +261,15 @@ class Handshake:
             return ECHO
         if self._doubtful:
             return f"what answers is no gateway: it said {self._doubtful[:80]!r}"
-        if self.line_changes_bytes:
-            return NOT_CARRIED
+        return NOT_CARRIED if self.line_changes_bytes else self._describe_answers()
+
+    def _describe_answers(self) -> str:
+        """Return what was heard of a gateway whose answers are missing or can't be read."""
         if self._believed:
             counts = f"{self._answers} of {self._questions} questions"
             return f"it answered {counts}: what is sent or answered is lost or damaged on the way"
         if heard := self._heard + self._unread:
-            return f"{heard} bytes arrived, none of them an answer: check the speed of the port, and that CR and LF arrive unchanged"
+            return f"{heard} bytes arrived, none of them an answer: {UNREADABLE}"
         return "nothing arrived: check that the gateway is powered, the port and the wiring"
 
     def describe_end(self, reason: Exception | None) -> str:
@@ -368,7 +373,12 @@ class Handshake:
         That is behind the answer that completes the handshake, or behind `MOST_LINES`.
         """
         start = lines = 0
-        while not self.complete and self.state is not State.TRYING and lines < MOST_LINES and (end := data.find(LF, start)) >= 0:
+        while (
+            not self.complete
+            and self.state is not State.TRYING
+            and lines < MOST_LINES
+            and (end := data.find(LF, start)) >= 0
+        ):
             self._receive_line(data[start:end], now)
             start = end + 1
             lines += 1

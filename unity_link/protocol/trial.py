@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from unity_link.protocol.host_codec import HostCodec
 
 FIRST_IDS: Final = {2: range(0x14, 0x54), 3: range(0x132, 0x800)}
-"""First IDs of a session, by digits of an ID: the IDs of the trial are in the half of the sequence space before them."""
+"""First IDs of a session, by digits of an ID: those of the trial are in the half of the sequence space before them."""
 # Of three digits, the last two of an ID are a byte of the request, and the first two are a byte of the answer. 11 (XON)
 # comes last in both directions: it starts a line again that 13 (XOFF) has stopped.
 IDS: Final = {2: (0x00, 0xD3, 0xFF, 0x13, 0x11), 3: (0x000, 0x0D3, 0xFFF, 0x113, 0x131, 0x011, 0x110)}
