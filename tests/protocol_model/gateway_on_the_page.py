@@ -425,8 +425,9 @@ class GatewayOnThePage:
     def _set_up(self, group: int, flags: int, divisor: int, count: int) -> None:
         known = 0x1F if self.for_program else 0x3F
         fits = group < self.widths.groups and not flags & ~known and divisor and 1 <= count <= self.widths.group_words
-        self._check(not fits)
-        raise NotImplementedError("a group is set up")
+        if fits:
+            raise NotImplementedError("a group is set up")
+        raise RefusalError(RANGE)
 
     def _check(self, is_within: bool) -> None:
         """Make check 7."""
