@@ -1,4 +1,4 @@
-/* What the client makes of bytes of a gateway in both forms: the text of each frame.
+/* The text that the client makes of the bytes of a gateway in both forms.
  *
  * Each line of the input is a case: digits of an ID, of a CRC and of an address, the number of the node or -1, how many
  * bytes arrive at a time, and the bytes in hexadecimal digits. For each the frames that have ended are printed, as text

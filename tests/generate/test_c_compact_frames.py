@@ -30,7 +30,7 @@ WORDS = [0x00111300, 0xFFFFFFFF, 0xB5CAD30A, 0x0D800011]
 
 @pytest.fixture(scope="module")
 def expanding(runtime: list[Path]) -> Path:
-    """Return a program that prints what the client makes of bytes."""
+    """Return a program that prints the text that the client makes of bytes."""
     folder = runtime[0].parent
     options = [*SANITIZED, "-O1", f"-I{folder}", "-Wno-unused-function"]
     subprocess.run([*C, *options, HERE / "expanding.c", "-o", folder / "expanding"], check=True, timeout=PATIENCE)

@@ -1,4 +1,4 @@
-"""The trial of the compact form: it has the bytes that lines change, both ways, and executes nothing."""
+"""The trial of the compact form has the bytes that lines change, in both directions, and executes no request."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def trial_of(info: GatewayInfo, *, takes_turns: bool = False) -> Trial:
 
 
 def answers_of(info: GatewayInfo, *, fails: bool) -> bytes:
-    """Return the answers to a trial, where the gateway has kept errors for its IDs or none."""
+    """Return the answers to a trial; if `fails`, the gateway has kept an error for each ID."""
     codec, packer = HostCodec(info), Packer(CompactForm.of(info, from_gateway=True))
     zeros = b"0" * info.id_digits
     bodies = [
@@ -131,7 +131,7 @@ class Opening:
             self.answer(0.001 * (step + 1))
 
     def answer(self, now: float) -> None:
-        """Answer what was sent."""
+        """Answer the output of the handshake."""
         self.handshake.receive(self.gateway.receive(self.handshake.take_output(), now), now)
 
 

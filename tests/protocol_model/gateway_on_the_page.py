@@ -1,7 +1,7 @@
 """A gateway as docs/protocol.md describes it, written from the page alone: text, compact and cut frames.
 
-It imports nothing of the product, so that both can be compared. It knows plain memory, sessions and repetitions; of
-groups it knows only that none was set up (a `GS` that would set one up raises `NotImplementedError`).
+This module imports no product code, so that the two can be compared. It models plain memory, sessions and repetitions.
+No group can be set up: a `GS` that would do so raises `NotImplementedError`.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ HEX = re.compile(r"[0-9A-Fa-f]*")
 
 
 class Frame(NamedTuple):
-    """What stands between two ends, as text."""
+    """The text between two ends."""
 
     text: str
     plain: bool
 
 
 class Widths(NamedTuple):
-    """What `Q` says that matters here."""
+    """The fields of `Q` that frames depend on."""
 
     id_digits: int = 3
     crc_bits: int = 16
@@ -68,7 +68,7 @@ class Widths(NamedTuple):
         return max(head + max(fields), group) + self.crc_digits
 
     def crc(self, text: str, seed: int = 0) -> int:
-        """Return the CRC of a text, with a seed xored in before its first character behind the prefix."""
+        """Return the CRC of a text, with a seed xored in before the first character after the prefix."""
         top, mask = 1 << self.crc_bits - 1, (1 << self.crc_bits) - 1
         rest = 0
         for place, character in enumerate(text):
@@ -80,7 +80,7 @@ class Widths(NamedTuple):
         return rest
 
     def spare(self, command: str, *, from_gateway: bool) -> bool:
-        """Return whether a digit that says nothing stands behind the number of a command."""
+        """Return whether a spare digit follows the number of a command."""
         digits = 1 + self.crc_digits + (0 if command == "P" else self.id_digits)
         if command in WITH_ADDRESS and not from_gateway:
             digits += self.address_digits
@@ -149,12 +149,12 @@ class Cutter:
         return []
 
     def _cut(self) -> Frame:
-        return self._ended(plain=False, behind=chr(END))
+        return self._ended(plain=False, more=chr(END))
 
-    def _ended(self, *, plain: bool, behind: str = "") -> Frame:
+    def _ended(self, *, plain: bool, more: str = "") -> Frame:
         text = self._text if self._content is None else self._expanded(bytes(self._content))
         self._text, self._content, self._escaped = "", None, False
-        return Frame(text + behind, plain)
+        return Frame(text + more, plain)
 
     def _expanded(self, content: bytes) -> str:
         prefix = ""
@@ -197,7 +197,7 @@ class GatewayOnThePage:
 
     @property
     def seed(self) -> int:
-        """What a host puts into the check of a frame of the session."""
+        """Seed in the CRC of a host's frames of the session."""
         return 2 * self.session
 
     def answers(self, data: bytes) -> list[bytes]:
@@ -238,7 +238,7 @@ class GatewayOnThePage:
         return text.encode() + b"\n"
 
     def _opened(self, prefix: str, text: str, *, plain: bool) -> tuple[str, int]:
-        """Make checks 2 and 3; return the text without its CRC, and what differs in the CRC where that is no error."""
+        """Make checks 2 and 3; return the text without its CRC, and the difference of the CRC."""
         widths = self.widths
         if len(text) > widths.longest:
             raise RefusalError(LONG)
@@ -254,7 +254,7 @@ class GatewayOnThePage:
         return body, residue
 
     def _parted(self, body: str, *, plain: bool) -> tuple[str, str, list[int]]:
-        """Make checks 4 and 5; return the command in upper case, the ID or nothing, and the fields."""
+        """Make checks 4 and 5; return the command in upper case, the ID (empty without one), and the fields."""
         letters = re.match("[G-Zg-z]*", body)
         command = letters[0] if letters else ""
         has_id = command.islower()
@@ -374,7 +374,7 @@ class GatewayOnThePage:
         return "" if name == "WS" else said + answer
 
     def _again(self, name: str, said: str, fields: list[int], number: int) -> str:
-        """Return the answer to a repetition of what ended well."""
+        """Return the answer to a repetition of a request that ended well."""
         widths = self.widths
         if name in ("R", "RM"):
             try:
@@ -391,7 +391,7 @@ class GatewayOnThePage:
         places = [(number + place) % 256 for place in range(count)]
         return said + "".join(f"{self._kept.get(place, 0):0{widths.data_digits}X}" for place in places)
 
-    # What is executed: addresses and words fill their digits.
+    # Execution: addresses and words fill their digits.
 
     def _execute(self, name: str, fields: list[int]) -> str:
         widths, memory = self.widths, self.memory
@@ -453,4 +453,4 @@ FORMS = {
     "Q": "",
     "K": "",
 }
-"""Fields of each command behind its ID: an address, a word, or two digits; those of some depend on more."""
+"""Fields of each command after its ID: an address, a word, or two digits; those of some depend on more."""

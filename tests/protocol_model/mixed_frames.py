@@ -40,14 +40,14 @@ class Mixture:
         self._gateway, self._rng, self._damage, self._most_words = gateway, rng, damage, most_words
 
     def pieces(self, count: int) -> Iterator[tuple[bytes, bytes]]:
-        """Return so many frames as they arrive, and what the gateway on the page answers to each."""
+        """Return frames as they arrive, each with the answers of the gateway on the page."""
         for _ in range(count):
             piece = self._frame()
             if self._rng.random() < self._damage:
                 piece = self.damaged(piece)
             yield piece, b"".join(self._gateway.answers(piece))
 
-    # What a host sends
+    # Frames of a host
 
     def _frame(self) -> bytes:
         draw, widths = self._rng.random(), self._gateway.widths
@@ -64,7 +64,7 @@ class Mixture:
         small = "a" <= body[:1] <= "z"
         seed = self._gateway.seed if small else 0
         if self._rng.random() < 0.03:
-            # Another session's, or what a gateway sends.
+            # Another session's seed, or a gateway's.
             seed ^= self._rng.choice([1, 2, 0x1236])
         text += f"{widths.crc(text, seed & (1 << widths.crc_bits) - 1):0{widths.crc_digits}X}"
         if self._rng.random() < 0.35 or not text.startswith(widths.prefix):
@@ -103,7 +103,7 @@ class Mixture:
         a, d = f"{address:0{widths.address_digits}X}", widths.data_digits
         count = rng.choice([0, 1, 2, rng.randrange(1, self._most_words + 1)])
         group = f"{rng.choice([0, 1, 2, 3, 0xFF]):02X}"
-        nothing = "0" * rng.choice([0, 2, d])
+        zeros = "0" * rng.choice([0, 2, d])
         return {
             "r": a,
             "rm": f"{a}{count:02X}",
@@ -114,7 +114,7 @@ class Mixture:
             "wm": a + self._words(max(count, 1)),
             "wq": a + self._words(max(count, 1)),
             "h": "",
-        }.get(command, group if command in ("gn", "gx", "gp", "i") else nothing)
+        }.get(command, group if command in ("gn", "gx", "gp", "i") else zeros)
 
     def _words(self, count: int) -> str:
         digits = self._gateway.widths.data_digits
@@ -126,35 +126,35 @@ class Mixture:
     def _garbage(self) -> bytes:
         return bytes(self._rng.choice(RESERVED + _HARMLESS) for _ in range(self._rng.randrange(1, 12)))
 
-    # What becomes of it on the way
+    # Damage
 
     def damaged(self, piece: bytes) -> bytes:
         rng = self._rng
         at = rng.randrange(len(piece))
         draw = rng.random()
         if draw < 0.3:
-            # The end, where most of the rules of cut frames are.
+            # Near the end, because most rules of cut frames are about ends.
             at = max(len(piece) - rng.randrange(1, 4), 0)
-        byte, before, behind = piece[at], piece[:at], piece[at + 1 :]
+        byte, before, after = piece[at], piece[:at], piece[at + 1 :]
         reserved = rng.choice(RESERVED)
         # An escape that is not needed; before a reserved byte one that cuts.
         escaped = bytes((ESCAPE, byte ^ rng.choice([0, 0x40])))
         return rng.choice(
             [
-                before + behind,
-                before + bytes((reserved,)) + behind,
-                before + bytes((reserved, byte)) + behind,
+                before + after,
+                before + bytes((reserved,)) + after,
+                before + bytes((reserved, byte)) + after,
                 before,
                 piece[at:],
-                before + bytes((byte ^ 1 << rng.randrange(8),)) + behind,
-                before + escaped + behind,
+                before + bytes((byte ^ 1 << rng.randrange(8),)) + after,
+                before + escaped + after,
                 before + self._garbage() + piece[at:],
             ]
         )
 
 
 def from_a_gateway(widths: Widths, seed: int) -> list[bytes]:
-    """Return what a gateway sends, whole and damaged, in pieces; a whole frame is at the end."""
+    """Return frames of a gateway, whole and damaged; the last one is whole."""
     rng = random.Random(seed)
     hosts = Mixture(GatewayOnThePage(widths), rng)
     pieces = []

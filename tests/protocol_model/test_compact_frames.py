@@ -50,7 +50,7 @@ AMOUNTS = [2_000, pytest.param(25_000, marks=pytest.mark.campaign)]
 
 
 def widths_of(info: GatewayInfo, node: int | None = None) -> Widths:
-    """Return what the page needs to know of a gateway."""
+    """Return the widths of a gateway, for the page."""
     return Widths(
         info.id_digits,
         info.crc_bits,

@@ -32,7 +32,7 @@ class FlowControl:
         """Bytes that wait while the line is stopped."""
 
     def __call__(self, data: bytes) -> bytes:
-        """Return what passes."""
+        """Return the bytes that pass."""
         passed = bytearray()
         for byte in data:
             if byte == XOFF:
@@ -48,7 +48,7 @@ class FlowControl:
 
 
 class Line(NamedTuple):
-    """What becomes of bytes on their way."""
+    """A line, by its effect on bytes."""
 
     change: Callable[[], Callable[[bytes], bytes]]
     """Makes the function that changes the bytes of one direction."""
@@ -78,8 +78,8 @@ class ChangedLine(Valve):
     """A line in front of a gateway.
 
     Args:
-        gateway: what is behind.
-        line: what becomes of bytes.
+        gateway: the gateway at the end of the line.
+        line: the effect on bytes.
         direction: of the bytes that are changed, one of `DIRECTIONS`.
     """
 
@@ -91,12 +91,12 @@ class ChangedLine(Valve):
         """Bytes that the host has sent."""
 
     def receive(self, data: bytes, now: float) -> bytes:
-        """Take bytes, and return what arrives of the answers."""
+        """Take bytes, and return the answers as they arrive."""
         self.sent += data
         return self._from(super().receive(self._to(data), now))
 
     def advance(self, now: float, room: int | None = None) -> bytes:
-        """Let time pass, and return what arrives of samples."""
+        """Let time pass, and return the samples as they arrive."""
         return self._from(super().advance(now, room))
 
 

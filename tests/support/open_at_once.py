@@ -25,7 +25,9 @@ def open_at_once(
 ) -> Answers:
     """Open a session as a handshake would, with group 1 set up for samples of one word; return what reads in it."""
     known = {"session": number, "first": first, "round_trip": round_trip}
-    handshake = SimpleNamespace(codec=HostCodec(info, node), byte_time=0.0, compact=False, has_echo=False, **known)
+    handshake = SimpleNamespace(
+        codec=HostCodec(info, node), byte_time=0.0, compact=False, has_echo=False, line_changes_bytes=False, **known
+    )
     session._shortest_timeout = SHORTEST_TIMEOUT
     session._open(cast("Any", handshake), 0.0, [])
     session.groups.begun[b"01"] = session.groups.hold(b"", 5 + info.data_digits, None)

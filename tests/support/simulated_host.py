@@ -30,7 +30,7 @@ LATENCY = 0.001
 class LineOfASession:
     """A line that spoils bytes from the first request of a session on, so that two hosts meet the same.
 
-    What they send is kept. The trial of the compact form comes before, and passes.
+    The bytes that they send are kept. The trial of the compact form comes before, and passes.
     """
 
     def __init__(self, gateway: Gateway, seed: int, **chances: float) -> None:

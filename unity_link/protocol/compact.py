@@ -51,7 +51,7 @@ _REST_OF_A_SAMPLE: Final = START + b"\xf0"
 _FIRST_LETTER: Final = ord("g")
 _ESCAPED = re.compile(rb"\xd3(.?)", re.DOTALL)
 _CUT: Final = END + b"\n"
-"""What ends the text of a cut frame: a character that is no digit, so that no CRC fits, and the line end."""
+"""End of the text of a cut frame: a character that is no digit, so that no CRC fits, and the line end."""
 _DIGITS: Final = b"0123456789ABCDEF"
 _FRAME = re.compile(rb"\xb5[^\n\r\xb5\xca]*\xca\n?|[^\n\xb5\xca]*\n")
 _PIECE = re.compile(rb"\xb5([^\n\r\xb5\xca]*)([\n\r\xb5\xca])|([\n\r])|(\xca)|[^\n\r\xb5\xca]+")
@@ -266,8 +266,8 @@ class Unpacker:
                 self._in_line = False
             found = _PIECE.match(data, at)
             if found is None:
-                # Its end is still to come. Noise without an end must not grow: its text is given now, longer than any
-                # frame, and what follows continues that text as the rest of a sample, for which no request waits.
+                # The end is still to come. Noise without an end must not grow: give its text now, which is longer than
+                # any frame. Later bytes continue that text as the rest of a sample, for which no request waits.
                 self._begun = data[at:]
                 if len(self._begun) > LONGEST_FRAME:
                     yield self._text(self._begun[1:])

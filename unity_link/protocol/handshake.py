@@ -264,7 +264,7 @@ class Handshake:
         return NOT_CARRIED if self.line_changes_bytes else self._describe_answers()
 
     def _describe_answers(self) -> str:
-        """Return what was heard of a gateway whose answers are missing or can't be read."""
+        """Describe a gateway whose answers are missing or unreadable."""
         if self._believed:
             counts = f"{self._answers} of {self._questions} questions"
             return f"it answered {counts}: what is sent or answered is lost or damaged on the way"
@@ -341,8 +341,8 @@ class Handshake:
         framing, question = self.codec.framing, self._question()
         self._sent = framing.plain_request(question) if self._is_plain else framing.checked(question)
         if self.state is State.ASKED_PLAIN or self._trial is not None:
-            # A line end first, for what an earlier program or a trial left unfinished; LF, for CR would execute it
-            # unchecked.
+            # A line end first, because an earlier program or a trial may have left a frame unfinished. Not CR, which
+            # would execute that frame unchecked.
             self._sent = LF + self._sent
         self._out += self._sent
         self.deadline = self._until()

@@ -665,7 +665,7 @@ class Session:
 
     @property
     def _hint(self) -> str:
-        """What else may be the cause of an end, for its message: empty if frames are text."""
+        """Another possible cause of an end, for its message; empty if frames are text."""
         return "" if self._packer is None else COMPACT_HINT
 
     def _find_flood(self, now: float) -> int:

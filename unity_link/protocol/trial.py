@@ -24,7 +24,7 @@ FIRST_IDS: Final = {2: range(0x14, 0x54), 3: range(0x132, 0x800)}
 # comes last in both directions: it starts a line again that 13 (XOFF) has stopped.
 IDS: Final = {2: (0x00, 0xD3, 0xFF, 0x13, 0x11), 3: (0x000, 0x0D3, 0xFFF, 0x113, 0x131, 0x011, 0x110)}
 ID_ALONE: Final = {2: 0x13, 3: 0x113}
-"""ID of the request where one is sent."""
+"""ID of the request if only one is sent."""
 _KEPT_ERRORS: Final = [b"%02X" % code for code in (ErrorCode.BUS_ERROR, ErrorCode.BUS_TIMEOUT, ErrorCode.OUT_OF_RANGE)]
 
 
@@ -59,7 +59,7 @@ class Trial:
         """Requests whose answers have not come whole, by the text of their ID."""
         self._fields = [b"h", b"0" * info.id_digits], *([b"x", code] for code in _KEPT_ERRORS)
         self._awaited = 0
-        """Answers to what was sent last that have not come, damaged ones among them."""
+        """Answers to the last burst that have not arrived; damaged answers count as arrived."""
         self._rest = b""
 
     @property

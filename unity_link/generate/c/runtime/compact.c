@@ -85,8 +85,8 @@ static char *put_cut(char *at)
     return at;
 }
 
-/* Make text of what has come, and give its size. A byte becomes MOST_EXPANDED characters at most: what it is made of may
- * stand so far behind that it is never reached. */
+/* Make text of received bytes, and return its size. A byte becomes MOST_EXPANDED characters at most, so the bytes may be at
+ * the end of the buffer of the text, if it has room for that many. */
 enum { MOST_EXPANDED = 3 };     /* Z and two digits of a node, or two letters and a digit */
 
 static size_t expand(ul_link *link, char *to, const char *from, size_t size)

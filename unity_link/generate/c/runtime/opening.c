@@ -336,7 +336,7 @@ enum { FIRST_3 = {{ TRIAL.FIRST_IDS[3].start }}, FIRSTS_3 = {{ TRIAL.FIRST_IDS[3
 typedef struct trial {
     uint16_t ids[MOST_TRIED];   /* of the requests that were not answered */
     unsigned left;
-    int awaited;                /* answers to what was sent last that have not come, damaged ones among them */
+    int awaited;                /* answers to the last burst that have not arrived; damaged ones count as arrived */
 } trial;
 
 static void put_trial(ul_link *link, trial *tries)
@@ -345,7 +345,7 @@ static void put_trial(ul_link *link, trial *tries)
     tries->awaited = (int)tries->left;
 }
 
-/* Try one request alone, where the gateway takes no more at once. */
+/* Try one request alone: the gateway takes no more at once. */
 static void try_alone(const ul_link *link, trial *tries)
 {
     tries->ids[0] = link->info.id_digits == 2 ? {{ TRIAL.ID_ALONE[2] }} : {{ TRIAL.ID_ALONE[3] }};
