@@ -65,7 +65,7 @@ def _is_installed(package: str) -> bool:
 
 
 class Wakes(NamedTuple):
-    """How late an event loop ran tasks that slept for `SLEEP` seconds."""
+    """Delays of an event loop, which ran tasks that slept for `SLEEP` seconds."""
 
     number: int
     seconds: float
