@@ -193,7 +193,7 @@ def test_what_is_written_to_the_eeprom_counts_after_the_next_power_up() -> None:
 @given(
     st.sampled_from([(FT232H, 1), (FT2232H, 1), (FT2232H, 2)]),
     st.sampled_from(["UART", "FIFO"]),
-    st.text(st.characters(codec="ascii", min_codepoint=33), max_size=10),
+    st.text(st.characters(codec="ascii", min_codepoint=33, max_codepoint=126), max_size=10),
 )
 def test_an_eeprom_says_what_it_was_built_with(place: tuple[ChipKind, int], wanted: str, serial: str) -> None:
     kind, port = place
