@@ -11,6 +11,7 @@ import pytest
 from unity_link.spec import Diagnostic, SpecError, compile_file, compile_text
 from unity_link.spec.diagnostics import did_you_mean
 from unity_link.spec.parser import MOST_CHARACTERS
+from unity_link.spec.tokens import tokenize
 
 
 def faults(text: str, address_bits: int | None = None) -> tuple[Diagnostic, ...]:
@@ -23,6 +24,45 @@ def underlined(text: str, found: Diagnostic) -> str:
     """Return what a diagnostic underlines, up to the end of its first line."""
     line = text.splitlines()[found.span.line - 1]
     return line[found.span.column - 1 : found.span.end_column - 1 if found.span.end_line == found.span.line else None]
+
+
+NAMED = """
+enum mode { idle, run = 3 }
+group state(RATE=100);
+group slow(1, 10);
+
+joint(name, size=2): @(pos, vel) {
+  @pos: READ(ID=name + ":p");
+  @vel: signed 16 READ(ID=name + ":v", PUBLISH(state));
+  @row[size] = 0x40 + i: READ();
+}
+
+public robot() {
+  GATEWAY(ADDRESS_BITS=12);
+  j[2]: joint("a", size=1) @(0x10 * i, vel=1);
+  pool: MEMORY(BASE=0x80, SIZE=2) { @c = 0: READ(); }
+  @s = 1: READ();
+  @m = 2[3:0]: mode READWRITE(PUBLISH(slow));
+  @t = 3: READ();
+}
+"""
+
+
+@pytest.mark.parametrize("word", ["enum", "group", "public", "import"])
+def test_a_keyword_in_the_place_of_any_name_is_one_fault(word: str) -> None:
+    names = [token for token in tokenize(NAMED) if token.type == "NAME"]
+    assert len(names) > 40
+    for name in names:
+        start, end = name.start_pos or 0, name.end_pos or 0
+        (fault,) = faults(NAMED[:start] + word + NAMED[end:])
+        assert fault.span.line == NAMED.count("\n", 0, start) + 1
+        # Before the parameters of a component a keyword begins a declaration.
+        assert fault.help == f"'{word}' is a word of the language: choose another name" or NAMED[end] == "("
+
+
+def test_a_declaration_behind_a_block_without_an_end_is_read() -> None:
+    text = "public x() {\n  @a = 1 READ();\n  @b = : ;\nenum mode { off, on = }\ngroup g(RATE=);\n"
+    assert [found.span.line for found in faults(text)] == [2, 3, 4, 5]
 
 
 def test_faults_of_a_line_share_it_however_long_it_is() -> None:

@@ -31,6 +31,7 @@ _WORDS = {
 }
 _SIGNS = {name: sign for sign, name in (SIGNS | KEYWORDS).items()}
 _STARTS = {"IMPORT", "ENUM", "GROUP", "PUBLIC"}
+_ENDS = {"SEMICOLON", "LBRACE", "RBRACE"}
 _OPERATORS = {"OPERATOR", "MINUS", "TILDE"}
 _HINTS = {"'": "strings stand in double quotes", "#": "a comment begins with //"}
 
@@ -106,6 +107,10 @@ class _Recovery:
             checkpoints[-1] = _copy(parser)
             return parser, index
         self._report(token, parser)
+        if token.type in _STARTS and "NAME" in accepted and not self._begins_declaration(index):
+            # Go on as if the name were one, so that this is the only fault.
+            self._tokens[index] = Token("NAME", token, start_pos=token.start_pos, end_pos=token.end_pos)
+            return parser, index
         return self._give_up(index, checkpoints, braces)
 
     def _report(self, token: Token, parser: InteractiveParser) -> None:
@@ -125,6 +130,8 @@ class _Recovery:
             message, hint = f"the character {shown} has no meaning here", _HINTS.get(token, "")
         else:
             message = f"{self._expected(parser)} was expected, not {self._shown(token)}"
+            if token.type in _STARTS:
+                hint = f"'{token}' is a word of the language: choose another name"
         self._reporter.error(self._source, place, "syntax", message, help=hint)
 
     def _give_up(
@@ -136,7 +143,7 @@ class _Recovery:
         while index < len(self._tokens):
             token = self._tokens[index]
             index += 1
-            if token.type in _STARTS and depth == 0:
+            if depth == 0 and self._begins_declaration(index - 1):
                 # Only a file has these: all blocks are over.
                 del checkpoints[1:]
                 braces.clear()
@@ -159,6 +166,14 @@ class _Recovery:
                 # A string without an end has taken the semicolon of its line.
                 break
         return _copy(checkpoints[-1]), index
+
+    def _begins_declaration(self, index: int) -> bool:
+        """Return whether a word begins a declaration, and is not a name: by the tokens before and behind it."""
+        token, previous = self._tokens[index], self._tokens[index - 1] if index else None
+        following = self._tokens[index + 1].type if index + 1 < len(self._tokens) else ""
+        if token.type not in _STARTS or following != ("STRING" if token.type == "IMPORT" else "NAME"):
+            return False
+        return previous is None or previous.type in _ENDS or self._is_later_line(previous, token)
 
     def _is_in_enum(self, index: int) -> bool:
         for token in reversed(self._tokens[: index + 1]):
