@@ -121,6 +121,12 @@ def test_info_says_whether_the_identifier_of_a_build_names_its_map() -> None:
     assert re.search("^build +0x0000CAFE$", run("info", "sim:?build_id=0xCAFE").stdout, re.MULTILINE)
 
 
+def test_info_has_the_rate_that_a_chip_runs_at() -> None:
+    speed = run("info", "ftdi://virtual?mode=uart&baud=7000000").stdout
+    assert re.search(r"^speed +the chip runs at 6,857,143 baud, not at 7,000,000 \(-2\.04%\)$", speed, re.MULTILINE)
+    assert json.loads(run("info", "ftdi://virtual?mode=uart", "--json").stdout)["baud"] == 115_246
+
+
 @on_model_and_gateware
 def test_frames_are_typed_by_hand_and_answers_explained(kind: str) -> None:
     result = run("terminal", f"{kind}:", stdin="W0A0000002A\nR0A\nRZZ\n")

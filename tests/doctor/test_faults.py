@@ -155,6 +155,20 @@ def test_a_chip_that_is_not_there() -> None:
         assert "unplugged" in examined(CHIP)
 
 
+def test_a_rate_that_a_chip_only_comes_near_to_is_a_fault() -> None:
+    fault = examined("ftdi://virtual?mode=uart&baud=7000000")["wrong baud"]
+    assert fault["text"].startswith("the chip runs at 6,857,143 baud, not at 7,000,000 (-2.04%): a UART needs")
+    assert "such as baud=6000000" in fault["advice"]
+    result = CliRunner().invoke(app, ["doctor", "ftdi://virtual?mode=uart&baud=7000000", "--duration", "0.05"])
+    assert "of the 685.7 kB/s that the medium carries" in result.stdout
+
+
+def test_a_rate_within_one_per_cent_is_reported_and_no_fault() -> None:
+    result = CliRunner().invoke(app, ["doctor", "ftdi://virtual?mode=uart", "--duration", "0.05"])
+    assert result.exit_code == 0
+    assert "the chip runs at 115,246 baud, not at 115,200 (+0.04%)" in result.stdout
+
+
 # Serial ports
 
 

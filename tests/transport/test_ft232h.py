@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import logging
 import threading
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -17,7 +17,7 @@ from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.messages import Codec
 from unity_link.transport import load_driver, parse_url
 from unity_link.transport.ft232h import with_libusb
-from unity_link.transport.ft232h.chip import list_chips, open_in_thread, settings_of
+from unity_link.transport.ft232h.chip import list_chips, made_of, open_chip, open_in_thread, settings_of
 from unity_link.transport.ft232h.eeprom_image import BLANK, build_eeprom
 from unity_link.transport.ft232h.kinds import FT232H, FT2232H, in_endpoint, out_endpoint
 from unity_link.transport.ft232h.transport import StatusStripper
@@ -615,3 +615,18 @@ async def test_a_chip_without_a_high_speed_fifo_is_refused_by_its_name(product: 
             await connect("ftdi:///1")
         assert not device.claims
         assert list_chips() == []
+
+
+async def test_the_rate_that_is_reported_is_that_of_pyftdi_and_of_the_chip() -> None:
+    url = f"{URL}?mode=uart"
+    with plugged_in(mode=Mode.UART, image=eeprom_for(URL, "UART")) as device:
+        chip = open_chip(parse_url(url))
+        compared = 0
+        for baud in [*range(184, 20_000, 171), *range(20_000, 12_000_000, 40_009), 6_000_000, 7_000_000, 8_000_000]:
+            # pyftdi refuses rates that are more than 3 % off.
+            with suppress(ValueError):
+                chip.ftdi.set_baudrate(baud)
+                assert made_of(baud) == chip.ftdi.baudrate == round(port_at(device, url).baud)
+                compared += 1
+        chip.close()
+    assert compared > 300

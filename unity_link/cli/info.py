@@ -35,15 +35,20 @@ def info(url: Url, *, json: Json = False, timeout: Timeout = DEFAULT_TIMEOUT) ->
 async def _info(url: str, *, json: bool, timeout: float) -> None:  # noqa: ASYNC109  (an option of the command)
     from unity_link.link.connecting import connect
     from unity_link.transport import has_bus, parse_url
+    from unity_link.transport.ft232h.chip import asked_baud, describe_baud, made_of
 
     async with connect(url, timeout=timeout) as link:
         round_trip = await _round_trip(link)
+    baud = asked_baud(parse_url(url))
     if json:
-        print_json({"url": url, **_fields(link.gateway), "round_trip_s": round_trip})
+        speed = {} if baud is None else {"baud": made_of(baud)}
+        print_json({"url": url, **_fields(link.gateway), **speed, "round_trip_s": round_trip})
     else:
         rows = describe(link.gateway)
         if has_bus(parse_url(url)):
             rows = [(name, text) for name, text in rows if name not in _OF_FRAMES]
+        if baud is not None:
+            rows.append(("speed", describe_baud(baud)))
         _print(url, rows, round_trip)
 
 

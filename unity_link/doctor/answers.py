@@ -11,11 +11,12 @@ import msgspec
 
 from unity_link.doctor import garbage
 from unity_link.doctor.findings import FaultName, Finding
-from unity_link.doctor.media import CHIP_SCHEMES, explain_failure
+from unity_link.doctor.media import explain_failure
 from unity_link.errors import ConnectError
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import LF, Framing
 from unity_link.transport import load_driver, open_medium
+from unity_link.transport.ft232h.chip import asked_baud
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable
@@ -141,7 +142,7 @@ def _question(url: DriverUrl) -> bytes:
 
 def has_speed(url: DriverUrl) -> bool:
     """Return whether the host's end of a medium has a speed that can be wrong."""
-    return url.scheme == "serial" or (url.scheme in CHIP_SCHEMES and url.options.get("mode") == "uart")
+    return url.scheme == "serial" or asked_baud(url) is not None
 
 
 def _recognise(heard: Heard) -> Finding | None:

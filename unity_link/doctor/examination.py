@@ -8,10 +8,11 @@ from unity_link.doctor import computer
 from unity_link.doctor.answers import explain_silence, find_echo, has_speed
 from unity_link.doctor.findings import FaultName, Finding
 from unity_link.doctor.gateways import check_gateway, check_send_immediate
-from unity_link.doctor.media import CHIP_SCHEMES, check_medium, explain_failure
+from unity_link.doctor.media import check_medium, explain_failure
 from unity_link.errors import ConnectError, UnansweredError, UnsupportedError
 from unity_link.link.connecting import connect
 from unity_link.transport import has_bus, parse_url
+from unity_link.transport.ft232h.chip import SCHEMES, asked_baud
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
     from unity_link.spec.model import Interface
     from unity_link.transport import DriverUrl
 
-_BEARABLE = (None, FaultName.LATENCY, FaultName.LOSS, FaultName.DOUBLE)
+_BEARABLE = (None, FaultName.LATENCY, FaultName.LOSS, FaultName.DOUBLE, FaultName.BAUD)
 """Faults of a medium with which a link can be opened."""
 TIMEOUT = 2.5
 """Seconds for a gateway to answer at all."""
@@ -88,7 +89,7 @@ async def _check_link(
     else:
         if has_speed(parsed) and (echo := await find_echo(parsed)) is not None:
             yield echo
-        if parsed.scheme in CHIP_SCHEMES and parsed.options.get("mode") != "uart":
+        if parsed.scheme in SCHEMES and asked_baud(parsed) is None:
             yield await check_send_immediate(parsed, info)
 
 

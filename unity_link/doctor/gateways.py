@@ -13,14 +13,13 @@ from typing import TYPE_CHECKING, NamedTuple
 from urllib.parse import urlencode
 
 from unity_link.data.describing import read_spec, shown_differences
-from unity_link.doctor.answers import has_speed
 from unity_link.doctor.findings import FaultName, Finding
-from unity_link.doctor.media import CHIP_SCHEMES
 from unity_link.errors import UnsupportedError
 from unity_link.link.connecting import connect
 from unity_link.protocol.configuration import PROTOCOL_VERSION, Feature
 from unity_link.protocol.frames import COMPACT_END, LF
 from unity_link.spec.comparing import compare
+from unity_link.transport.ft232h.chip import SCHEMES, asked_baud, made_of
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator
@@ -86,9 +85,12 @@ async def check_gateway(url: DriverUrl, link: Link, interface: Interface | None)
 
 def bytes_per_second(url: DriverUrl) -> float | None:
     """Return what a medium carries in each direction; None where that is not known."""
-    if has_speed(url):
+    if url.scheme == "serial":
         return url.integer("baud", 115_200) / _BITS_PER_BYTE
-    return _FIFO_BYTES_PER_SECOND if url.scheme in CHIP_SCHEMES else None
+    if url.scheme not in SCHEMES:
+        return None
+    baud = asked_baud(url)
+    return _FIFO_BYTES_PER_SECOND if baud is None else made_of(baud) / _BITS_PER_BYTE
 
 
 async def _check_map(link: Link, interface: Interface | None) -> Finding:

@@ -12,16 +12,19 @@ from unity_link.doctor.findings import FaultName, Finding
 from unity_link.doctor.network import check_network
 from unity_link.errors import ConnectError
 from unity_link.transport import has_bus, open_bus
-from unity_link.transport.ft232h.chip import UDEV_LINE, UDEV_RULE, find_errno
+from unity_link.transport.ft232h.chip import SCHEMES as CHIP_SCHEMES
+from unity_link.transport.ft232h.chip import UDEV_LINE, UDEV_RULE, describe_baud, find_errno, made_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from unity_link.transport import DriverUrl
 
-CHIP_SCHEMES = ("ftdi", "ftdi-async")
 LONGEST_LATENCY = 4
 """ms of a latency timer beyond which it is what one waits for."""
+MOST_BAUD_ERROR = 0.01
+"""Relative error of a rate beyond which a UART may fail: its two ends may differ by some 2 to 4 % together."""
+_CHIP_CLOCK = 12_000_000
 _SYSTEM = Path("/sys")
 _PROCESSES = Path("/proc")
 _SHARE = "close that program, or share the link: unity-link serve"
@@ -168,6 +171,8 @@ def _check_chip(url: DriverUrl) -> Iterator[Finding]:
             yield Finding(
                 "chip", f"{content.description} ({content.product}, serial number {content.serial or 'none'})"
             )
+            if wanted == "UART":
+                yield _judge_baud(chip.settings.baud)
             chip.configure()
             latency = chip.ftdi.get_latency_timer()
         finally:
@@ -176,3 +181,13 @@ def _check_chip(url: DriverUrl) -> Iterator[Finding]:
         yield explain_failure("chip", error)
         return
     yield _judge_latency("chip", latency, "leave latency= out of the URL: the driver then sets 1 ms")
+
+
+def _judge_baud(baud: int) -> Finding:
+    """Return whether a chip makes a rate, in bits a second, as closely as a UART needs it."""
+    text = describe_baud(baud)
+    if abs(made_of(baud) / baud - 1) <= MOST_BAUD_ERROR:
+        return Finding("speed", text)
+    exact = _CHIP_CLOCK // -(-_CHIP_CLOCK // baud)
+    advice = f"write a rate that the chip makes, such as baud={exact}, and build the gateware for that"
+    return Finding("speed", f"{text}: a UART needs both ends within about 2 %", FaultName.BAUD, advice)

@@ -37,6 +37,7 @@ if TYPE_CHECKING:
 
 ChipMode = Literal["ft245", "ft245-sync", "uart"]
 SendImmediate = Literal["off", "always", "adaptive"]
+SCHEMES = ("ftdi", "ftdi-async")
 OPTIONS = frozenset({"mode", "latency", "event_char", "baud"})
 PACKET_SIZE = 512
 STATUS_SIZE = 2
@@ -115,6 +116,28 @@ def settings_of(url: DriverUrl) -> ChipSettings:
     if not 184 <= baud <= 12_000_000:
         raise ArgumentError(f"baud={baud} in {url.text} is not from 184 to 12000000")
     return ChipSettings(cast("ChipMode", mode), latency, character, baud)
+
+
+def asked_baud(url: DriverUrl) -> int | None:
+    """Return the rate in the URL of a chip that is a UART, in bits a second; None for any other URL."""
+    is_uart = url.scheme in SCHEMES and url.options.get("mode") == "uart"
+    return url.integer("baud", DEFAULT_BAUD) if is_uart else None
+
+
+def describe_baud(baud: int) -> str:
+    """Return the rate that a chip makes of a wanted one, and by how much it differs, in words."""
+    made = made_of(baud)
+    difference = f", not at {baud:,} ({made / baud - 1:+.2%})" if made != baud else ""
+    return f"the chip runs at {made:,} baud{difference}"
+
+
+def made_of(baud: int) -> int:
+    """Return the rate that a chip of the H series makes of a wanted one, in bits a second, rounded.
+
+    Its clock of 12 MHz, or of 3 MHz below 1200, is divided by a number of eighths (FTDI's AN232B-05).
+    """
+    clock = 12_000_000 if baud >= 1200 else 3_000_000
+    return round(8 * clock / round(8 * clock / baud))
 
 
 class OpenChip:
