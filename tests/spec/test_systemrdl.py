@@ -397,6 +397,23 @@ addrmap public {{
     assert "q.f" in chip.signals
 
 
+def test_a_name_that_is_not_in_the_spec_is_not_warned_of(tmp_path: Path) -> None:
+    chip, said = imported(
+        tmp_path,
+        """addrmap chip {
+  reg { field { sw = rw; } import[8]; } alone;
+  reg { field { sw = rw; } import[8]; } several[2];
+  reg { field { sw = rw; } import[8]; field { sw = rw; } other[8]; } both;
+};""",
+    )
+    assert list(chip.signals) == [
+        "alone", "several[0].import_", "several[1].import_", "both.import_", "both.other"
+    ]  # fmt: skip
+    assert [line.split(":")[-2].strip() for line in said.splitlines() if " is called " in line] == [
+        "chip.several.import is called import_", "chip.both.import is called import_"
+    ]  # fmt: skip
+
+
 def test_properties_of_peakrdl_need_no_declaration(tmp_path: Path) -> None:
     fields = """
       reg { field { is_signed; } f[15:0]; } a; reg { field { intwidth = 8; fracwidth = 8; } f[15:0]; } b;

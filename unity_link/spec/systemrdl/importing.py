@@ -268,13 +268,14 @@ class _Importer:
             self._add_cleared(part, inner, node)
             return
         kept = [one for one in node.fields() if one.is_sw_readable or one.is_sw_writable]
+        has_names = node.is_array or len(kept) > 1
         for one in kept:
             self.warnings += warnings(one, effect_of(one, self._bits))
             found = self._field(one)
             if found is not None:
                 inner.members.append(found)
-                found.name = self._call(one, inner)
-        if node.is_array or len(kept) > 1:
+                found.name = self._call(one, inner) if has_names else ""
+        if has_names:
             part.members.append(self._placed(node, inner, self._call(node, part)))
         elif inner.members:
             (only,) = inner.members
