@@ -20,6 +20,7 @@ import pytest
 import typer
 from typer.testing import CliRunner
 
+from support.changed_lines import DIRECTIONS, LINES, ChangedLine
 from unity_link.cli import doctor
 from unity_link.doctor import garbage
 from unity_link.doctor.computer import SLEEP, Wakes, measure_wakes
@@ -300,6 +301,12 @@ def test_a_node_that_answers_without_an_echo_has_no_fault() -> None:
 def test_a_cut_sample_that_begins_with_220_is_not_taken_for_smtp() -> None:
     with served(serve_pty(Chatter(VirtualGateway(), says=b"2200012345678\np07000012345678\n"))) as url:
         assert examined(url, "--timeout", "0.4")["another protocol"]["text"].startswith("what answers is no gateway")
+
+
+@pytest.mark.parametrize("direction", DIRECTIONS[:2])
+def test_a_line_that_changes_cr_or_lf_is_no_other_protocol(direction: str) -> None:
+    with served(serve_pty(ChangedLine(VirtualGateway(), LINES["CR to LF"], direction))) as url:
+        assert [*examined(url, "--timeout", "0.4")] == ["changed line ends"]
 
 
 @pytest.mark.parametrize("chances", [{"flip": 0.001}, {"loss": 0.001}])

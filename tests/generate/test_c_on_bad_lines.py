@@ -11,12 +11,13 @@ import pytest
 
 from generate.peers import simulate
 from generate.programs import HERE, PATIENCE, SANITIZED, C, Driven, Simulated, SimulatedLine, output
+from support.changed_lines import CHANGED_ENDS, OF_LINE_ENDS, ChangedLine
 from support.changed_ports import make_sane
 from support.events_read import CLEARED, QUEUE, Cleared, Numbers
 from support.floods import FLOODS
 from support.makers import COMPACT, SLOW, simulated
 from unity_link.protocol.constants import ECHO_PATIENCE
-from unity_link.protocol.handshake import ECHO
+from unity_link.protocol.handshake import ECHO, LINE_ENDS
 from unity_link.protocol.session import FLOODED
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Noise, NoisyLine, Straying
@@ -177,6 +178,13 @@ def test_a_question_that_came_back_once_is_no_echo(driver: Path) -> None:
         client.words("connect test: 5")
         assert client.words("read 10") == [0]
         client.words("close")
+
+
+@pytest.mark.parametrize(("name", "direction"), CHANGED_ENDS)
+def test_a_line_that_changes_cr_or_lf_is_named(driver: Path, name: str, direction: str) -> None:
+    line = ChangedLine(VirtualGateway(), OF_LINE_ENDS[name], direction)
+    with Simulated(driver, line.receive) as client:
+        assert client("connect test: 2") == f"{NO_CONNECTION}{LINE_ENDS}"
 
 
 # Losses

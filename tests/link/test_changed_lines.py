@@ -80,7 +80,7 @@ def test_at_a_real_port_a_link_uses_text_or_ends_with_a_sentence(name: str, kind
                 link.write(1, WORDS[0])
                 assert link.read(1) == WORDS[0]
         else:
-            with pytest.raises(unity_link.ConnectError, match=r"CR and LF|lost or damaged"):
+            with pytest.raises(unity_link.ConnectError, match=r"CR or LF"):
                 blocking.connect(url, timeout=0.5)
 
 

@@ -8,6 +8,7 @@ import gc
 import itertools
 import math
 import random
+import re
 import tracemalloc
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +18,7 @@ import numpy as np
 import pytest
 
 import unity_link
+from support.changed_lines import CHANGED_ENDS, CR_LF_FOR_CR, DIRECTIONS, OF_LINE_ENDS, ChangedLine
 from support.makers import SLOW, Maker, in_flight, simulated
 from support.recorded_bus import RecordedBus
 from support.simulated_time import on_simulated_time
@@ -36,8 +38,11 @@ from unity_link import (
 from unity_link.link.connection import Reconnect
 from unity_link.protocol.configuration import PROTOCOL_VERSION, Feature
 from unity_link.protocol.constants import MOST_TRIES
+from unity_link.protocol.crc import USUAL_POLYNOMIALS
+from unity_link.protocol.handshake import LINE_ENDS
 from unity_link.protocol.messages import Codec
 from unity_link.transport import parse_url
+from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing, Noise, NoisyLine
 from unity_link.virtual.gateway import Gateway
 from unity_link.virtual.line import SlowLine
@@ -121,6 +126,34 @@ async def test_noise_is_no_answer_and_the_error_counts_it() -> None:
     source = random.Random(1)
     with pytest.raises(ConnectError, match=r"within 60 s; \d+ bytes arrived, none of them an answer: check the speed"):
         await unity_link.connect(Answering(lambda _: source.randbytes(300)), timeout=60)
+
+
+@pytest.mark.parametrize(("name", "direction"), CHANGED_ENDS)
+@pytest.mark.parametrize("crc_bits", [8, 16, 32])
+@on_simulated_time
+async def test_a_line_that_changes_cr_or_lf_is_named(name: str, direction: str, crc_bits: int) -> None:
+    gateway = VirtualGateway(GatewayInfo(crc_bits=crc_bits, crc_polynomial=USUAL_POLYNOMIALS[crc_bits]))
+    with pytest.raises(ConnectError, match=re.escape(LINE_ENDS)):
+        await unity_link.connect(ChangedLine(gateway, OF_LINE_ENDS[name], direction), timeout=2)
+
+
+@pytest.mark.parametrize("direction", DIRECTIONS)
+@on_simulated_time
+async def test_a_line_that_makes_cr_lf_of_cr_does_no_harm(direction: str) -> None:
+    # An empty frame is ignored.
+    async with unity_link.connect(ChangedLine(VirtualGateway(), CR_LF_FOR_CR, direction), timeout=2) as link:
+        await link.write(0x10, 5)
+        assert await link.read(0x10) == 5
+
+
+@pytest.mark.parametrize(("flip", "loss"), [(0.1, 0), (0.4, 0), (0, 0.2), (0.05, 0.1)])
+@pytest.mark.parametrize("seed", range(5))
+@on_simulated_time
+async def test_a_noisy_line_is_not_taken_for_one_that_changes_line_ends(seed: int, flip: float, loss: float) -> None:
+    noisy = NoisyLine(VirtualGateway(), *(Noise(number, flip=flip, loss=loss) for number in (seed, seed + 100)))
+    with pytest.raises(ConnectError) as failure:
+        await unity_link.connect(noisy, timeout=1)
+    assert LINE_ENDS not in str(failure.value)
 
 
 @pytest.mark.slow

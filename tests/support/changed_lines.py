@@ -72,6 +72,22 @@ LINES = {
     "CR to LF": Line(_without(rb"\r", b"\n"), carries_text=False),
     "LF to CR LF": Line(_without(rb"\n", b"\r\n"), carries_text=False),
 }
+OF_LINE_ENDS = {
+    "CR to LF": LINES["CR to LF"],
+    "LF to CR LF": LINES["LF to CR LF"],
+    "LF to CR": Line(_without(rb"\n", b"\r"), carries_text=False),
+    "CR taken out": Line(_without(rb"\r"), carries_text=False),
+    "LF taken out": Line(_without(rb"\n"), carries_text=False),
+}
+"""Lines that change line ends."""
+CHANGED_ENDS = [
+    (name, direction)
+    for name in OF_LINE_ENDS
+    for direction in DIRECTIONS
+    if (name, direction) != ("LF taken out", DIRECTIONS[0])
+]
+"""Those that the host can tell. A gateway does not answer a checked question whose LF is gone."""
+CR_LF_FOR_CR = Line(_without(rb"\r", b"\r\n"), carries_text=True)
 
 
 class ChangedLine(Valve):

@@ -15,6 +15,7 @@ from unity_link.doctor.media import explain_failure
 from unity_link.errors import ConnectError
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import LF, Framing
+from unity_link.protocol.handshake import LINE_ENDS
 from unity_link.transport import load_driver, open_medium
 from unity_link.transport.ft232h.chip import asked_baud
 
@@ -116,6 +117,10 @@ async def explain_silence(url: DriverUrl, error: ConnectError) -> AsyncIterator[
         url: of the medium.
         error: why a link could not be opened.
     """
+    if LINE_ENDS in str(error):
+        advice = "make it raw: a terminal server (ser2net: raw, not telnet), or the port, if another program has set it"
+        yield Finding("answer", LINE_ENDS, FaultName.LINE_ENDS, advice)
+        return
     question = _question(url)
     try:
         heard = await listen(url, question, PATIENCE)

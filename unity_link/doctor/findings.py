@@ -20,6 +20,7 @@ class FaultName(enum.StrEnum):
     SEND_IMMEDIATE = "no SIWU#"
     BAUD = "wrong baud"
     LOOPBACK = "loopback"
+    LINE_ENDS = "changed line ends"
     PROTOCOL = "another protocol"
     VERSION = "other version"
     SPEC = "wrong spec"

@@ -20,6 +20,7 @@ from __future__ import annotations
 import contextlib
 import enum
 import math
+import re
 from collections import deque
 from typing import TYPE_CHECKING, NamedTuple
 
@@ -49,6 +50,17 @@ if TYPE_CHECKING:
 RESET_TRIES = 3
 """Number of times a gateway is asked for the state of its session before a session is asked for all the same."""
 ECHO = "what is sent comes back as it is: is TX wired to RX, or an echo switched on?"
+LINE_ENDS = "the line changes CR or LF, as a terminal or a terminal server does that is not raw: make it transparent"
+_FEWEST_CHANGED = 2
+"""Lines with another end after which the line is blamed: damage makes such a line now and then."""
+_OTHER_END = {
+    # An answer to a plain question without CR, or the checked error that answers the question without CR.
+    True: re.compile(rb"(?:Z[0-9A-F]{2})?(?:Q[0-9A-F]{64}|X[0-9A-F]{2}(?:[0-9A-F]{2}|[0-9A-F]{4}|[0-9A-F]{8}))"),
+    # An answer to a checked question with CR, or the plain error that answers the question with CR.
+    False: re.compile(rb"(?:Z[0-9A-F]{2})?(?:Q[0-9A-F]{66,72}|X[0-9A-F]{2})\r+"),
+}
+"""Lines that a gateway sends if the line changes CR or LF, by whether the question is plain."""
+_WITHOUT_LF = re.compile(rb"Q[0-9A-F]{64}\r[^\n]")
 TAKEN = (
     "another program has begun a session with the gateway, and this one's is over: let both use it through "
     "`unity-link serve`, or end the other program"
@@ -61,6 +73,7 @@ NEVER_CHOSEN = (0x10, 0x1000)
 """Numbers of sessions with which damage to the size of a first letter could pass a CRC of 8 or of 16 bits."""
 _DIFFERENT = 16
 """Number of sessions in a row that have different numbers."""
+_LONGEST_REST = 200
 _LONGEST_TEXT = 120
 """Characters of what is not understood that a message quotes."""
 _OTHERS = {
@@ -191,6 +204,10 @@ class Handshake:
         self._out = b""
         self._heard = self._unread = 0
         """Bytes that were looked at, and that have arrived behind them."""
+        self._rest = b""
+        """Bytes of a line without an end, at most so many as show an answer."""
+        self._astray = self._changed = 0
+        """Lines that answered no question, and those of them that do with another end."""
         self._text = ""
         """Text heard last that is no frame, or by which another protocol showed."""
         self._doubtful = b""
@@ -259,6 +276,8 @@ class Handshake:
             return f"{other} answers there, no gateway: is it the right port?"
         if self.echoes and not self._knows_echo:
             return ECHO
+        if self._has_other_ends:
+            return LINE_ENDS
         if self._doubtful:
             return f"what answers is no gateway: it said {self._doubtful[:80]!r}"
         return NOT_CARRIED if self.line_changes_bytes else self._describe_answers()
@@ -279,6 +298,12 @@ class Handshake:
         is_text = self._text and self._text.isprintable()
         why = f'"{self._text}"' if is_text else reason or "does it serve another program, or want a token?"
         return f"the connection ended before the gateway answered: {why}"
+
+    @property
+    def _has_other_ends(self) -> bool:
+        """True if most of the lines that answer no question would answer it with another end."""
+        most = self._changed >= _FEWEST_CHANGED and 2 * self._changed > self._astray
+        return most or _WITHOUT_LF.search(self._rest) is not None
 
     # The questions
 
@@ -391,6 +416,7 @@ class Handshake:
                 self.deadline = min(self.deadline, now + DAMAGE_PAUSE)
         self._heard += start
         self._unread = len(data) - start
+        self._rest = data[start : start + _LONGEST_REST]
         return start
 
     def _receive_line(self, line: bytes, now: float) -> None:
@@ -418,8 +444,11 @@ class Handshake:
             self.round_trip = now - self._asked_at
             self._ask(getattr(self, _TABLE[self.state].answered)(body), now)
             return
-        if self._is_late(line, body, now):
+        has_other_end = _OTHER_END[self._is_plain].fullmatch(line) is not None
+        if not has_other_end and self._is_late(line, body, now):
             return
+        self._astray += 1
+        self._changed += has_other_end
         text = line[:_LONGEST_TEXT].decode("ascii", "replace").strip()
         if _protocol_of(text) or not _protocol_of(self._text):
             self._text = text

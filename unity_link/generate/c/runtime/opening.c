@@ -12,18 +12,22 @@
  */
 
 enum { PROTOCOL_VERSION = 3, LONGEST_ANSWER = 160 };
-enum { LONGEST_QUESTION = 32 };
+enum { LONGEST_QUESTION = 32, CONFIGURATION_DIGITS = 64, FEWEST_CHANGED = 2 };
 enum { LONGEST_REST = 48 };     /* of a frame, beside its words */
 
 static const char NOT_CARRIED[] =
     "the gateway answers text but no compact frames: the line changes bytes, and compact=0 in the URL keeps text";
 static const char ECHO[] = "what is sent comes back as it is: is TX wired to RX, or an echo switched on?";
 
+static const char LINE_ENDS[] =
+    "the line changes CR or LF, as a terminal or a terminal server does that is not raw: make it transparent";
+
 typedef struct opening {
     ul_link *link;
     double asked, patience;
     size_t heard;
     unsigned questions, answers, drawn;
+    unsigned astray, changed;           /* lines that answered nothing, and those of them that do with another end */
     uint32_t first;                     /* ID of the session */
     bool believes;                      /* the gateway has said what it is */
     bool hears_echo;
@@ -91,6 +95,40 @@ static text behind_compact(text line)
     return without_first(line, size);
 }
 
+/* How many digits a text has from its second character on; 0 if another character is among them. */
+static size_t count_digits(text line)
+{
+    for (size_t place = 1; place < line.size; place++)
+        if (digit_value(line.at[place]) < 0) return 0;
+    return line.size > 0 ? line.size - 1 : 0;
+}
+
+/* Whether a line with another end would be the answer to `Q`, or the error that answers such a question: it says that
+ * the line changes CR or LF. */
+static bool has_other_end(const opening *opens, text line, bool plain)
+{
+    bool ends_plain = line.size > 0 && line.at[line.size - 1] == PLAIN_END;
+    while (line.size > 0 && line.at[line.size - 1] == PLAIN_END) line.size--;
+    if (ends_plain == plain || !take_prefix(opens->link, &line)) return false;
+    size_t digits = count_digits(line);
+    if (starts_with(line, "Q")) {
+        size_t check = digits - CONFIGURATION_DIGITS;
+        return digits >= CONFIGURATION_DIGITS && (plain ? check == 0 : check == 2 || check == 4 || check == 8);
+    }
+    return starts_with(line, "X") && (plain ? digits == 4 || digits == 6 || digits == 10 : digits == 2);
+}
+
+/* Whether the answer has come without LF. */
+static bool lacks_line_ends(const ul_link *link)
+{
+    text rest = unread(link);
+    for (; rest.size > CONFIGURATION_DIGITS + 2; rest = without_first(rest, 1)) {
+        text answer = {rest.at, CONFIGURATION_DIGITS + 1};
+        if (rest.at[0] == 'Q' && count_digits(answer) && rest.at[answer.size] == PLAIN_END) return true;
+    }
+    return false;
+}
+
 /* Look for the answer in what has come. False where there is none; a line that is none may be one that was damaged. */
 static bool find_answer(opening *opens, const char *question, bool plain, size_t fields, bool *damaged)
 {
@@ -98,8 +136,11 @@ static bool find_answer(opening *opens, const char *question, bool plain, size_t
     while (next_line(opens->link, &line)) {
         line = behind_compact(line);
         if (take_echo(opens, &line) && line.size == 0) continue;
+        bool is_empty = line.size == 0, is_changed = has_other_end(opens, line, plain);
         bool is_frame = take_line_body(opens, plain, &line);
         if (!is_frame || !is_answer(line, question, fields)) {
+            opens->astray += !is_empty;
+            opens->changed += is_changed;
             *damaged |= !is_frame || line.size == 0 || line.at[0] != 'K';
             continue;
         }
@@ -294,6 +335,8 @@ static ul_status fail_to_open(const opening *opens)
     if (opens->is_alone && !link->transport.echoes) return fail(link, UL_NO_CONNECTION, "", ECHO);
     if (link->gone) return fail(link, UL_NO_CONNECTION, "", "the connection was lost before the gateway answered");
     if (opens->not_carried) return fail(link, UL_NO_CONNECTION, "", NOT_CARRIED);
+    if ((opens->changed >= FEWEST_CHANGED && 2 * opens->changed > opens->astray) || lacks_line_ends(link))
+        return fail(link, UL_NO_CONNECTION, "", LINE_ENDS);
     if (opens->believes) {
         snprintf(link->error, sizeof link->error,
                  "the gateway answered %u of %u questions: what is sent or answered is lost or damaged on the way",
