@@ -131,7 +131,7 @@ public m() {
 def test_controls_of_unknown_values_show_none_and_no_single_key_writes_one(page: Page, tmp_path: Path) -> None:
     spec = tmp_path / "m.ul"
     spec.write_text(UNKNOWN)
-    # A gateway that has words at all addresses, so that the test reads what was written.
+    # A gateway that has words at all addresses, so that the test can read the written values.
     with gateway(tmp_path / "gateway", "serve", "sim:") as url, shown(page, url, str(spec), "--allow-writes"):
         volts, mode, brake = (page.locator(f"#write-{name}") for name in ("volts", "mode", "brake"))
         expect(volts).to_be_enabled()

@@ -86,7 +86,7 @@ CHANGED_ENDS = [
     for direction in DIRECTIONS
     if (name, direction) != ("LF taken out", DIRECTIONS[0])
 ]
-"""Those that the host can tell. A gateway does not answer a checked question whose LF is gone."""
+"""Changes that the host can see. A gateway does not answer a checked question whose LF is gone."""
 CR_LF_FOR_CR = Line(_without(rb"\r", b"\r\n"), carries_text=True)
 
 

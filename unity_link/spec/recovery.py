@@ -168,7 +168,7 @@ class _Recovery:
         return _copy(checkpoints[-1]), index
 
     def _begins_declaration(self, index: int) -> bool:
-        """Return whether a word begins a declaration, and is not a name: by the tokens before and behind it."""
+        """Return whether a word begins a declaration, and is not a name: by the tokens before and after the word."""
         token, previous = self._tokens[index], self._tokens[index - 1] if index else None
         following = self._tokens[index + 1].type if index + 1 < len(self._tokens) else ""
         if token.type not in _STARTS or following != ("STRING" if token.type == "IMPORT" else "NAME"):

@@ -208,7 +208,7 @@ class ZenohSignals:
         readable = {name: proxy for name, proxy in found.items() if isinstance(proxy, Readable)}
         if not readable:
             if _is_pattern(key):
-                # Another handler of this bridge, or another bridge, has what the wildcards select.
+                # The wildcards select keys of another handler of this bridge, or of another bridge.
                 return {}
             one = next(iter(found.values()), None)
             raise ArgumentError(f"there is no signal at {key}" if one is None else f"{one.path} cannot be read so")

@@ -1,7 +1,7 @@
 // Ways to write a signal: a slider and a number within its limits, a choice of names, a switch.
 //
 // While a value is under way, only the newest one waits: a slider that is dragged does not leave a queue behind. The
-// robot's value is shown again as soon as nobody is holding the control.
+// robot's value is shown again after the user has released the control.
 //
 // A control of a signal whose value is unknown shows none, and is disabled. If nothing samples the signal, its value is
 // unknown until it is written: then a number can be typed and a state chosen, which no single key press does by mistake.
