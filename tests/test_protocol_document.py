@@ -8,7 +8,8 @@ import pytest
 
 from support.worked_examples import DOCUMENT, Example, worked_examples
 from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.crc import seed_of
+from unity_link.protocol.crc import last_session, seed_of
+from unity_link.protocol.handshake import NEVER_CHOSEN
 from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual.faults import Failing
 from unity_link.virtual.gateway import VirtualGateway
@@ -69,6 +70,21 @@ def test_the_examples_show_every_error_that_a_short_example_can_show() -> None:
     }
     # 07 needs a frame longer than a page is wide, 09 bytes that were lost.
     assert shown == set(ErrorCode) - {ErrorCode.TOO_LONG, ErrorCode.RECEIVE_OVERFLOW}
+
+
+def test_the_chances_of_a_number_that_comes_again_are_those_of_what_programs_draw() -> None:
+    text = DOCUMENT.read_text(encoding="utf-8")
+    chances = [
+        [int(number.replace(",", "")) for number in pair]
+        for pair in re.findall(r"\| 1 in ([\d,]+); 1 in ([\d,]+) \|", text)
+    ]
+    numbers = [
+        len(set(range(1, last_session(digits) + 1)) - {never_chosen})
+        for digits, never_chosen in zip((2, 4), NEVER_CHOSEN, strict=True)
+    ]
+    half = [2 * number for number in numbers]
+    one_id = [number * ids for number, ids in zip(numbers, (1 << 8, 1 << 12), strict=True)]
+    assert chances == [half, one_id, numbers]
 
 
 def test_the_answer_to_q_has_the_digits_of_the_table() -> None:

@@ -1021,7 +1021,6 @@ SOUND = [
     "r{short}",
     "r{wrong}00000000",
     "n{short}",
-    "n{other}",
     "x{other}04",
     "Q00",
     "K{own}",

@@ -48,7 +48,8 @@ class Slow(Session):
 
     def _admit(self, now: float, events: list[Any]) -> None:
         waiting, window = self._waiting, self.window
-        while waiting:
+        self._prove(now)
+        while waiting and self._may_begin:
             source = waiting[0]
             if source.unwanted():
                 waiting.popleft()
@@ -156,7 +157,7 @@ class Host:
         self.events: list[Any] = []
         if kind is Slow:
             arguments = self.codec, session.window, session.groups, session.counters
-            session._answers = Line(*arguments, None, takes_turns=False)
+            session._answers = Line(*arguments, None, half_duplex=False)
 
     @property
     def window(self) -> Window[Any]:

@@ -10,7 +10,7 @@ import pytest
 from support.floods import FLOODS
 from support.valve import as_gateway
 from unity_link.errors import ConnectError, LinkLostError, Outcome, UnansweredError, UnsupportedError
-from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.constants import LONGEST_SILENCE, MOST_REFUSALS
 from unity_link.protocol.events import Interrupted, Opened, Unusable
 from unity_link.protocol.messages import GroupFlag
@@ -232,7 +232,7 @@ def test_what_asks_whether_a_gateway_still_hears_is_not_asked_in_the_next_sessio
         session.receive(gateway.receive(session.take_output(), 0.0), 0.0)
     assert session.deadline is not None
     session.expire(session.deadline)
-    assert session.take_output().startswith(b"h")
+    assert b"\nh" in session.take_output()
     session.disconnect("the line was lost")
     session.connect(3.0, 0.003)
     while not session.is_open:
@@ -242,7 +242,7 @@ def test_what_asks_whether_a_gateway_still_hears_is_not_asked_in_the_next_sessio
 
 def test_the_error_of_a_batch_that_a_gateway_refuses_again_and_again_names_the_request_that_it_was_about() -> None:
     session, gateway = opened(resumes=False)
-    codec, now = session.codec, 1.0
+    codec, now = session.codec, 0.5
     batch = WordBatch(codec, "R", [(np.arange(0x10, 0x18), codec.info.address_digits)])
     session.submit(batch, now)
     answers = gateway.receive(session.take_output(), now)
@@ -377,3 +377,40 @@ def test_noise_while_nothing_is_asked_for_ends_no_session() -> None:
         assert not session.receive(b"a\n" * 100, float(second))
         assert not session.expire(float(second))
     assert session.is_open
+
+
+def next_frames(session: Session, now: float) -> list[bytes]:
+    """Let the time run out, and return the frames that are sent then."""
+    assert session.deadline is not None
+    session.expire(max(now, session.deadline))
+    if session.wants_turn:
+        session.take_turn(max(now, session.deadline or now))
+    return session.take_output().splitlines()
+
+
+@pytest.mark.parametrize("takes_turns", [False, True])
+@pytest.mark.parametrize("is_answered", [False, True])
+def test_on_a_pair_of_wires_the_question_for_the_session_goes_alone(*, is_answered: bool, takes_turns: bool) -> None:
+    features = GatewayInfo().features | Feature.HALF_DUPLEX
+    session, gateway = Session(None, lambda: 0), VirtualGateway(GatewayInfo(features=features))
+    session.connect(0.0, 0.003, takes_turns=takes_turns)
+    while not session.is_open:
+        if session.wants_turn:
+            session.take_turn(0.0)
+        session.receive(gateway.receive(session.take_output(), 0.0), 0.0)
+    session.submit(Confirmation(session.codec), 0.0)
+    if takes_turns:
+        session.take_turn(0.0)
+    (frame,) = session.take_output().splitlines()
+    question = session.codec.framing.checked(b"K")
+    assert next_frames(session, 0.0) == [frame]
+    assert next_frames(session, 0.0) == [question[:-1]]
+    assert (session.is_owed_an_answer, session.wants_turn) == (True, False)
+    if not is_answered:
+        assert next_frames(session, 0.0) == [frame]
+        return
+    session.receive(gateway.receive(question, 1.0), 1.0)
+    if takes_turns:
+        assert (session.is_owed_an_answer, session.wants_turn) == (False, True)
+        session.take_turn(1.0)
+    assert session.take_output().splitlines() == [frame]

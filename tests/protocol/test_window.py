@@ -319,21 +319,15 @@ def test_out_of_sequence_confirms_posted_writes() -> None:
     assert repeated(window) == "K a@2"
 
 
-def test_out_of_sequence_with_an_id_that_was_never_sent_is_noise() -> None:
-    window: Window[Named] = Window(RING)
-    sent(window, "a")
-    window.out_of_sequence(40, now=0.001)
-    window.out_of_sequence(255, now=0.001)
-    assert window.executed == 0
-    assert repeated(window) == ""
-
-
-def test_out_of_sequence_that_came_late_takes_nothing_back() -> None:
+@pytest.mark.parametrize(("expected", "is_possible"), [(0, False), (1, False), (2, True), (3, True), (4, False)])
+def test_only_an_id_from_executed_to_next_can_be_expected(expected: int, *, is_possible: bool) -> None:
     window: Window[Named] = Window(RING)
     sent(window, "a", "b", "c")
     window.answered(1, 1, now=0.001)
-    window.out_of_sequence(1, now=0.002)
-    assert (window.oldest, window.executed, window.next) == (0, 2, 3)
+    assert window.out_of_sequence(expected, now=0.002) == is_possible
+    assert window.next == 3
+    if not is_possible:
+        assert (window.oldest, window.executed) == (0, 2)
 
 
 def test_damage_goes_back() -> None:

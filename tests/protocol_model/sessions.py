@@ -11,8 +11,15 @@ answer is. The requests, by the letter with which they stand in a host's window 
 
     w  writes        e  writes, and fails         q  reads destructively
     s  is posted     p  is posted, and fails      h  does nothing: the fence
+    a  is ahead      of all that was sent: no host sends it but to learn which ID the gateway expects
+
+Where numbers of sessions come again, time is needed: a host is *fresh* for a second after each answer. In that second
+at most one reset or one opening of another host is explored, and as many while a request is in flight: what two of them
+can do is the bound that the page states. If another session expects by chance the ID that the host sends next, no
+exchange can show the difference: the first host ends there, and the page states how rare that is.
 """
 
+import contextlib
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
 from typing import NamedTuple, TypeAlias, TypeVar
@@ -23,6 +30,10 @@ T = TypeVar("T")
 
 RING = 4
 WINDOW = RING // 2
+AHEAD = WINDOW - 1
+"""Number of IDs by which a request is ahead that asks for the next ID: the most that the gateway takes for ahead."""
+NOTHING = -1
+"""In the place of a request's number: the question for the next ID asks for nothing else."""
 POSTED = "sp"
 FAILING = "ep"
 DONE = "."
@@ -54,6 +65,8 @@ class Rules(NamedTuple):
     """A host has no two unanswered destructive reads whose words are kept in the same place."""
     newer: bool = True
     """Datagrams have a count, by which what is late is dropped, and open only the session that is on offer."""
+    proves: bool = True
+    """A host that has had no answer for a second sends no request before an `n` shows that the session is its own."""
     numbers: int = 0
     """Numbers of sessions to choose from; 0 for another one each time."""
     places: int = 2
@@ -113,12 +126,18 @@ class Host(NamedTuple):
     """Posted requests of the session of which it is known that they failed."""
     newest: int = 0
     sent: int = 0
+    fresh: bool = True
+    """Less than a second has passed since its last answer."""
+    changed: bool = False
+    """In this second the session under way was ended."""
 
 
 class Gateway(NamedTuple):
     """The gateway; session 0 is none."""
 
     session: int = 0
+    opener: int = -1
+    """Host that began the session; for the checks alone."""
     expected: int = 0
     failed_at: tuple[bool, ...] = (False,) * WINDOW
     """True for each ID, modulo the window, of which the last request failed."""
@@ -143,6 +162,10 @@ class State(NamedTuple):
 
 class _WrongError(Exception):
     """Something that must not be."""
+
+
+class _BoundError(Exception):
+    """A step that the bounds of the rules leave out."""
 
 
 def explored(rules: Rules, sought: str = "") -> Exploration:
@@ -175,23 +198,45 @@ def _moves(rules: Rules, state: State) -> Iterator[tuple[str, State | Fault]]:
         if len(state.back) < rules.line and (not rules.datagrams or state.gateway.sent < rules.sendings):
             # A datagram may come once more.
             for before in (rest, state) if rules.datagrams else (rest,):
-                yield f"the gateway takes {frame}", _tried(partial(_taken, rules, before, frame))
+                yield from _tried(f"the gateway takes {frame}", partial(_taken, rules, before, frame))
     for place, frame in enumerate(state.back if rules.datagrams else state.back[:1]):
         rest = state._replace(back=state.back[:place] + state.back[place + 1 :])
         yield f"lost: {frame}", rest
         for hearing in ((0,), (1,), (0, 1)):
             names = " and ".join("AB"[who] for who in hearing)
-            yield f"{names} get {frame}", _tried(partial(_heard_by, rules, rest, frame, hearing))
+            yield from _tried(f"{names} get {frame}", partial(_heard_by, rules, rest, frame, hearing))
     if state.resets < rules.resets:
-        gateway = Gateway(kept=(None,) * rules.places, offer=state.gateway.offer)
-        yield "the gateway is reset", state._replace(gateway=gateway, resets=state.resets + 1)
+        yield from _tried("the gateway is reset", partial(_reset, rules, state))
 
 
-def _tried(step: Callable[[], State]) -> State | Fault:
-    try:
-        return step()
-    except _WrongError as wrong:
-        return Fault(str(wrong))
+def _tried(name: str, step: Callable[[], State]) -> Iterator[tuple[str, State | Fault]]:
+    with contextlib.suppress(_BoundError):
+        try:
+            yield name, step()
+        except _WrongError as wrong:
+            yield name, Fault(str(wrong))
+
+
+def _reset(rules: Rules, state: State) -> State:
+    gateway = Gateway(kept=(None,) * rules.places, offer=state.gateway.offer)
+    return _changed(rules, state, -1)._replace(gateway=gateway, resets=state.resets + 1)
+
+
+def _is_answered(state: State, who: int) -> bool:
+    """Return whether an answer to a host's question for the next ID is on its way: it arrives within the second."""
+    return any(frame.kind == "n" and frame.ghost == (who, NOTHING) for frame in state.back)
+
+
+def _changed(rules: Rules, state: State, opener: int) -> State:
+    """Return the state after the session under way was ended by a reset, or by a host that began another."""
+    if not rules.numbers:
+        return state
+    for who, host in enumerate(state.hosts):
+        if host.changed and (host.fresh or _is_answered(state, who)) and who != opener:
+            raise _BoundError
+        changed = who == state.gateway.opener != opener
+        state = _with(state, who, host._replace(changed=(changed or host.changed) and who != opener))
+    return state
 
 
 def _put(items: tuple[T, ...], place: int, item: T) -> tuple[T, ...]:
@@ -236,26 +281,34 @@ def _opened(rules: Rules, state: State, frame: Frame) -> tuple[State, Frame | No
     is_old = rules.datagrams and rules.newer and frame.session != before.offer
     if is_old or (rules.refuse and frame.session == before.session):
         return state, None
+    assert frame.ghost is not None
+    opener = frame.ghost[0]
     gateway = Gateway(
         frame.session,
+        opener,
         frame.ident,
         kept=(None,) * rules.places,
         newest=frame.serial,
         offer=before.offer + (frame.session == before.offer),
     )
-    return state._replace(gateway=gateway), Frame("k", frame.session, frame.ident)
+    return _changed(rules, state, opener)._replace(gateway=gateway), Frame("k", frame.session, frame.ident)
 
 
 def _in_order(rules: Rules, state: State, frame: Frame) -> tuple[State, Frame | None]:
     """Return what becomes of a request of the session."""
     gateway, ident = state.gateway, frame.ident
     ahead = (ident - gateway.expected) % RING
+    assert frame.ghost is not None
+    who, number = frame.ghost
+    is_chance = rules.proves and who != gateway.opener
     if ahead >= RING // 2:
         return state, _repeated(rules, gateway, frame)
     if ahead:
-        return state, Frame("n", gateway.session, gateway.expected)
-    assert frame.ghost is not None
-    who, number = frame.ghost
+        if is_chance and frame.kind == "a" and ahead == AHEAD:
+            return _with(state, who, _ended(state.hosts[who])), None
+        return state, Frame("n", gateway.session, gateway.expected, ghost=frame.ghost if rules.numbers else None)
+    if is_chance:
+        return _with(state, who, _ended(state.hosts[who])), None
     done = state.executed[who]
     if done >> number:
         raise _WrongError("executed twice" if done >> number & 1 else "executed out of order")
@@ -286,7 +339,7 @@ def _repeated(rules: Rules, gateway: Gateway, frame: Frame) -> Frame | None:
         return Frame("q", *about, kept, frame.ghost)
     if frame.kind in POSTED:
         return None
-    return Frame("h" if frame.kind == "h" else "w", *about, gateway.failed, frame.ghost)
+    return Frame(frame.kind if frame.kind in "ha" else "w", *about, gateway.failed, frame.ghost)
 
 
 # The hosts
@@ -299,16 +352,31 @@ def _host_moves(rules: Rules, state: State, who: int) -> Iterator[tuple[str, Sta
         for session in _numbers(rules, state, who):
             ident = (2 * who + host.opens) % RING
             begun = _ended(host)._replace(
-                phase="opening", session=session, base=ident, opens=host.opens + 1, heard=0, newest=0, sent=0
+                phase="opening",
+                session=session,
+                base=ident,
+                opens=host.opens + 1,
+                heard=0,
+                newest=0,
+                sent=0,
+                fresh=True,
+                changed=False,
             )
-            yield f"begins session {session}", _sent(rules, state, who, begun, Frame("K", session, ident))
+            opening = Frame("K", session, ident, ghost=(who, 0))
+            yield f"begins session {session}", _sent(rules, state, who, begun, opening)
     elif host.phase == "opening" or (host.phase == "open" and not rules.ask):
         yield "gives up", state._replace(hosts=_of_host(state.hosts, who, _ended(host)))
     if host.phase != "open" or not room or (rules.datagrams and host.sent >= rules.sendings):
         return
     if rules.ask:
         yield "asks for the session", _sent(rules, state, who, host, Frame("?", host.session))
-    yield from _request_moves(rules, state, who, room)
+    if rules.numbers and host.fresh and not host.window and not _is_answered(state, who):
+        yield "gets no answer for a second", _with(state, who, host._replace(fresh=False, changed=False))
+    if host.fresh or not rules.proves:
+        yield from _request_moves(rules, state, who, room)
+    else:
+        ahead = Frame("a", host.session, (host.base + AHEAD) % RING, ghost=(who, NOTHING))
+        yield "asks for the next ID", _sent(rules, state, who, host, ahead)
 
 
 def _numbers(rules: Rules, state: State, who: int) -> Iterable[int]:
@@ -389,7 +457,26 @@ def _heard(rules: Rules, state: State, frame: Frame, who: int) -> State:
         host = host._replace(newest=frame.serial)
     if kind == "0A":
         return _refused(rules, state, frame, who, host)
-    return state if rules.seed and is_other else _told(rules, state, frame._replace(kind=kind), who, host)
+    return state if rules.seed and is_other else _heard_in_session(rules, state, frame._replace(kind=kind), who, host)
+
+
+def _heard_in_session(rules: Rules, state: State, frame: Frame, who: int, host: Host) -> State:
+    """Return the state after a host heard a frame that passes the check of its session."""
+    if frame.session == host.session:
+        if _is_of_another(host, frame):
+            return _with(state, who, _ended(host))
+        if frame.kind == "n" and not host.fresh:
+            if frame.ghost is None or frame.ghost[0] != who:
+                raise _BoundError
+            host = host._replace(fresh=True)
+    return _told(rules, state, frame, who, host)
+
+
+def _is_of_another(host: Host, frame: Frame) -> bool:
+    """Return whether a frame shows that the session under way, of the same number, is of another host."""
+    if frame.kind == "n":
+        return (frame.ident - host.base) % RING > len(host.window)
+    return not host.fresh and frame.kind == "a" and frame.ident == (host.base + AHEAD) % RING
 
 
 def _with(state: State, who: int, host: Host) -> State:
@@ -418,7 +505,7 @@ def _told(rules: Rules, state: State, frame: Frame, who: int, host: Host) -> Sta
     executed = state.executed[who]
     if frame.kind == "n":
         return _with(state, who, _confirmed(rules, host, place, executed)) if place <= len(host.window) else state
-    if frame.kind == "k" or place >= len(host.window) or host.window[place].kind == DONE:
+    if frame.kind in "ka" or place >= len(host.window) or host.window[place].kind == DONE:
         return _with(state, who, host)
     asked, number = host.window[place].kind, host.first + place
     if frame.ghost != (who, number):

@@ -10,7 +10,7 @@ from protocol_model import datagrams, groups, half_duplex, sessions, stream
 from protocol_model.datagrams import Naming
 from protocol_model.exploration import Exploration
 
-campaign = pytest.mark.campaign
+campaign, slow = pytest.mark.campaign, pytest.mark.slow
 
 PROTOCOL_01 = stream.Rules(needs_session=False, names_session=False)
 
@@ -108,6 +108,12 @@ WITHOUT = {
         pytest.param(sessions.Rules(requests=("ph", "w"), resets=0), id="a post and its fence"),
         pytest.param(sessions.Rules(requests=("qw", "q"), resets=0), id="destructive reads"),
         pytest.param(sessions.Rules(requests=("ww", "w"), numbers=1, resets=0), id="one number for all"),
+        pytest.param(sessions.Rules(requests=("w", "w"), numbers=1), id="one number for all and a reset"),
+        pytest.param(
+            sessions.Rules(requests=("w", "w"), numbers=2, opens=(1, 2), resets=0),
+            marks=slow,
+            id="a number that comes again",
+        ),
         pytest.param(ALONE._replace(requests=("phph", ""), line=3, resets=0), id="failed posts"),
         pytest.param(ALONE._replace(requests=("pwsh", ""), line=3, resets=0), id="posts and writes"),
         pytest.param(ALONE._replace(requests=("qwqq", ""), line=3, places=1), id="one place for words"),
@@ -127,6 +133,16 @@ WITHOUT = {
             sessions.Rules(requests=("w", "w"), datagrams=True, resets=0, sendings=3),
             marks=campaign,
             id="datagrams of two hosts",
+        ),
+        pytest.param(
+            sessions.Rules(requests=("ww", "w"), numbers=2, opens=(1, 2), resets=0),
+            marks=campaign,
+            id="a number that comes again, longer",
+        ),
+        pytest.param(
+            sessions.Rules(requests=("ph", "w"), numbers=2, opens=(1, 2), resets=0),
+            marks=campaign,
+            id="a number that comes again to posts",
         ),
         pytest.param(sessions.Rules(requests=("ww", "w"), line=3, resets=0), marks=campaign, id="a longer line"),
         pytest.param(ALONE._replace(requests=("ww", ""), datagrams=True), marks=campaign, id="datagrams and a reset"),
@@ -167,7 +183,13 @@ def test_two_hosts_on_one_line_are_told_right(rules: sessions.Rules) -> None:
             id="way",
         ),
         pytest.param(sessions.Rules(numbers=1, refuse=False, resets=0), "told as done", id="refuse"),
-        pytest.param(sessions.Rules(numbers=2, opens=(1, 2), resets=0), "told as done", id="a number that comes again"),
+        pytest.param(
+            sessions.Rules(numbers=2, opens=(1, 2), resets=0, proves=False),
+            "told as done",
+            marks=slow,
+            id="proves",
+        ),
+        pytest.param(sessions.Rules(requests=("w", "w"), numbers=1, proves=False), "told as done", id="proves, reset"),
         pytest.param(sessions.Rules(requests=("w", "www"), proof=False), "told as not executed, and was", id="proof"),
         pytest.param(WITHOUT["fate"]._replace(requests=("ew", "")), "told as done, and failed", id="fate"),
         pytest.param(

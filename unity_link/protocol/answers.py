@@ -56,7 +56,7 @@ class Answers:
         groups: the groups of the gateway.
         counters: of the link.
         echo: lines that were sent, and may come back; None where none do.
-        takes_turns: whether nodes share the medium.
+        half_duplex: whether host and gateway share a pair of wires.
     """
 
     def __init__(
@@ -67,7 +67,7 @@ class Answers:
         counters: Counters,
         echo: Counter[bytes] | None,
         *,
-        takes_turns: bool,
+        half_duplex: bool,
     ) -> None:
         self.codec, self.window = codec, window
         self.refused: int | None = None
@@ -75,10 +75,13 @@ class Answers:
         """
         self.under_way = codec.session
         """The session that the gateway has, as far as it has said; 0 where it was reset."""
-        self._groups, self._counters, self._echo, self._takes_turns = groups, counters, echo, takes_turns
+        self._groups, self._counters, self._echo, self._is_half_duplex = groups, counters, echo, half_duplex
         self._mask = codec.ring - 1
         self._sample = codec.framing.prefix + b"P"
         """First letters of samples, which carry nothing about requests."""
+        self._next = self._ahead = _NOWHERE
+        """While a proof is pending, the ID that `n` tells in this session, and the ID of the ``h`` that asks for it."""
+        self._is_proven = False
         self._error_size = codec.framing.overhead + 3
         self._sizes = _answer_sizes(codec)
 
@@ -86,6 +89,20 @@ class Answers:
     def has_ended(self) -> bool:
         """Return whether the gateway has said that the session is over."""
         return self.refused is not None or self.under_way != self.codec.session
+
+    def prove(self, number: int) -> int:
+        """Begin a proof that the gateway expects the next ID; return the ID of the ``h`` that asks for it.
+
+        No other ID is further ahead of what the gateway expects in this session.
+        """
+        self._next, self._ahead = number, number + self._mask // 2 & self._mask
+        self._is_proven = False
+        return self._ahead
+
+    def end_proof(self) -> bool:
+        """End a proof; return whether the gateway has said that it expects the next ID."""
+        self._next = self._ahead = _NOWHERE
+        return self._is_proven
 
     def receive(self, data: bytes, now: float, events: Events) -> int:
         """Take the whole frames of a read, and return where the first begins that was not taken.
@@ -296,8 +313,8 @@ class Answers:
         if not short and frame.startswith(self._sample):
             return
         self.window.signs.heard = True
-        if self._takes_turns:
-            # Where others wait for their turn, what belongs to it may still follow: the time shows its end.
+        if self._is_half_duplex:
+            # More of a damaged frame may follow: the time shows its end.
             return
         if len(frame) + 1 == self._error_size:
             self.window.damaged(now)
@@ -356,13 +373,13 @@ class Answers:
             return
         if head == 1 and body[0] == _LOWER_N:
             if len(body) == after:
-                window.out_of_sequence(number, now)
+                self._receive_gap(number, now)
             else:
                 self._counters.stray += 1
             return
         run = window.find(number)
         if run is None:
-            self._counters.stray += 1
+            self._receive_stray(number)
             return
         offset = number - run.first & self._mask
         if head == 1 and body[0] == _LOWER_X:
@@ -380,6 +397,23 @@ class Answers:
             return
         self._counters.responses += 1
         window.answered(number, 1, now)
+
+    def _receive_stray(self, number: int) -> None:
+        """Take an answer to an ID for which no request waits."""
+        self._counters.stray += 1
+        if number == self._ahead:
+            # A gateway that expects the next ID answers this one by `n`.
+            self.under_way = _ANOTHER
+
+    def _receive_gap(self, number: int, now: float) -> None:
+        """Take the ID that the gateway expects."""
+        self._is_proven = number == self._next
+        if self._is_proven and not self._is_half_duplex:
+            # The ``h`` with this ID is on its way.
+            return
+        is_of_another = self._next not in (_NOWHERE, number)
+        if is_of_another or not self.window.out_of_sequence(number, now):
+            self.under_way = _ANOTHER
 
     def _is_told(self, run: Message, number: int, count: bytes, now: float) -> bool:
         """Return whether the answer to an ``h`` tells of all posted writes before it; otherwise they are asked for."""
@@ -425,6 +459,10 @@ _LOWER_G, _UPPER_G = ord("g"), ord("G")
 _LOWER_H, _LOWER_N, _LOWER_X = b"hnx"
 _K, _P, _X = b"KPX"
 _CR = b"\r"[0]
+_NOWHERE = -1
+"""Is the ID of no request."""
+_ANOTHER = -1
+"""Stands for the session of another program, which has the same number."""
 _UNCOUNTED = -1
 """Number of failed posted writes where an ``h`` is answered by an error, as by a server whose gateway is away."""
 _NO_SESSION = b"%02X" % ErrorCode.NO_SESSION

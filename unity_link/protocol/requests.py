@@ -107,6 +107,10 @@ class Source(Protocol):
     def exhausted(self) -> bool:
         """Return whether all has been taken."""
 
+    @property
+    def outlives_session(self) -> bool:
+        """Return whether the next session may send it, if this one ends before."""
+
     def unwanted(self) -> bool:
         """Return whether it is not awaited any more."""
 
@@ -348,9 +352,14 @@ class Request(Message, Awaited):
 
     def again(self, offset: int, count: int) -> Source | None:  # noqa: ARG002
         """Return the request itself where it changes nothing."""
-        return None if self.of_session or self.command not in REPEATABLE else self
+        return self if self.outlives_session else None
 
     # A source of itself
+
+    @property
+    def outlives_session(self) -> bool:
+        """Return whether the next session may send it, because it changes nothing."""
+        return not self.of_session and self.command in REPEATABLE
 
     def take(self, room: int, events: Events) -> Message:  # noqa: ARG002
         """Return the request itself; a posted write that has waited for room is told as sent."""
@@ -480,6 +489,11 @@ class RequestBlock:
         """Characters of the next request."""
         return self._requests[0].size
 
+    @property
+    def outlives_session(self) -> bool:
+        """Return whether the next session may send all that are left."""
+        return all(request.outlives_session for request in self._requests)
+
     def take(self, room: int, events: Events) -> Message:
         """Return the next request."""
         return self._requests.popleft().take(room, events)
@@ -553,6 +567,11 @@ class WordBatch(Awaited):
     def least(self) -> int:
         """A number that is worth a turn."""
         return min(self.smallest_turn, self.count - self.sent)
+
+    @property
+    def outlives_session(self) -> bool:
+        """Return whether the next session may send them."""
+        return self.command in REPEATABLE
 
     def take(self, room: int, events: Events) -> Message:
         """Return the next run; of posted writes a part of the window, so that a fence confirms it beside the next."""
@@ -703,6 +722,7 @@ class BatchPart:
 
     posted = False
     places = 0
+    outlives_session = True
 
     def __init__(self, batch: WordBatch, start: int, count: int) -> None:
         self._batch, self._start, self._count = batch, start, count

@@ -45,6 +45,7 @@ from unity_link.protocol.constants import (
     KEEP_ALIVE,
     LONGEST_SILENCE,
     MOST_KEPT_WORDS,
+    MOST_TRIES,
 )
 from unity_link.protocol.crc import NO_SESSION
 from unity_link.protocol.events import Interrupted, Opened, Taken, Unusable
@@ -135,9 +136,16 @@ class Session:
         """True if the medium takes no bytes: what was sent is still held back, so a repetition would be behind it."""
         self._takes_turns = False
         """True if a turn is waited for before each frame: `take_turn` gives it."""
-        self._may_send = False
-        """True if frames may be sent now: the session is open and, where turns are taken, has its turn."""
-        self._asked_alone = False
+        self._may_send = self._may_begin = False
+        """True if frames, and new requests among them, may be sent now: the session is open and, where turns are taken,
+        has its turn. New requests wait for a pending proof, too.
+        """
+        self._proofs = 0
+        """Number of the pending proof that the session under way is this one, counted from 1; 0 without one."""
+        self._is_half_duplex = self._asked_alone = False
+        """True if both sides share a pair of wires: each frame waits for the answer to the one before, or for its time.
+        And if `K` was the last frame there.
+        """
         self._byte_time: float | None = None
         self._longest_try = math.inf
         self._is_transparent = False
@@ -204,14 +212,14 @@ class Session:
         while self._waiting and self._waiting[0].unwanted():
             self._waiting.popleft()
         if self.window.repetition.is_due():
-            return not self._blocked
-        return bool(self._waiting) and self.window.is_idle()
+            return not self._blocked and not self._awaits_session
+        return bool(self._waiting or self._proofs) and self.window.is_idle()
 
     @property
     def is_owed_an_answer(self) -> bool:
         """Return whether an answer can be on its way."""
         if self._answers is not None:
-            return self.window.in_flight > 0 and not self.window.repetition.is_due()
+            return self._awaits_session or (self.window.in_flight > 0 and not self.window.repetition.is_due())
         return self._handshake is not None and not self._handshake.asks
 
     def take_turn(self, now: float) -> Events:
@@ -219,24 +227,30 @@ class Session:
         events: Events = []
         self._now = now
         if self._answers is not None:
-            self._may_send = True
+            self._may_send, self._may_begin = True, not self._proofs
             if not self.window.repetition.is_due():
                 self._admit(now, events)
             else:
                 self.window.resume(now)
-                if not self._asks_alone():
-                    self._repeat()
-            self._may_send = False
+                self._repeat()
+            self._may_send = self._may_begin = False
         elif self._handshake is not None and self._handshake.asks:
             self.output.append(self._handshake.take_turn(now))
         # What came between two turns is no part of an answer.
         self._drop_rest()
         return events
 
+    @property
+    def _awaits_session(self) -> bool:
+        """Return whether the answer to a `K` that was sent alone can be on its way."""
+        return self._asked_alone and bool(self.window.repetition.questions)
+
     def _asks_alone(self) -> bool:
-        """Return whether this turn goes to the question whose the session is: before the second repetition in a row."""
+        """Return whether the question whose the session is goes alone: before the second repetition in a row."""
+        if self._awaits_session:
+            return True
         signs, repetition = self.window.signs, self.window.repetition
-        asks = not (self._asked_alone or self._blocked) and signs.gone_back > 1 and signs.place == repetition.sent
+        asks = not self._asked_alone and signs.gone_back > 1 and signs.place == repetition.sent
         self._asked_alone = asks
         if asks:
             self._ask_whose()
@@ -355,8 +369,12 @@ class Session:
         if self._answers is None:
             return
         window, refused = self.window, self._answers.refused
-        self._answers, self.window, self._may_send = None, Window(_NO_RING), False
+        self._answers, self.window = None, Window(_NO_RING)
+        self._may_send = self._may_begin = False
         self.groups.interrupted()
+        if self._proofs:
+            self._proofs = 0
+            self._fail_unproven(error, events)
         again: list[Source] = []
         for run, offset, size, outcome in window.unanswered(refused):
             source = run.again(offset, size) if self._resumes and not run.unwanted() else None
@@ -370,6 +388,19 @@ class Session:
             if isinstance(fence, Fence):
                 # What is sent again stands before it now.
                 fence.follow(islice(self._waiting, place))
+
+    def _fail_unproven(self, error: LinkLostError, events: Events) -> None:
+        """End the requests that a proof has held back: their callers meant the session that is over.
+
+        If this session resumes, requests that may be sent in the next session wait for it, as those in flight do.
+        """
+        held_back = list(self._waiting)
+        self._waiting.clear()
+        for source in held_back:
+            if self._resumes and source.outlives_session:
+                self._waiting.append(source)
+            elif not source.unwanted():
+                source.fail(error.about(Outcome.NOT_EXECUTED), events)
 
     def _drop_of_session(self, error: LinkLostError, events: Events) -> None:
         for request in [source for source in self._waiting if isinstance(source, Request) and source.of_session]:
@@ -387,8 +418,9 @@ class Session:
         events: Events = []
         waiting, window = self._waiting, self.window
         if (
-            self._may_send
+            self._may_begin
             and not waiting
+            and now < window.since + KEEP_ALIVE
             and isinstance(source, Request)
             and window.has_room(source.size, posted=source.posted)
             and not (source.places and self._overlaps(source))
@@ -428,7 +460,9 @@ class Session:
             The frame, to be sent at once; nothing where other things are under way: then `submit` it.
         """
         window = self.window
-        if self._waiting or self.output or not self._may_send or self._echo is not None or not window.is_idle():
+        if self._waiting or self.output or not self._may_begin or self._echo is not None or not window.is_idle():
+            return b""
+        if now >= window.since + KEEP_ALIVE:
             return b""
         request.sent = True
         self.counters.requests += 1
@@ -446,7 +480,8 @@ class Session:
         """Let sources into the window, in turn, as far as there is room."""
         waiting, window = self._waiting, self.window
         room = size = posted = 0
-        while waiting and self._may_send:
+        self._prove(now)
+        while waiting and self._may_begin:
             source = waiting[0]
             if source.unwanted():
                 waiting.popleft()
@@ -474,6 +509,43 @@ class Session:
         if self._fence(now):
             self._admit(now, events)
 
+    def _prove(self, now: float) -> None:
+        """Ask whether the session under way is this one and not another program's of the same number, if that is due.
+
+        `K` asks for the number. An ``h`` far ahead of the next ID asks for that ID, which `n` tells. The ``h`` with the
+        next ID is a request like any other: `n` has come before its answer, or was lost.
+        """
+        waiting, window = self._waiting, self.window
+        is_due = self._proofs or (waiting and now >= window.since + KEEP_ALIVE)
+        if not is_due or not self._may_send or not window.is_idle():
+            return
+        assert self._answers is not None
+        first = waiting[0] if waiting else None
+        if type(first) is Confirmation:
+            confirmation: Confirmation = first
+            waiting.popleft()
+        else:
+            confirmation = Confirmation(self.codec, of_session=True)
+        self._proofs += 1
+        self._may_begin = False
+        ahead = self.codec.confirmations(self._answers.prove(window.next), 1)
+        if not self._is_half_duplex:
+            self._ask_whose()
+            self.output.append(ahead)
+        self._number(confirmation, now)
+        if self._is_half_duplex:
+            # One frame at a time: `n` is a sign of loss, after which the ``h`` with the next ID is sent.
+            self.output[-1] = ahead
+
+    def _end_proof(self, events: Events) -> None:
+        """Take the result of a proof; without one, the next proof follows."""
+        assert self._answers is not None
+        if self._answers.end_proof():
+            self._proofs = 0
+            self._may_begin = self._may_send
+        elif self._proofs > MOST_TRIES:
+            self._leave_to_another(events)
+
     def _overlaps(self, source: Source) -> bool:
         """Return whether the words of a destructive read would take the place of some that are not answered."""
         first, window = self.window.next, self.window
@@ -500,9 +572,11 @@ class Session:
         """Send what answers have made room for, or shown to be lost."""
         if self.window.repetition.is_due():
             self._repeat()
-        if self.window.repetition.must_ask and not self._blocked and not self._takes_turns:
+        if self.window.repetition.must_ask and not self._blocked and not self._is_half_duplex:
             self._ask_whose()
-        if self._waiting or self.window.posts.unfenced:
+        if self._proofs and self.window.is_idle():
+            self._end_proof(events)
+        if self._waiting or self._proofs or self.window.posts.unfenced:
             self._admit(now, events)
 
     def _ask_whose(self) -> None:
@@ -512,10 +586,10 @@ class Session:
 
     def _repeat(self) -> None:
         """Send unanswered requests again; an ``h`` in place of those that are not wanted any more."""
-        if self._blocked or not self._may_send:
+        if self._blocked or not self._may_send or (self._is_half_duplex and self._asks_alone()):
             return
         repeated, window = False, self.window
-        if window.signs.place == window.repetition.sent and not self._takes_turns:
+        if window.signs.place == window.repetition.sent and not self._is_half_duplex:
             # Ahead of all.
             self._ask_whose()
         for number, run, offset, count in window.repeat():
@@ -682,10 +756,14 @@ class Session:
 
     def _session_is_over(self, answers: Answers, now: float, events: Events) -> None:
         if answers.refused is None and answers.under_way != NO_SESSION:
-            events.append(Taken(LinkLostError(TAKEN)))
-            self._end_session(LinkLostError(TAKEN), events)
+            self._leave_to_another(events)
         else:
             self._gateway_was_reset(now, events)
+
+    def _leave_to_another(self, events: Events) -> None:
+        """End the session: the one under way is another program's."""
+        events.append(Taken(LinkLostError(TAKEN)))
+        self._end_session(LinkLostError(TAKEN), events)
 
     def _gateway_was_reset(self, now: float, events: Events) -> None:
         error = GatewayResetError(RESET)
@@ -727,6 +805,7 @@ class Session:
         self._use_form(compact=handshake.compact)
         self._is_transparent |= handshake.compact
         self._wants_compact &= not handshake.line_changes_bytes
+        self._is_half_duplex = Feature.HALF_DUPLEX in info.features
         credit = None if Feature.FLOW_CONTROL in info.features else info.receive_fifo_bytes
         self.window = Window(
             codec.ring,
@@ -735,16 +814,17 @@ class Session:
             handshake.byte_time,
             handshake.round_trip,
             self._shortest_timeout,
-            1 if Feature.HALF_DUPLEX in info.features else None,
+            1 if self._is_half_duplex else None,
         )
+        self.window.since = now
         self.epoch += 1
         # A node that is not half-duplex has its line alone.
-        self._takes_turns = self._takes_turns and Feature.HALF_DUPLEX in info.features
-        self._may_send = not self._takes_turns
+        self._takes_turns = self._takes_turns and self._is_half_duplex
+        self._may_send = self._may_begin = not self._takes_turns
         self._asked_alone, self._before_flood = False, (0.0, -1, 0, 0)
         self._echo = Counter() if handshake.has_echo else None
         self._answers = Answers(
-            self.codec, self.window, self.groups, self.counters, self._echo, takes_turns=self._takes_turns
+            self.codec, self.window, self.groups, self.counters, self._echo, half_duplex=self._is_half_duplex
         )
         events.append(Opened(info))
         self._admit(now, events)

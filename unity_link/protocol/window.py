@@ -8,7 +8,7 @@ takes the half behind its own number for repetitions. What comes in, and what th
                                     was lost: where the gateway has executed all that, send it again; else go back
     response to any other ID        stale, the answer to a repetition: nothing
     response to an ``h``            the same, and the posted writes before it are told, or each is asked for (`posts`)
-    ``n i``                         `executed` moves to i; go back
+    ``n i``                         `executed` moves to i; go back; outside of the window: the session is over
     ``X01`` ``X07`` ``X09``         a request arrived damaged: go back
     ``X02`` ``X03``                 the same, and the third time for the same request: give that one up
     a frame with a wrong CRC        an answer arrived damaged, perhaps: send the oldest again, or the next if it came
@@ -338,10 +338,15 @@ class Window(Ring[R]):
             # Where one was lost, this was the answer to a later one.
             repetition.doubt()
 
-    def out_of_sequence(self, expected: int, now: float) -> None:
-        """Record ``n``: the gateway expects this ID, so a request has been lost."""
-        if self.distance(expected) > self.unanswered_count:
-            return
+    def out_of_sequence(self, expected: int, now: float) -> bool:
+        """Record ``n``: the gateway expects this ID, so a request has been lost.
+
+        Returns:
+            False where no gateway can expect the ID in this session: it executed what lies before `executed`, and
+            nothing was sent from `next` on.
+        """
+        if expected - self.executed & self.mask > self.next - self.executed & self.mask:
+            return False
         marks = dict.fromkeys((self.executed, expected - 1 & self.mask))
         executed = [(self.slots[number], number) for number in marks]
         if self._confirm(expected):
@@ -355,6 +360,7 @@ class Window(Ring[R]):
             self.repetition.arrived(self.repetition.first_sending(run, expected))
             if self.signs.takes(self.repetition.answered):
                 self._go_back(now)
+        return True
 
     def damaged(self, now: float) -> None:
         """Record ``X01``, ``X07`` or ``X09``: a request arrived damaged."""

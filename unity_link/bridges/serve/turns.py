@@ -240,6 +240,11 @@ class Turns:
             self._sent(queue, 1)
         return run
 
+    @property
+    def outlives_session(self) -> bool:
+        """Return True: the next session may send what waits, and the server ends what its clients' sessions end."""
+        return True
+
     def exhausted(self) -> bool:
         """Return whether there is nothing to send now; the session forgets this source then."""
         self._submitted = self._ready()
