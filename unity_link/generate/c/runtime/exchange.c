@@ -106,7 +106,7 @@ static void end_session(ul_link *link, uint32_t never, const char *end)
         request->waiting = request->untold = false;
     }
     link->held = link->oldest = link->executed = link->to_repeat = link->repeat_end = link->next;
-    link->unfenced = link->awaited = 0;
+    link->unfenced = link->awaited = link->proofs = 0;
     link->bytes = 0;
 }
 
@@ -182,7 +182,7 @@ static void send_fence(ul_link *link)
     link->statistics.requests++;
 }
 
-/* Ask whose the session is. */
+/* Ask for the number of the session. */
 static void ask_whose(ul_link *link)
 {
     if (link->send_size + question_size(link) >= sizeof link->send) flush(link);
@@ -190,6 +190,41 @@ static void ask_whose(ul_link *link)
     char *end = put_check(link, put_text(put_prefix(link, start), "K"), start);
     link->send_size += (size_t)(end - start);
     note_question(link);
+}
+
+/* Nothing is under way, and no answer has come for so long that the session may be another program's by now. */
+static bool is_stale(const ul_link *link, double now)
+{
+    return places_held(link) == 0 && now >= link->since + KEEP_ALIVE;
+}
+
+/* The ID of the `h` by which a proof asks for the next ID: no other is further ahead of that. */
+static uint32_t ahead_of_proof(const ul_link *link)
+{
+    return (link->proof + link->ring_mask / 2) & link->ring_mask;
+}
+
+/* Prove that the session under way is this one, and not another program's of the same number. `K` asks for the number. An
+ * `h` far ahead of the next ID asks for that ID, which `n` tells. The `h` with the next ID is a request like any other: `n`
+ * has come before its answer, or was lost. On a half-duplex medium, where one frame is sent at a time, it is sent again
+ * after `n`. */
+static void begin_proof(ul_link *link)
+{
+    link->proof = link->next;
+    link->proofs++;
+    link->is_proven = false;
+    if (!is_half_duplex(link)) ask_whose(link);
+    send_request(link, &FENCE, ahead_of_proof(link));
+    if (is_half_duplex(link)) number_request(link, &FENCE, now_of(link));
+    else send_fence(link);
+}
+
+/* The last `h` of a proof is answered: requests go on, or the next proof begins. */
+static void end_proof(ul_link *link)
+{
+    if (link->is_proven) link->proofs = 0;
+    else if (link->proofs > MOST_TRIES) lose(link, TAKEN);
+    else begin_proof(link);
 }
 
 /* Ask that where sides take turns: alone, before what is sent again for the second time, and not twice in a row. Whether
@@ -255,6 +290,7 @@ static void recover(ul_link *link)
     settle(&given_up, UL_UNANSWERED);
     if (flooded) lose(link, FLOODED);
     if (link->gone) return;
+    if (link->proofs > 0 && in_flight(link) == 0) end_proof(link);
     if (is_repeating(link)) repeat(link, now);
     if (link->must_ask && !is_half_duplex(link)) ask_whose(link);
     if (!is_due || !link->waited || link->statistics.repetitions == before) return;
@@ -304,9 +340,12 @@ static void start(ul_link *link, ul_batch *batch, ul_request request)
             return;
         }
     }
-    while (link->open && !link->gone && !has_room(link, &request)) {
+    double now = now_of(link);
+    if (link->open && !link->gone && is_stale(link, now)) begin_proof(link);
+    while (link->open && !link->gone && (link->proofs > 0 || !has_room(link, &request))) {
         if (can_fence(link)) send_fence(link);
-        turn(link, now_of(link) + LONGEST_TIMEOUT);
+        turn(link, now + LONGEST_TIMEOUT);
+        now = now_of(link);
     }
     if (batch != NULL) batch->pending++;
     if (!link->open || link->gone) {
@@ -314,7 +353,7 @@ static void start(ul_link *link, ul_batch *batch, ul_request request)
         return;
     }
     link->statistics.requests++;
-    send_request(link, &request, number_request(link, &request, now_of(link)));
+    send_request(link, &request, number_request(link, &request, now));
     if (needs_fence(link)) send_fence(link);
 }
 
@@ -359,6 +398,16 @@ static void note_error(ul_link *link, text code, uint32_t id, double now)
     note_told(link, id, now);
 }
 
+/* The ID that the gateway expects. */
+static void take_gap(ul_link *link, uint32_t expected, double now)
+{
+    bool proves = link->proofs > 0;
+    link->is_proven = proves && expected == link->proof;
+    /* The `h` with this ID is on its way. */
+    if (link->is_proven && !is_half_duplex(link)) return;
+    if (proves != link->is_proven || !note_gap(link, expected, now)) lose(link, TAKEN);
+}
+
 /* A message with an ID. */
 static void take_response(ul_link *link, text body, double now)
 {
@@ -371,7 +420,12 @@ static void take_response(ul_link *link, text body, double now)
         return;
     }
     if (strcmp(command, "n") == 0) {
-        note_gap(link, (uint32_t)id, now);
+        take_gap(link, (uint32_t)id, now);
+        return;
+    }
+    if (link->proofs > 0 && id == ahead_of_proof(link)) {
+        /* A gateway that expects the next ID answers this one by `n`. */
+        lose(link, TAKEN);
         return;
     }
     if (strcmp(command, "x") == 0) {
@@ -536,6 +590,7 @@ static bool is_echo(const ul_link *link, text line)
     if (line.size < 2 || !is_lower_command(line.at[0])) return false;
     text fields = take_command(line, command);
     if (!take_number(&fields, link->info.id_digits, &id)) return false;
+    if (link->proofs > 0 && id == ahead_of_proof(link)) return strcmp(command, FENCE.command) == 0;
     const ul_request *request = &link->slots[id % UL_WINDOW];
     bool is_kept = ((link->next - 1 - (uint32_t)id) & link->ring_mask) < UL_WINDOW;
     return is_kept && strcmp(command, request->command) == 0 && size == request_size(link, request);

@@ -460,6 +460,7 @@ static ul_status start_session(opening *opens)
         round_trip = now_of(link) - opens->asked;
     }
     link->transport.echoes |= opens->hears_echo;
+    link->since = now_of(link);
     start_window(link, opens->first, round_trip / (double)(strlen(opens->asked_text) + 1), round_trip);
     return UL_OK;
 }

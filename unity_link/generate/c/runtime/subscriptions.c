@@ -303,7 +303,8 @@ static void turn_idle(ul_link *link, double until)
 {
     double due = link->since + KEEP_ALIVE;
     bool idle = in_flight(link) == 0 && link->subscriptions != NULL;
-    if (can_fence(link) || (idle && now_of(link) >= due)) send_fence(link);
+    if (can_fence(link)) send_fence(link);
+    else if (idle && is_stale(link, now_of(link))) begin_proof(link);
     turn(link, idle && due < until ? due : until);
 }
 

@@ -505,10 +505,11 @@ static bool note_count(ul_link *link, uint32_t fence, uint32_t failed)
     return all_told;
 }
 
-/* `n`: the gateway expects this ID, so a request was lost. */
-static void note_gap(ul_link *link, uint32_t expected, double now)
+/* `n`: the gateway expects this ID, so a request was lost. False where no gateway can expect the ID in this session: it
+ * executed what lies before `executed`, and nothing was sent from `next` on. */
+static bool note_gap(ul_link *link, uint32_t expected, double now)
 {
-    if (distance(link, expected) > in_flight(link)) return;
+    if (((expected - link->executed) & link->ring_mask) > ((link->next - link->executed) & link->ring_mask)) return false;
     if (distance(link, expected) > distance(link, link->executed)) {
         const ul_request *first = find(link, link->executed), *last = find(link, (expected - 1) & link->ring_mask);
         confirm(link, expected);
@@ -517,10 +518,11 @@ static void note_gap(ul_link *link, uint32_t expected, double now)
         note_news(link, now);
     }
     const ul_request *request = find(link, expected);
-    if (expected != link->executed || request == NULL) return;
+    if (expected != link->executed || request == NULL) return true;
     /* Nothing behind a request that was lost is executed before that was sent again. */
     note_arrival(link, request->first_sending);
     if (takes_sign(link)) go_back(link, now);
+    return true;
 }
 
 /* Something arrived damaged: perhaps the answer to the oldest request, or to the next one if it came before. */
