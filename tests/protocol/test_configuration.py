@@ -96,6 +96,16 @@ def test_a_number_that_no_answer_has_the_digits_for_is_refused(field: str, value
         impossible.check()
 
 
+@pytest.mark.parametrize(("data_bits", "is_possible"), [(8, True), (9, False), (12, False), (13, True), (36, False)])
+def test_the_compact_form_needs_words_of_an_even_number_of_digits(data_bits: int, *, is_possible: bool) -> None:
+    info = GatewayInfo(data_bits=data_bits, features=GatewayInfo().features | Feature.COMPACT)
+    if is_possible:
+        assert GatewayInfo.from_hex(info.to_hex()) == info
+    else:
+        with pytest.raises(UnsupportedError, match=f"data_bits = {data_bits}, expected words with an even number"):
+            info.check()
+
+
 def test_a_gateway_without_groups_needs_no_base_frequency() -> None:
     info = GatewayInfo(features=GatewayInfo().features & ~Feature.GROUPS, base_frequency_millihertz=0)
     assert GatewayInfo.from_hex(info.to_hex()) == info

@@ -250,6 +250,81 @@ def test_who_opens_a_session_takes_the_gateway_and_who_had_it_is_told() -> None:
     assert gateway.sent[2:] == [(refusal, "A")]
 
 
+BARE = [CHECKED(b"K"), b"K\r", b"K\r\n", b"K", b"\r\nK\r", b"Kf9af\n", b"KF9", b"K\rW0A01\r"]
+"""Frames of a bare `K`, whole or without the end of its check; others may follow."""
+WITH_FIELDS = [CHECKED(b"K1110002"), b"K1110002\r", CHECKED(b"K1110000"), b"K1110002AAAA\n"]
+WITH_FIELDS += [b"K0000", b"KF9AF0\n", b"KF\x00", b"K9"]
+
+
+@pytest.mark.parametrize("frames", BARE)
+def test_a_bare_k_opens_no_session_and_is_answered_as_a_question(frames: bytes) -> None:
+    gateway = Gateway().opened()
+    gateway.side.take(b"Q\r", "B")
+    gateway.side.put(ANSWER)
+    gateway.sent.clear()
+    gateway.executed.clear()
+    gateway.side.take(CHECKED(b"U4F1C0A3300000001") + frames, "B")
+    assert b"".join(gateway.executed).startswith(b"K")
+    gateway.side.put(CHECKED(b"K0001") + CHECKED(b"P0000"))
+    is_plain = b"\r" in frames.lstrip(b"\r\n")
+    offer = b"U4F1C0A3300000000\r\n" if is_plain else CHECKED(b"U4F1C0A3300000000")
+    assert gateway.sent[0] == (offer + CHECKED(b"K0001"), "B")
+    assert gateway.sent[1][1] == "A"
+    assert (gateway.side.session, gateway.side.opener, gateway.side.offer) == (OFFER, "A", OFFER + 1)
+
+
+@pytest.mark.parametrize("frames", WITH_FIELDS)
+def test_a_k_with_fields_takes_the_offer_whether_they_are_right_or_not(frames: bytes) -> None:
+    gateway = Gateway().opened()
+    gateway.side.take(b"Q\r", "B")
+    gateway.side.put(ANSWER)
+    gateway.side.take(CHECKED(b"U4F1C0A3300000001") + frames, "B")
+    assert (gateway.side.session, gateway.side.opener, gateway.side.offer) == (OFFER + 1, "B", NO_SESSION)
+
+
+def test_a_session_goes_on_if_another_host_sends_a_bare_k_under_the_offer() -> None:
+    """The gateway samples a group for A, and B sends what A may send."""
+    model, sent = VirtualGateway(), list[tuple[bytes, str]]()
+    now = 0.0
+    side: GatewayDatagrams[str] = GatewayDatagrams(
+        Codec(model.info), lambda frames: side.put(model.receive(frames, now)), lambda *answer: sent.append(answer)
+    )
+
+    def send(address: str, session: int, count: int, *frames: bytes) -> list[tuple[bytes, str]]:
+        sent.clear()
+        side.take(b"".join([CHECKED(b"U%08X%08X" % (session, count)), *frames]), address)
+        return [(datagram.partition(b"\n")[2], destination) for datagram, destination in sent]
+
+    seed = 2 * 0x1111
+    write = CHECKED(b"w0020300000007", seed)
+    side.take(b"Q\r", "A")
+    session = side.offer
+    group = CHECKED(b"gs0000001000101" + b"0A", seed), CHECKED(b"gn00100", seed)
+    ((answers, _),) = send("A", session, 1, CHECKED(b"K0001111"), *group)
+    assert [answer[:2] for answer in answers.splitlines()] == [b"K0", b"gs", b"gn"]
+    side.take(b"Q\r", "B")
+    assert send("B", side.offer, 1, CHECKED(b"K")) == [(CHECKED(b"K1111"), "B")]
+    assert send("B", side.offer, 2, write) == [(CHECKED(b"X0A"), "B")]
+    assert model.memory[3] == 0
+    now = 1.0
+    sent.clear()
+    side.put(model.advance(now))
+    assert {address for _, address in sent} == {"A"}
+    assert send("A", session, 2, write) == [(CHECKED(b"w002", seed | 1), "A")]
+    assert model.memory[3] == 7
+    (told, begun) = send("B", side.offer, 3, CHECKED(b"K0002222"))
+    assert (told, begun[0]) == ((CHECKED(b"X0A"), "A"), CHECKED(b"K00022221111"))
+
+
+def test_a_datagram_to_which_nothing_is_answered_brings_none() -> None:
+    model, sent = VirtualGateway(), list[tuple[bytes, str]]()
+    side: GatewayDatagrams[str] = GatewayDatagrams(
+        Codec(model.info), lambda frames: side.put(model.receive(frames, 0.0)), lambda *answer: sent.append(answer)
+    )
+    side.take(b"WS0400000001\r\n\r", "B")
+    assert (sent, model.memory[4]) == ([], 1)
+
+
 def test_what_is_for_nobody_is_lost() -> None:
     gateway = Gateway()
     gateway.side.put(b"P0000\n")

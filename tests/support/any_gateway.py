@@ -12,8 +12,11 @@ def gateway_infos(draw: st.DrawFn) -> GatewayInfo:
     """Return any configuration that the protocol allows."""
     crc_bits = draw(st.sampled_from([8, 16, 32]))
     features = Feature(draw(st.integers(0, 0xFFFF)))
+    data_bits = draw(st.integers(8, 64))
+    if -(-data_bits // 4) % 2:
+        features &= ~Feature.COMPACT
     return GatewayInfo(
-        data_bits=draw(st.integers(8, 64)),
+        data_bits=data_bits,
         address_bits=draw(st.integers(8, 32)),
         id_digits=draw(st.sampled_from([2, 3])),
         crc_bits=crc_bits,

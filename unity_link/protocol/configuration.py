@@ -183,6 +183,11 @@ class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
                 f"the gateway reports a CRC of {self.crc_bits} bits with polynomial {self.crc_polynomial:#x}, "
                 "expected 8, 16 or 32 bits and a polynomial that fits"
             )
+        if Feature.COMPACT in self.features and self.data_digits % 2:
+            raise UnsupportedError(
+                f"the gateway reports the compact form and data_bits = {self.data_bits}, expected words with an even "
+                "number of hex digits"
+            )
 
 
 FIELDS = (

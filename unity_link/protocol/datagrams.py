@@ -262,8 +262,12 @@ class GatewayDatagrams(Generic[A]):
             if self.counts.takes(read.number):
                 self.requester = None
                 self._execute(read.frames)
-        elif NO_SESSION != read.session == self.offer and self._begins_with_k(read.frames):
-            self._open(read, source)
+        elif NO_SESSION != read.session == self.offer and (after_k := self._after_k(read.frames)) is not None:
+            if self._framing.checked(b"K")[len(self._framing.prefix) + 1 :].startswith(after_k.rstrip(b"\r").upper()):
+                # A `K` without fields only looks: it would leave the former host's session under way.
+                self._take_questions(read.frames, source)
+            else:
+                self._open(read, source)
         else:
             self._refuse(read.session, source, plain=read.plain)
 
@@ -287,8 +291,10 @@ class GatewayDatagrams(Generic[A]):
         self.requester = None
         self._execute(read.frames)
 
-    def _begins_with_k(self, frames: bytes) -> bool:
-        return _first_line(frames).startswith(self._framing.prefix + b"K")
+    def _after_k(self, frames: bytes) -> bytes | None:
+        """Return what stands behind the `K` of the first frame; None where that begins otherwise."""
+        line, beginning = _first_line(frames), self._framing.prefix + b"K"
+        return line[len(beginning) :] if line.startswith(beginning) else None
 
     def _refuse(self, session: int, address: A, *, plain: bool) -> None:
         frame = self._framing.plain_reply if plain else self._framing.checked

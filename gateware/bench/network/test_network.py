@@ -173,6 +173,61 @@ def test_the_table_of_datagrams_holds() -> None:
     assert (0x0A, 5) not in wire.writes()
 
 
+def _answered_under_the_offer(frames: bytes) -> tuple[bytes, bytes, bool]:
+    """Return the offer, what answers frames under it, and whether the former host has lost its session."""
+    wire = Wire()
+    host, other = Host(wire), Host(wire, 4001)
+    host.open()
+    other.session = other.ask(udp(b"Q\r", port=4001))[1:9]
+    wire.put(other.datagram(frames))
+    wire.run(60_000, 2)
+    answers = b"".join(carried(taken) for taken in wire.take() if taken.body[36:38] == struct.pack("!H", 4001))
+    told = host.ask(host.datagram(host.checked(b"r5A00A")))
+    return other.session, answers, told == checked(b"U%s00000000" % host.session, b"X0A")
+
+
+@pytest.mark.parametrize("frames", [checked(b"K"), b"Kf9af\n", b"KF9AF", b"\r\nKF9AF\n"])
+@pytest.mark.parametrize("behind", [b"", checked(b"K4441235")])
+def test_a_bare_k_opens_no_session(frames: bytes, behind: bytes) -> None:
+    if not frames.endswith(b"\n"):
+        behind = b""
+    offer, answers, is_lost = _answered_under_the_offer(frames + behind)
+    refusals = [b"X0A"] if behind else []
+    assert answers == checked(b"U%s00000000" % offer, b"K%04X" % 4000, *refusals)
+    assert not is_lost
+
+
+@pytest.mark.parametrize("frames", [b"K\r", b"K\r\n", b"KF9\r", b"KF9AF\r", b"KF9AF\rR0A\r"])
+def test_a_plain_k_without_fields_opens_no_session(frames: bytes) -> None:
+    offer, answers, is_lost = _answered_under_the_offer(frames)
+    said = b"K%04X\r\n" % 4000 if frames.startswith(b"K\r") else b"X03\r\n"
+    assert answers == b"U%s00000000\r\n" % offer + said + b"R0A00000000\r\n" * frames.endswith(b"R0A\r")
+    assert not is_lost
+
+
+@pytest.mark.parametrize("first", [0x000, 0xF00, 0xF9A, 0xFA0])
+@pytest.mark.parametrize("number", [0x1234, 0x7ABC])
+def test_a_k_with_fields_takes_the_offer_whatever_its_first_digits(first: int, number: int) -> None:
+    body = b"K%03X%04X" % (first, number)
+    offer, answers, is_lost = _answered_under_the_offer(checked(body))
+    assert answers == checked(b"U%s00000001" % offer, body + b"%04X" % 4000)
+    assert is_lost
+
+
+@pytest.mark.parametrize("frame", [b"KF9AF0\n", b"K0\n", b"K~\n", b"Kr\n", b"KF9A~\r"])
+def test_a_malformed_k_with_something_behind_it_takes_the_offer(frame: bytes) -> None:
+    offer, answers, is_lost = _answered_under_the_offer(frame)
+    is_plain = frame.endswith(b"\r")
+    assert answers == checked(b"U%s00000001" % offer) + (b"X03\r\n" if is_plain else checked(b"X01"))
+    assert is_lost
+
+
+def test_a_datagram_to_which_nothing_is_answered_brings_none() -> None:
+    wire = Wire()
+    assert wire.ask(udp(b"WS0A00000001\r"), 6000) == []
+    assert wire.writes() == [(0x0A, 1)]
+
+
 def test_after_a_reset_there_is_another_session() -> None:
     wire = Wire()
     host = Host(wire)

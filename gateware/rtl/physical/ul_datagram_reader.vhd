@@ -19,6 +19,9 @@
 -- rest, they wait for `patience`, in which every request is answered.
 --
 -- The frames of a datagram without a header go to the core as well, which is told by `asking` that they have no session.
+-- So do those of a bare `K` under the session on offer. Its characters pass while they are `K` and the digits of its
+-- check. The first other character is one of a field: it takes the offer before it passes, and so before the core has a
+-- whole frame.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -97,8 +100,8 @@ architecture rtl of ul_datagram_reader is
   constant own : std_logic_vector(127 downto 0) := mac_address & ip_address & build_id & find_mark;
 
   type state_t is (
-    own_slots, head, find, first, digit, check, line_end, decide, peek, refuse, quiet, offer, pass, end_line, answer,
-    drain
+    own_slots, head, find, first, digit, check, line_end, decide, peek, refuse, quiet, weigh, offer, pass, end_line,
+    answer, drain
   );
 
   -- Why it is waited for rest.
@@ -147,6 +150,8 @@ architecture rtl of ul_datagram_reader is
   signal line_start : std_logic;
   signal ended      : std_logic;
   signal is_end     : std_logic;
+  signal matches    : std_logic;
+  signal is_bare    : std_logic;
   signal take       : std_logic;
   signal passes     : std_logic;
 
@@ -178,8 +183,12 @@ begin
   last_one    <= '1' when left = 1 else
                  '0';
   is_end      <= to_std_logic(in_data = character_lf or in_data = character_cr);
+  matches     <= is_hex(in_data) and to_std_logic(hex_value(in_data) = crc(crc'high downto crc'high - 3));
+  -- Place 0 has the letter.
+  is_bare <= to_std_logic(place = 0) or (matches and to_std_logic(place <= check_digits));
 
   passes    <= in_valid and not none_left when state = pass else
+               in_valid and not none_left and not is_end and is_bare when state = weigh else
                '0';
   out_valid <= '1' when passes = '1' or state = end_line else
                '0';
@@ -191,7 +200,7 @@ begin
     in_valid and (is_end or to_std_logic(in_data = x"55")) and not none_left when first,
     in_valid and is_end and not none_left and not trial when peek,
     in_valid and not none_left when line_end,
-    in_valid and not none_left and out_ready when pass,
+    passes and out_ready when pass | weigh,
     in_valid and not none_left when drain,
     '0' when others;
 
@@ -204,10 +213,9 @@ begin
 
   main : process (clk) is
 
-    variable sum     : unsigned(8 downto 0);
-    variable nibble  : std_logic_vector(3 downto 0);
-    variable matches : boolean;
-    variable is_own  : std_logic;
+    variable sum    : unsigned(8 downto 0);
+    variable nibble : std_logic_vector(3 downto 0);
+    variable is_own : std_logic;
 
     procedure spoil is
     begin
@@ -408,13 +416,12 @@ begin
           if none_left = '1' then
             spoil;
           elsif take = '1' then
-            place   <= place + 1;
-            crc     <= crc(crc'high - 4 downto 0) & "0000";
-            matches := is_hex(in_data) = '1' and nibble = crc(crc'high downto crc'high - 3);
+            place <= place + 1;
+            crc   <= crc(crc'high - 4 downto 0) & "0000";
             if in_data = character_cr and place = 0 then
               is_plain <= '1';
               state    <= decide;
-            elsif not matches then
+            elsif matches = '0' then
               spoil;
             elsif place = check_digits - 1 then
               state <= line_end;
@@ -475,6 +482,8 @@ begin
           end if;
 
         when peek =>
+          place <= (others => '0');
+          crc   <= crc_after((crc'range => '0'), x"4B", crc_polynomial);
           if none_left = '1' then
             state <= refuse;
           elsif in_valid = '1' and is_end = '0' then
@@ -494,30 +503,48 @@ begin
           if still = '1' and (rested = rest or waited = patience) then
             asking_i <= '0';
             state    <= pass;
-            if purpose = to_open then
-              -- Who had the session is told.
-              candidate  <= opener_i;
-              opener_i   <= candidate;
-              has_offer  <= '0';
-              in_session <= '1';
-              opened     <= '1';
-              if in_session = '1' then
-                job      <= job_refuse;
-                job_bank <= opener_i;
-                is_plain <= '0';
-                state    <= answer;
-              end if;
-            elsif purpose = to_ask then
+            if purpose /= to_take then
               candidate    <= requester_i;
               requester_i  <= candidate;
               asking_i     <= '1';
               asking_plain <= '0';
               form_known   <= '0';
-              if has_offer = '0' then
+              if purpose = to_open then
+                state <= weigh;
+              elsif has_offer = '0' then
                 numbers <= cycles(31 downto 1) & '1';
                 place   <= to_unsigned(48, place'length);
                 state   <= offer;
               end if;
+            end if;
+          end if;
+
+        when weigh =>
+          if take = '1' then
+            place      <= place + 1;
+            line_start <= '0';
+            ended      <= '0';
+            if place /= 0 then
+              crc <= crc(crc'high - 4 downto 0) & "0000";
+            end if;
+          elsif none_left = '1' or (in_valid and is_end) = '1' then
+            headless <= '1';
+            state    <= pass;
+          elsif in_valid = '1' and passes = '0' and still = '1' then
+            -- Who had the session is told.
+            candidate   <= opener_i;
+            opener_i    <= requester_i;
+            requester_i <= candidate;
+            asking_i    <= '0';
+            has_offer   <= '0';
+            in_session  <= '1';
+            opened      <= '1';
+            state       <= pass;
+            if in_session = '1' then
+              job      <= job_refuse;
+              job_bank <= opener_i;
+              is_plain <= '0';
+              state    <= answer;
             end if;
           end if;
 
@@ -625,7 +652,7 @@ begin
 
   end process main;
 
-  hold <= '1' when state = quiet and waited = patience else
+  hold <= '1' when state = weigh or (state = quiet and waited = patience) else
           '0';
 
 end architecture rtl;

@@ -274,6 +274,16 @@ static bool has_check(ul_link *link)
     return false;
 }
 
+static bool has_even_words(ul_link *link)
+{
+    unsigned bits = link->info.data_bits;
+    if (!(link->info.features & UL_FEATURE_COMPACT) || (bits + 3) / 4 % 2 == 0) return true;
+    snprintf(link->error, sizeof link->error,
+             "the gateway reports the compact form and data_bits = %u, expected words with an even number of hex digits",
+             bits);
+    return false;
+}
+
 static bool is_possible(ul_link *link)
 {
     const ul_info *info = &link->info;
@@ -283,7 +293,7 @@ static bool is_possible(ul_link *link)
         && is_within(link, "block_words", info->block_words, 1, 255)
         && is_within(link, "groups", info->groups, 0, 256)
         && is_within(link, "clock_hz", info->clock_hz, 1, UINT32_MAX)
-        && has_base_frequency(link) && has_check(link);
+        && has_base_frequency(link) && has_check(link) && has_even_words(link);
 }
 
 /* How many words, of so many that the gateway takes, have room in a frame here. */

@@ -1,0 +1,121 @@
+"""What docs/protocol.md says in a sentence that no example shows, on the model and on the compiled gateware."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pytest
+
+from support.makers import BUS_ERROR, COMPACT, Maker, compiled, simulated, with_failing
+from unity_link.protocol.crc import seed_of
+from unity_link.protocol.messages import Codec, ErrorCode
+from unity_link.virtual.faults import Failing
+
+if TYPE_CHECKING:
+    from unity_link.virtual import BareGateway
+
+BOTH = pytest.mark.parametrize(
+    "make", [simulated, pytest.param(compiled, marks=pytest.mark.rtl)], ids=["model", "gateware"]
+)
+NUMBER = 0x1234
+
+
+class Person:
+    """Types frames, plain or checked, and keeps the session in mind."""
+
+    def __init__(self, gateway: BareGateway) -> None:
+        self.gateway, self._codec = gateway, Codec(gateway.info)
+        self.number = 0
+
+    def ask(self, body: bytes) -> bytes:
+        """Return what a checked frame is answered, without the checks."""
+        answers = self.gateway.receive(self.frame(body), 0.0)
+        return b" ".join(self.open(answer) for answer in answers.split(b"\n")[:-1])
+
+    def frame(self, body: bytes) -> bytes:
+        seed = seed_of(self.number, from_gateway=False) if body[:1].islower() else 0
+        return self._codec.framing.checked(body, seed)
+
+    def open(self, answer: bytes) -> bytes:
+        seed = seed_of(self.number, from_gateway=True) if answer[:1].islower() or answer[:1] == b"P" else 0
+        return answer.rstrip(b"\r") if answer.endswith(b"\r") else self._codec.framing.open(answer, seed)
+
+    def begin(self, number: int = NUMBER, first: bytes = b"000") -> bytes:
+        answer = self.ask(b"K%b%04X" % (first, number))
+        self.number = number
+        return answer
+
+
+@BOTH
+def test_a_plain_group_of_a_person_stays_plain_in_a_program_s_session(make: Maker) -> None:
+    person = Person(make())
+    gateway = person.gateway
+    gateway.memory[0x0A] = 0x12
+    gateway.receive(b"K0000001\r", 0.0)
+    assert gateway.receive(b"GS03200001010A\r", 0.0) == b"GS03\r\n"
+    person.begin()
+    assert person.ask(b"gs00003200001010A") == b"x00006"
+    sample, answer, _ = gateway.receive(person.frame(b"gp00103"), 0.0).split(b"\n")
+    assert sample == b"P030000000012\r"
+    assert person.open(answer) == b"gp001"
+
+
+@BOTH
+@pytest.mark.parametrize("fields", [{}, COMPACT], ids=["text", "compact"])
+def test_the_number_under_way_is_0b_whatever_its_highest_bit(make: Maker, fields: dict[str, int]) -> None:
+    person = Person(make(**fields))
+    person.begin()
+    for number in (NUMBER, NUMBER | 0x8000):
+        assert person.ask(b"K000%04X" % number) == b"X0B"
+    assert person.ask(b"K0000000") == b"X06"
+    assert person.ask(b"K0008000") == b"X06"
+
+
+@BOTH
+def test_without_the_compact_form_a_number_with_the_highest_bit_is_out_of_range(make: Maker) -> None:
+    person = Person(make())
+    person.begin()
+    assert person.ask(b"K0009235") == b"X06"
+
+
+@BOTH
+def test_a_repetition_is_answered_by_what_stands_at_its_id(make: Maker) -> None:
+    """A host repeats the request itself. The answers to another one with its ID follow from how that ended."""
+    person = Person(with_failing(make()))
+    gateway = person.gateway
+    person.begin()
+    gateway.memory[0x0A] = 0x11
+    assert person.ask(b"rq0000A02") == b"rq0000000001100000011"
+    gateway.memory[0x0A] = 0x22
+    assert person.ask(b"r0000A") == b"r00000000022"
+    assert person.ask(b"rq0000A01") == b"rq00000000011"
+    assert person.ask(b"w0000A00000033") == b"w000"
+    assert gateway.memory[0x0A] == 0x22
+    assert person.ask(b"w001%02X00000001" % BUS_ERROR) == b"x00104"
+    assert person.ask(b"r0010A") == b"x00104"
+
+
+@BOTH
+def test_a_repeated_read_that_fails_keeps_how_the_request_ended(make: Maker) -> None:
+    person = Person(make())
+    gateway = person.gateway
+    person.begin()
+    assert person.ask(b"r0000A") == b"r00000000000"
+    gateway.attach(Failing(ErrorCode.BUS_ERROR), [0x0A])
+    assert person.ask(b"r0000A") == b"x00004"
+    assert person.ask(b"h000") == b"h000000"
+    gateway.detach([0x0A])
+    assert person.ask(b"r0000A") == b"r00000000000"
+
+
+@BOTH
+def test_a_session_keeps_how_the_requests_before_it_ended_and_their_words(make: Maker) -> None:
+    person = Person(with_failing(make()))
+    gateway = person.gateway
+    gateway.memory[0x0A] = 0x11
+    person.begin()
+    assert person.ask(b"w000%02X00000001" % BUS_ERROR) == b"x00004"
+    assert person.ask(b"rq0010A01") == b"rq00100000011"
+    person.begin(NUMBER + 1, b"002")
+    assert person.ask(b"h000") == b"x00004"
+    assert person.ask(b"rq0010A01") == b"rq00100000011"
