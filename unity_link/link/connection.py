@@ -277,6 +277,9 @@ class Connection:
         self._opening = True
         try:
             async with self._runtime.timeout(timeout):
+                if self._flow.latest is not None:
+                    # A port that this link has lost is not free before it has been closed.
+                    await self._flow.latest.close()
                 await self._connect_stream(stream)
                 log.info("%s: connected", name)
                 await self._open_session(stream)
@@ -413,18 +416,21 @@ class Connection:
     def disown(self) -> None:
         """Let go of the connection, which is that of the process from which this one was forked."""
         self._closed = self._closed_by_program = True
-        self._flow.stream = self._flow.seat = self._reconnection = None
+        self._flow.stream = self._flow.latest = self._flow.seat = self._reconnection = None
         self._session.close(forked())
 
     async def aclose(self) -> None:
-        """End the link: what still waits raises `LinkClosedError`. May be called twice."""
+        """End the link: what still waits raises `LinkClosedError`. May be called twice.
+
+        The medium is closed when this returns, also if the link has ended before: its port can be opened again at once.
+        """
         self._closed_by_program = True
-        stream, task = self._flow.stream, self._reconnection
+        task = self._reconnection
         self._end(LinkClosedError("the link was closed", Outcome.UNKNOWN))
         if task is not None:
             await self._runtime.finish(task)
-        if stream is not None:
-            await stream.close()
+        if self._flow.latest is not None:
+            await self._flow.latest.close()
 
 
 _CONNECTIONS: WeakSet[Connection] = WeakSet()

@@ -52,6 +52,8 @@ class Flow:
         self._longest_frame = math.inf
         self.stream: Stream | None = None
         """Stream of the connection, None while there is none."""
+        self.latest: Stream | None = None
+        """Stream of this connection or of the one before, whose medium may still be closing."""
         self.seat: Seat | None = None
         """Seat of the link, where nodes share the medium; its turn is waited for."""
         self._happened, self._disconnected = happened, disconnected
@@ -177,7 +179,7 @@ class Flow:
 
     def attach(self, stream: Stream) -> None:
         """Begin with a stream that is connected."""
-        self.stream = stream
+        self.stream = self.latest = stream
         self._longest_frame = stream.longest_frame
         stream.receiver, stream.on_pause = self, self._pause
         seat = self.seat = stream.seat
