@@ -77,6 +77,23 @@ async def test_what_was_sent_is_unknown_what_was_not_is_refused_and_what_needs_n
 
 
 @on_simulated_time
+async def test_a_server_whose_number_is_drawn_again_acknowledges_nothing_and_ends() -> None:
+    gateway = VirtualGateway()
+    async with sharing(gateway) as shared:
+        client = call(shared)
+        assert await say(client, shared, b"K0000001\rw0000A00000001\r") == [b"K00000010000", b"w000"]
+        await asyncio.sleep(2 * KEEP_ALIVE)
+        number, expected = gateway.session, gateway.expected
+        gateway.begin(number % 100 + 1, 0)
+        gateway.begin(number, expected + 100)
+        client.transport.write(b"w0010A00000002\r")
+        await until(shared.ended.done)
+        assert "another program" in str(shared.ended.exception())
+        assert client.take() == b""
+    assert gateway.memory[0x0A] == 1
+
+
+@on_simulated_time
 async def test_nothing_with_an_id_is_executed_until_the_client_begins_a_session() -> None:
     gateway = VirtualGateway()
     async with sharing(gateway) as shared:
