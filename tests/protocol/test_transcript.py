@@ -92,6 +92,7 @@ def test_each_command_has_words_for_its_answer() -> None:
         (b"K", b"K1234", "session 1234 is under way"),
         (b"K", b"K0000", "no session is under way"),
         (b"h007", b"n006", "out of sequence: the next ID expected is 006"),
+        (b"h80A", b"n00B", "the next ID expected is 00B: the session is still this one"),
     ]
     for request, answer, text in lines:
         assert words(b">" + checked(request), b"<" + checked(answer))[1] == text

@@ -207,8 +207,8 @@ class Interpreter:
                     self._refused(number)
                 return Meaning(FrameKind.ERROR, self._error(response), command, number, error=response.fields["e"])
             case "N":
-                text = f"out of sequence: the next ID expected is {self._id(number)}"
-                return Meaning(FrameKind.ERROR, text, command, number)
+                assert number is not None
+                return self._explain_gap(number)
             case "P":
                 return Meaning(FrameKind.SAMPLE, self._publish(response.fields), command, group=response.fields["g"])
             case "Q":
@@ -220,6 +220,14 @@ class Interpreter:
         if failed := response.fields.get("c"):
             text += f"; {failed} posted writes of the session have failed"
         return Meaning(FrameKind.ANSWER, self._with_id(text, number), command, number)
+
+    def _explain_gap(self, number: int) -> Meaning:
+        ring = self._codec.ring
+        question = self._requests.get((number + ring // 2 - 1) % ring)
+        text = f"the next ID expected is {self._id(number)}"
+        if question is not None and question.command == "H":
+            return Meaning(FrameKind.ANSWER, f"{text}: the session is still this one", "N", number)
+        return Meaning(FrameKind.ERROR, f"out of sequence: {text}", "N", number)
 
     # Which settings of a group its samples follow (docs/protocol.md, "Groups"): those that an answer has confirmed.
 
