@@ -12,6 +12,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from gateware.cores.stepgen.bench_stepgen import Settings
 from support.searching import examples
 from support.spec_examples import interface_of
 from unity_link.boards.build import build
@@ -106,6 +107,9 @@ def test_check_accepts_what_the_entity_accepts(word: str, tmp_path_factory: pyte
         given = {
             name: value / known[name].factor if known[name].factor > 1 else value for name, value in chosen.items()
         }
+        if word == "STEPGEN":
+            # The entity has no such generic.
+            given["MAXVEL"] = 0
         arguments = ", ".join(f"{name}={written(value)}" for name, value in given.items())
         try:
             interface_of(f"GATEWAY(CLOCK={clock_hz}); x: {word}({arguments}) @(0);")
@@ -151,6 +155,91 @@ def test_one_sentence_says_what_is_expected_where_the_parameter_is_given(placeme
     assert told == ([("<text>", message)] if message else [])
 
 
+OUTSIDE = [
+    ("STEPGEN(STEPS=-800, MAXVEL=1)", "STEPS is -800, expected 1e-06 to 1000000000"),
+    ("STEPGEN(STEPS=0)", "STEPS is 0, expected 1e-06 to 1000000000"),
+    ("STEPGEN(STEPS=800, MAXVEL=-1)", "MAXVEL is -1, expected 0 to 218.453330078 at a clock of 50,000,000 Hz"),
+    ("STEPGEN(MAXVEL=2000000)", "MAXVEL is 2000000, expected 0 to 174762.664062 at a clock of 50,000,000 Hz"),
+    ("STEPGEN(MAXVEL=true)", "MAXVEL is true, expected 0 to 174762.664062 at a clock of 50,000,000 Hz"),
+    ("STEPGEN(STEPS=2, MAXACCEL=134217728)", "MAXACCEL is 134217728, expected 0 to 134217727.5"),
+    ("STEPGEN(UNIT=5)", "UNIT is a string, not the number 5"),
+    ("STEPGEN(LEASE=5)", "LEASE is the name of a LEASE of the interface, not the number 5"),
+    ('STEPGEN(SCHEDULE="a")', 'SCHEDULE is the name of a SCHEDULE of the interface, not the string "a"'),
+    ("STEPGEN(GROUP=300)", "GROUP is 300, and 0 to 255 is expected"),
+    ("PWM(LIMIT=-12)", "LIMIT is -12, expected 1e-09 to 1e+12"),
+    ('PWM(LIMIT=0, UNIT="V")', "LIMIT is 0, expected 1e-09 to 1e+12"),
+    ("PWM(WIDTH=1)", "WIDTH is 1, expected 2 to 24"),
+    ("ENCODER(COUNTS=0)", "COUNTS is 0, expected 1 to 4294967296"),
+    ('ENCODER(COUNTS="a")', 'COUNTS is "a", expected 1 to 4294967296'),
+    ("ENCODER(SCALE=0)", "SCALE is 0, so that every value would be the same"),
+    ("ENCODER(SCALE=1e13)", "SCALE is 1e+13, expected -1e+12 to 1e+12"),
+    ("GPIO(DEBOUNCE=-1)", "DEBOUNCE is -1, expected 0 to 21474836.48 at a clock of 50,000,000 Hz"),
+    ("GPIO(ON_EDGE=300)", "ON_EDGE: GROUP is 300, and 0 to 255 is expected"),
+    ("LEASE(TIMEOUT=-1)", "TIMEOUT is -1, expected 1e-06 to 21.47483648 at a clock of 50,000,000 Hz"),
+    ("LEASE(FINISH=-1)", "FINISH is -1, expected 0 to 21.47483648 at a clock of 50,000,000 Hz"),
+    ("SCHEDULE(DEPTH=9)", "DEPTH is 9, expected 8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192 or 16384"),
+]
+
+
+@pytest.mark.parametrize(("core", "message"), OUTSIDE, ids=[core for core, _ in OUTSIDE])
+def test_a_wrong_parameter_is_one_error_at_the_argument_by_its_name(core: str, message: str) -> None:
+    line = f"x: {core} @(0);"
+    with pytest.raises(SpecError) as caught:
+        interface_of(line)
+    (error,) = (one for one in caught.value.diagnostics if one.severity == "error")
+    told = f"{message} with 1 axis in one instance" if "MAXVEL is" in message else message
+    assert (error.message, error.span.file, error.text) == (f"x: {told}", "<text>", line)
+    name = message.partition(" ")[0].rstrip(":")
+    value = core.partition(f"{name}=")[2].partition(",")[0].rstrip(")")
+    assert line[error.span.column - 1 : error.span.end_column - 1] == value
+
+
+def test_a_default_that_does_not_fit_is_an_error_at_the_placement() -> None:
+    with pytest.raises(SpecError) as caught:
+        interface_of("x: STEPGEN(STEPS=800) @(0);")
+    (error,) = (one for one in caught.value.diagnostics if one.severity == "error")
+    assert error.message.startswith("x: MAXVEL is 1000, expected 0 to 218.453330078 at a clock of 50,000,000 Hz")
+    assert error.text[error.span.column - 1 : error.span.end_column - 1] == "STEPGEN"
+
+
+@pytest.mark.parametrize(("core", "name", "last"), [("ENCODER", "COUNTS", "2"), ("STEPGEN", "STEPS", "2")])
+def test_each_of_several_wrong_parameters_is_told(core: str, name: str, last: str) -> None:
+    with pytest.raises(SpecError) as caught:
+        interface_of(f"x: {core}({name}=0) @(0x10); y: {core}({name}={last}) @(0x20); z: PWM(LIMIT=0) @(0x30);")
+    messages = [one.message for one in caught.value.diagnostics if one.severity == "error"]
+    assert [message[:7] for message in messages] == [f"x: {name}"[:7], "z: LIMI"]
+
+
+@settings(max_examples=examples(20))
+@given(
+    clock_hz=CLOCKS,
+    axes=st.integers(1, 16),
+    steps=st.sampled_from([1, 7, 40, 800]),
+    times=st.tuples(st.integers(0, 40_000), st.integers(0, 40_000)),
+)
+def test_the_largest_maxvel_is_what_the_axes_of_an_instance_can_go(
+    clock_hz: int, axes: int, steps: int, times: tuple[int, int]
+) -> None:
+    length, space = times
+    entity = Settings(axes=axes, clock_hz=clock_hz, steplen_ns=length, stepspace_ns=space)
+    fastest = entity.fastest / 256 / steps
+
+    def check(maxvel: float) -> None:
+        given = f"STEPS={steps}, STEPLEN={length}, STEPSPACE={space}"
+        # Another direction is another instance, whose axes do not count.
+        others = f"y[3]: STEPGEN({given}, MAXVEL=0, REVERSE=true) @(0x800 + 8 * i);"
+        interface_of(
+            f"GATEWAY(ADDRESS_BITS=16, CLOCK={clock_hz});",
+            f"x[{axes}]: STEPGEN({given}, MAXVEL={maxvel!r}) @(8 * i); {others}",
+        )
+
+    check(fastest)
+    with pytest.raises(SpecError) as caught:
+        check(fastest * (1 + 1e-9))
+    (error,) = (one for one in caught.value.diagnostics if one.severity == "error" and "x[0]" in one.message)
+    assert error.message.endswith(f"Hz with {axes} {'axis' if axes == 1 else 'axes'} in one instance")
+
+
 def test_a_board_with_another_clock_is_told_by_build_before_any_tool_runs(tmp_path: Path) -> None:
     spec = compile_text("public robot() { GATEWAY(CLOCK=10000000); x: LEASE(TIMEOUT=60) @(0); }")
     board = load_board("ulx3s")[1]
@@ -185,6 +274,12 @@ def test_a_limit_that_is_none_is_told(limit: str, message: str) -> None:
     with pytest.raises(SpecError) as caught:
         interface_of("x: own() @(1);", outside=outside)
     assert [one.message for one in caught.value.diagnostics] == [message]
+
+
+def test_a_limit_of_axes_in_a_component_that_nothing_uses_is_read() -> None:
+    interface_of(
+        "@b = 1: READ();", outside='own(W=8): @(B) { RANGE(W, 1, AXES); ENTITY("own", width=W); @a = B: READ(); }'
+    )
 
 
 def test_a_limit_of_one_component_says_nothing_of_another() -> None:

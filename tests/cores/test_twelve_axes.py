@@ -11,10 +11,13 @@ import pytest
 import unity_link
 from support.simulated_time import on_simulated_time
 from unity_link import NotArmedError
-from unity_link.virtual.build import simulate
+from unity_link.spec import compile_text
+from unity_link.virtual.build import Wanted, simulated
 from unity_link.virtual.simulated import SimulatedRobot
 
-SPEC = Path(__file__).parents[2] / "examples" / "twelve_axes.ul"
+EXAMPLE = Path(__file__).parents[2] / "examples" / "twelve_axes.ul"
+SPEC = compile_text(EXAMPLE.read_text().replace("MAXVEL=200", "MAXVEL=5"))
+"""The same with slow slides, for which the compiled gateware has its least clock."""
 AXES, PINS = range(12), range(8)
 DRIVEN, HIGH = PINS[::2], frozenset({1, 5})
 """Pins that a program drives, and those of the others that the plant has at 1."""
@@ -76,7 +79,7 @@ async def run(robot: Any) -> None:
 @ON
 @on_simulated_time
 async def test_each_of_twelve_axes_and_64_pins_does_what_its_registers_say(rtl: bool) -> None:
-    gateway = simulate(SPEC, Machine, rtl=rtl)
+    gateway = simulated(SPEC.interface(), Machine, Wanted(rtl=rtl))
     machine: Any = gateway.robot
     async with unity_link.connect(gateway) as link:
         robot: Any = Robot(link)
@@ -112,7 +115,7 @@ async def test_each_of_twelve_axes_and_64_pins_does_what_its_registers_say(rtl: 
 @ON
 @on_simulated_time
 async def test_set_points_of_all_axes_act_in_their_cycles(rtl: bool) -> None:
-    gateway = simulate(SPEC, Machine, rtl=rtl)
+    gateway = simulated(SPEC.interface(), Machine, Wanted(rtl=rtl))
     async with unity_link.connect(gateway) as link:
         robot: Any = Robot(link)
         clock = await robot.plan.clock()
@@ -157,7 +160,7 @@ def see_turns(gateway: Any, instants: list[int]) -> None:
 @ON
 @on_simulated_time
 async def test_a_fault_of_the_lease_makes_everything_safe(rtl: bool) -> None:
-    gateway = simulate(SPEC, Machine, rtl=rtl)
+    gateway = simulated(SPEC.interface(), Machine, Wanted(rtl=rtl))
     machine: Any = gateway.robot
     async with unity_link.connect(gateway) as link:
         robot: Any = Robot(link)

@@ -128,6 +128,12 @@ CASES = [
     ("public x() { @a = 1.5 & 1: READ(); }", "bad-operand", "'&' takes whole numbers, not 1.5 and 1", "1.5 & 1", ""),
     ('public x() { @a = -"b": READ(); }', "bad-operand", "'-' before the string \"b\" has no meaning", '-"b"', ""),
     ("public x() { @a = f(1): READ(); }", "no-value", "'f(...)' has no value", "f", ""),
+    ("public x() { @a = flor(1): READ(); }", "no-value", "'flor(...)' has no value", "flor", "mean 'floor'?"),
+    ("public x() { @a = log2(0): READ(); }", "bad-operand", "log2 takes a number above 0, not 0", "log2(0)", ""),
+    ("public x() { @a = ceil(1, 2): READ(); }", "bad-operand", "ceil takes 1 number, and 2 are given", "ceil(1, 2)", ""),
+    ("public x() { @a = max(): READ(); }", "bad-operand", "max takes 1 number at least, and none is given", "max()", ""),
+    ('public x() { @a = min(1, "b"): READ(); }', "bad-operand", "min takes numbers, not the string \"b\"", 'min(1, "b")', ""),
+    ("public x() { @a = floor(of=1.5): READ(); }", "bad-operand", "floor takes its numbers without names", "floor(of=1.5)", ""),
     # Addresses.
     ("public x() { @a: READ(); }", "no-address", "'a' has no address", "a", "write where it is: @a = 0x10"),
     ("public x() { c: c() @(1); }\nc(): @(pos) { @pso: READ(); }", "no-address", "'pso' has no", "pso", "mean 'pos'?"),

@@ -257,6 +257,7 @@ def test_an_id_that_is_left_out_is_the_path() -> None:
     [
         ("1 + 2 * 3", 7), ("(1 + 2) * 3", 9), ("10 - 4 - 3", 3), ("1 << 4 | 1", 17), ("0xFF & ~0x0F", 0xF0),
         ("7 / 7", 1), ("9 % 4", 1), ("0b1010_1010", 170), ("-1 + 2", 1), ("6 ^ 3", 5), ("1_0", 10), ("2 * 8 / 4", 4),
+        ("max(3, min(9, 7), 5)", 7), ("ceil(7 / 2)", 4), ("floor(-7 / 2) + 9", 5), ("1 << floor(log2(100))", 64),
     ],
 )  # fmt: skip
 def test_expressions_are_computed_with_the_usual_precedence(expression: str, value: int) -> None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from unity_link.spec.arguments import Binder, Bound
 from unity_link.spec.diagnostics import SourceText, did_you_mean
 from unity_link.spec.expressions import Evaluator, GroupReference, LeftOut, Result, describe
-from unity_link.spec.interface import GroupDraft, InterfaceDraft, Placed, SignalPlace
+from unity_link.spec.interface import AxesLimit, GroupDraft, InterfaceDraft, Placed, SignalPlace
 from unity_link.spec.model import ModuleSpec, Signal, Trigger
 from unity_link.spec.modules import COMMON, MODULES
 from unity_link.spec.signals import SignalReader
@@ -55,6 +55,8 @@ class Where(NamedTuple):
     """The core that it is, where it is one."""
     given: Mapping[str, SignalPlace] = {}
     """Places of the arguments that its parameters are given, by the names of these."""
+    placed: SignalPlace | None = None
+    """Place of its word where it is put; None for the interface itself."""
 
     def path_of(self, name: str, index: int | None) -> str:
         """Return the path of a member, or of one of a row or an array."""
@@ -106,6 +108,21 @@ class Builder:
         """Take a limit, a function as those of `Interface.limits`; return what it says of the spec's own clock."""
         self._draft.limits.append(message)
         return message(self._draft.clock_hz)
+
+    def limit_axes(self, path: str, place: SignalPlace, message: Callable[[int, int], str]) -> None:
+        """Take a limit that depends on how many placements share an instance.
+
+        It is checked by `InterfaceDraft.check_axes`, when all placements are known.
+
+        Args:
+            path: of the component.
+            place: of what the message is about.
+            message: returns why a parameter is not allowed for a number of axes and a clock in Hz; empty if it is.
+        """
+        placing = self.context.reporter.current
+        # A component that nothing uses is in no instance.
+        if placing is not None:
+            self._draft.limits_of_axes.append(AxesLimit(path, place, message, placing))
 
     def count(self, evaluator: Evaluator, place: tuple[int, int], where: Where) -> bool:
         """Count one more part of a component, which has names in its scope; False if there are too many parts."""

@@ -8,6 +8,7 @@ component is used, and a fault that only follows from another one is not shown.
 from __future__ import annotations
 
 import bisect
+import contextlib
 import hashlib
 import re
 from typing import TYPE_CHECKING, Literal
@@ -18,7 +19,7 @@ from unity_link.errors import UnityLinkError
 from unity_link.errors import did_you_mean as did_you_mean  # noqa: PLC0414  (a part of what diagnostics say)
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Iterator, Mapping
 
 Severity = Literal["error", "warning"]
 MOST_SHOWN = 100
@@ -160,11 +161,80 @@ class SourceText:
         return Span(self.name, line, start - self._starts[line - 1] + 1, end_line, end - self._starts[end_line - 1] + 1)
 
 
+class Placing:
+    """A component while it is put into an interface.
+
+    Args:
+        source: the source of its declaration.
+        bounds: the characters of its declaration.
+        path: its path in the interface.
+        given: places of the author's arguments by the names of the parameters. Errors in the declaration that mention
+            such a parameter are reported at the argument; without one they stay where they are.
+    """
+
+    def __init__(
+        self,
+        source: SourceText,
+        bounds: tuple[int, int],
+        path: str,
+        given: Mapping[str, tuple[SourceText, tuple[int, int]]],
+    ) -> None:
+        self._source = source
+        self._bounds = bounds
+        self._path = path
+        self._given = given
+        self.reported: list[tuple[str, Span]] = []
+        """Errors in the declaration that were reported, be it at an argument."""
+        self.is_refused = False
+        """True if an argument was refused: further errors in the declaration only follow from that."""
+
+    def has(self, source: SourceText, place: tuple[int, int]) -> bool:
+        """Return whether a place is in the declaration."""
+        return source is self._source and self._bounds[0] <= place[0] and place[1] <= self._bounds[1]
+
+    def at_argument(
+        self, source: SourceText, place: tuple[int, int], message: str
+    ) -> tuple[SourceText, tuple[int, int], str]:
+        """Return source, place and message of an error at the argument that it is about; unchanged without one."""
+        for name in re.findall(r"\w+", source.text[slice(*place)]):
+            if name in self._given:
+                is_named = re.match(rf"{name}\b", message) is not None
+                return *self._given[name], f"{self._path}: {'' if is_named else f'{name}: '}{message}"
+        return source, place, message
+
+
 class Reporter:
     """Collects the diagnostics of one compilation."""
 
     def __init__(self) -> None:
         self._found: dict[tuple[str, Span], Diagnostic] = {}
+        self._placing: Placing | None = None
+
+    @contextlib.contextmanager
+    def placing(self, placing: Placing) -> Iterator[None]:
+        """Report errors as a component asks for, while it is put into an interface."""
+        around, self._placing = self._placing, placing
+        try:
+            yield
+        finally:
+            self._placing = around
+
+    @property
+    def current(self) -> Placing | None:
+        """The component that is being put; None outside of any."""
+        return self._placing
+
+    def refuse(self, placing: Placing | None = None) -> None:
+        """Retract errors in a component's declaration, and take no more: they only follow from a refused argument.
+
+        Args:
+            placing: the component; None for the one that is being put.
+        """
+        placing = placing or self._placing
+        if placing is not None:
+            placing.is_refused = True
+            for key in placing.reported:
+                self._found.pop(key, None)
 
     def error(
         self,
@@ -201,9 +271,17 @@ class Reporter:
         help: str,  # noqa: A002
         notes: Iterable[tuple[Span, str, str]],
     ) -> None:
+        placing = self._placing
+        is_inside = placing is not None and severity == "error" and placing.has(source, place)
+        if placing is not None and is_inside:
+            if placing.is_refused:
+                return
+            source, place, message = placing.at_argument(source, place, message)
         span = source.span(*place)
         if (code, span) in self._found:
             return
+        if placing is not None and is_inside:
+            placing.reported.append((code, span))
         self._found[code, span] = Diagnostic(
             severity, code, message, span, source.line(span.line), help, tuple(Note(*note) for note in notes)
         )

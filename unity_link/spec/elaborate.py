@@ -99,7 +99,9 @@ class Elaborator:
         module, base = builder.module_of_all(source, node, scope)
         where = Where("", {}, scope, module, base, (str(node.name),))
         root = put_component(builder, declared, where, str(node.name))
-        draft.check_timed({part.path for part in root.walk() if part.core is not None and part.core.stages})
+        cores = [part for part in root.walk() if part.core is not None]
+        draft.check_timed({part.path for part in cores if part.core is not None and part.core.stages})
+        draft.check_axes(cores)
         groups = draft.check()
         enumerations = {
             placed.signal.kind.enumeration.name: placed.signal.kind.enumeration

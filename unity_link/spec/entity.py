@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple, TypeGuard
 from unity_link.spec.arguments import PIN, TRIGGER, Binder, Bound
 from unity_link.spec.diagnostics import did_you_mean, listed
 from unity_link.spec.expressions import LEFT_OUT, Result, describe
+from unity_link.spec.interface import SignalPlace
 from unity_link.spec.model import Core, Pin, Trigger, Way
 from unity_link.spec.syntax import Argument, ComponentDeclaration, Name, Placement, SignalDeclaration, Text
 
@@ -25,6 +26,8 @@ LIMIT_WORDS = ("RANGE", "ONE_OF")
 """Words for what a parameter may be."""
 CLOCK = "CLOCK"
 """Name, in a limit, of the frequency of the gateway's clock in Hz."""
+AXES = "AXES"
+"""Name, in a limit, of the number of placements that share one instance of the entity."""
 _SLOTS = {"PIN": PIN, "TRIGGER": TRIGGER}
 PORT_WORDS = tuple(_SLOTS)
 """Words that stand in the place of an access, for ports without an address."""
@@ -69,11 +72,13 @@ class Hardware:
     Args:
         evaluator: of its source.
         where: the place that the component is put to.
+        is_interface: whether it is a public interface, which is the whole design.
     """
 
-    def __init__(self, evaluator: Evaluator, where: Where) -> None:
+    def __init__(self, evaluator: Evaluator, where: Where, *, is_interface: bool) -> None:
         self._evaluator = evaluator
         self._where = where
+        self._is_interface = is_interface
         self._entity: tuple[str, list[str], dict[str, int | bool | str]] | None = None
         self._placed: Placement | None = None
         self._refused: set[str] = set()
@@ -91,7 +96,7 @@ class Hardware:
         self._placed = member
         if member.addresses is not None or member.members is not None:
             self._fault(place, "misplaced", "ENTITY has neither addresses nor members")
-        if not self._where.path:
+        if self._is_interface:
             message = "an interface is the whole design, and ENTITY stands in a component of it"
             self._fault(place, "misplaced", message)
             return
@@ -128,17 +133,20 @@ class Hardware:
             self._fault(member.type.place, "bad-limit", message, advice)
             return
         limit = Limit(member, name, bounds, held)
-        if self._refused.isdisjoint(self._words(member)) and (message := self._check(builder, limit)):
+        if not self._refused.isdisjoint(words := self._words(member)):
+            return
+        own = self._evaluator.source, member.place
+        place = SignalPlace(*(self._given(name) or self._where.placed or own))
+        if AXES in words:
+            builder.limit_axes(self._where.path, place, lambda axes, clock_hz: self._beyond(limit, clock_hz, axes))
+        elif message := builder.limit(lambda clock_hz: self._beyond(limit, clock_hz)):
+            builder.context.reporter.error(*place, "out-of-range", message)
             self._refused.add(name)
-            source, place = self._given(name) or (self._evaluator.source, member.place)
-            builder.context.reporter.error(source, place, "out-of-range", message)
+            builder.context.reporter.refuse()
 
-    def _check(self, builder: Builder, limit: Limit) -> str:
-        return builder.limit(lambda clock_hz: self._beyond(limit, clock_hz))
-
-    def _beyond(self, limit: Limit, clock_hz: int) -> str:
+    def _beyond(self, limit: Limit, clock_hz: int, axes: int = 1) -> str:
         """Return why a parameter is not what a limit says; empty where it is."""
-        scope = {**self._where.scope, CLOCK: clock_hz}
+        scope = {**self._where.scope, CLOCK: clock_hz, AXES: axes}
         value = scope.get(limit.name)
         bounds = [self._evaluator.evaluate(one, scope) for one in limit.bounds]
         held = {name: self._evaluator.evaluate(one, scope) for name, one in limit.held.items()}
@@ -155,7 +163,9 @@ class Hardware:
             is_allowed = any(value == one and isinstance(value, bool) is isinstance(one, bool) for one in bounds)
             expected = listed([_plain(one) for one in bounds])
         expected += "".join(f" with {name}={_plain(one)}" for name, one in held.items())
-        expected += f" at a clock of {clock_hz:,} Hz" * (CLOCK in self._words(limit.member))
+        words = self._words(limit.member)
+        expected += f" at a clock of {clock_hz:,} Hz" * (CLOCK in words)
+        expected += f" with {axes} {'axis' if axes == 1 else 'axes'} in one instance" * (AXES in words)
         return "" if is_allowed else f"{self._where.path}: {limit.name} is {_plain(value)}, expected {expected}"
 
     def _words(self, node: Node) -> set[str]:
@@ -336,6 +346,10 @@ def _span(low: float, high: float) -> str:
     """Write what lies between two numbers."""
     if low == high:
         return _plain(low)
+    least, most = _plain(low), _plain(high)
+    # What is written is allowed.
+    least = least if float(least) >= low else repr(low)
+    most = most if float(most) <= high else repr(high)
     if high == math.inf:
-        return f"at least {_plain(low)}"
-    return f"at most {_plain(high)}" if low == -math.inf else f"{_plain(low)} to {_plain(high)}"
+        return f"at least {least}"
+    return f"at most {most}" if low == -math.inf else f"{least} to {most}"

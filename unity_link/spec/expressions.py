@@ -18,7 +18,7 @@ from unity_link.spec.model import ParameterReference
 from unity_link.spec.syntax import Call, Chain, Expression, Name, Number, Parenthesis, Prefixed, Text
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable, Iterable, Mapping
 
 
 class GroupReference(NamedTuple):
@@ -126,9 +126,7 @@ class Evaluator:
             case Prefixed():
                 return self._prefixed(expression, scope)
             case Call():
-                message = f"'{expression.name}(...)' has no value"
-                self.fault(expression.name.place, "no-value", message)
-                return None
+                return self._call(expression, scope)
 
     def _number(self, number: Number) -> Result:
         value = parse_number(number.text)
@@ -162,6 +160,24 @@ class Evaluator:
             value = -value if prefix == "-" else ~value  # type: ignore[operator]
         return value
 
+    def _call(self, call: Call, scope: Mapping[str, Result]) -> Result:
+        function = _FUNCTIONS.get(call.name)
+        if function is None:
+            message = f"'{call.name}(...)' has no value"
+            self.fault(call.name.place, "no-value", message, did_you_mean(call.name, _FUNCTIONS))
+            return None
+        values = [self.evaluate(argument.value, scope) for argument in call.arguments]
+        if None in values:
+            return None
+        if any(argument.name is not None for argument in call.arguments):
+            self.fault(call.place, "bad-operand", f"{call.name} takes its numbers without names")
+            return None
+        try:
+            return _bounded(function, *_numbers(call.name, values))
+        except _FaultError as fault:
+            self.fault(call.place, "bad-operand", str(fault))
+            return None
+
     def _chain(self, chain: Chain, scope: Mapping[str, Result]) -> Result:
         """Compute operands and operators by the precedence of the operators, from the left among equals."""
         self.reporter.spend(len(chain.operators))
@@ -192,19 +208,38 @@ def _fold(values: list[Result], operators: list[str]) -> Result:
 def _apply(symbol: str, first: Result, second: Result) -> Result:
     if symbol == "+" and (isinstance(first, str) or isinstance(second, str)):
         return _joined(first, second)
-    for value in (first, second):
-        if isinstance(value, bool) or not isinstance(value, int | float):
-            raise _FaultError(f"'{symbol}' takes numbers, not {describe(value)}")
-    assert isinstance(first, int | float)
-    assert isinstance(second, int | float)
+    first, second = _numbers(f"'{symbol}'", (first, second))
     if symbol in _WHOLE_ONLY and not (isinstance(first, int) and isinstance(second, int)):
         raise _FaultError(f"'{symbol}' takes whole numbers, not {first:g} and {second:g}")
     if symbol in {"<<", ">>"} and not 0 <= second <= MOST_BITS:
         raise _FaultError(f"a shift by {second} was asked for, 0 to {MOST_BITS} is expected")
     if symbol in {"/", "%"} and second == 0:
         raise _FaultError("a division by 0")
+    return _bounded(_OPERATIONS[symbol], first, second)
+
+
+def _numbers(what: str, values: Iterable[Result]) -> list[int | float]:
+    """Return values that are all numbers.
+
+    Raises:
+        _FaultError: for a value that is no number; `what` is the name of what takes it.
+    """
+    found: list[int | float] = []
+    for value in values:
+        if isinstance(value, bool) or not isinstance(value, int | float):
+            raise _FaultError(f"{what} takes numbers, not {describe(value)}")
+        found.append(value)
+    return found
+
+
+def _bounded(function: Callable[..., float], *numbers: float) -> int | float:
+    """Return the result of a function.
+
+    Raises:
+        _FaultError: for a result that is too large.
+    """
     try:
-        result = _OPERATIONS[symbol](first, second)
+        result = function(*numbers)
     except OverflowError:
         raise _FaultError("the result is too large") from None
     too_large = result.bit_length() > MOST_BITS if isinstance(result, int) else not math.isfinite(result)
@@ -231,6 +266,43 @@ _OPERATIONS: dict[str, Callable[[float, float], float]] = {
     "&": operator.and_,
     "|": operator.or_,
     "^": operator.xor,
+}
+
+
+def _of_one(name: str, function: Callable[[float], float]) -> Callable[..., float]:
+    """Return a function of exactly one number."""
+
+    def call(*numbers: float) -> float:
+        if len(numbers) != 1:
+            raise _FaultError(f"{name} takes 1 number, and {len(numbers)} are given")
+        return function(numbers[0])
+
+    return call
+
+
+def _of_some(name: str, function: Callable[..., float]) -> Callable[..., float]:
+    """Return a function of one number or more."""
+
+    def call(*numbers: float) -> float:
+        if not numbers:
+            raise _FaultError(f"{name} takes 1 number at least, and none is given")
+        return function(numbers)
+
+    return call
+
+
+def _log2(number: float) -> float:
+    if number <= 0:
+        raise _FaultError(f"log2 takes a number above 0, not {number:g}")
+    return math.log2(number)
+
+
+_FUNCTIONS: dict[str, Callable[..., float]] = {
+    "min": _of_some("min", min),
+    "max": _of_some("max", max),
+    "floor": _of_one("floor", math.floor),
+    "ceil": _of_one("ceil", math.ceil),
+    "log2": _of_one("log2", _log2),
 }
 
 

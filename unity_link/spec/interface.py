@@ -6,18 +6,20 @@ whether signals or modules lie over each other, whether an ID is used twice, and
 
 from __future__ import annotations
 
+import functools
 from typing import TYPE_CHECKING, NamedTuple
 
 import msgspec
 
-from unity_link.spec.model import Effect, GroupSpec, Joint, ModuleSpec, Signal
+from unity_link.spec.model import Effect, GroupSpec, Joint, ModuleSpec, Signal, gathered
 from unity_link.spec.rates import base_millihertz, out_of_reach, published_hz
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable
 
     from unity_link.spec.arguments import Bound
-    from unity_link.spec.diagnostics import Reporter, SourceText, Span
+    from unity_link.spec.diagnostics import Placing, Reporter, SourceText, Span
+    from unity_link.spec.model import ComponentSpec
 
 GROUP_WORDS = 255
 GROUPS = 256
@@ -78,6 +80,18 @@ class Placed(NamedTuple):
     """Place of its TIMED."""
 
 
+class AxesLimit(NamedTuple):
+    """A limit of a parameter that depends on how many placements share an instance."""
+
+    path: str
+    """Path of the component."""
+    place: SignalPlace
+    """Place of what the message is about."""
+    message: Callable[[int, int], str]
+    """Returns why the parameter is not allowed for a number of axes and a clock in Hz; empty if it is."""
+    placing: Placing
+
+
 DEFAULT_CLOCK_HZ = 50_000_000
 """Frequency of the gateway's clock where the spec says no other."""
 
@@ -92,6 +106,7 @@ class InterfaceDraft:
         self.clock_hz = clock_hz
         self.limits: list[Callable[[int], str]] = []
         """As `Interface.limits`."""
+        self.limits_of_axes: list[AxesLimit] = []
         self.signals: list[Placed] = []
         self.modules: list[tuple[ModuleSpec, SignalPlace]] = []
         self.groups: dict[str, GroupDraft] = {}
@@ -108,6 +123,20 @@ class InterfaceDraft:
         self._number_groups()
         groups = {draft.name: self._group(draft) for draft in self.groups.values() if draft.signals}
         return tuple(self._timed(group, list(groups.values())) for group in groups.values())
+
+    def check_axes(self, cores: Iterable[ComponentSpec]) -> None:
+        """Check the limits of parameters that depend on how many placements share an instance.
+
+        Args:
+            cores: all components with an entity.
+        """
+        axes = {part.path: len(placements) for placements in gathered(cores) for part in placements}
+        for path, place, message, placing in self.limits_of_axes:
+            limit = functools.partial(message, axes.get(path, 1))
+            self.limits.append(limit)
+            if told := limit(self.clock_hz):
+                self.reporter.refuse(placing)
+                self._error(place, "out-of-range", told)
 
     def check_timed(self, schedules: set[str]) -> None:
         """Check the signals that schedules write.

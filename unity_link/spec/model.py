@@ -17,7 +17,7 @@ import enum
 import functools
 import hashlib
 import math
-from collections.abc import Callable, Container, Iterator, Mapping, Sequence  # noqa: TC003  (msgspec reads the annotations)
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence  # noqa: TC003  (msgspec reads the annotations)
 
 import msgspec
 
@@ -447,6 +447,30 @@ class ModuleSpec(msgspec.Struct, frozen=True, kw_only=True):
         return {"type": self.type, "address": f"{self.base:#x}", **_facts(SIZE=size, module=around), **arguments}
 
 
+def gathered(parts: Iterable[ComponentSpec]) -> list[list[ComponentSpec]]:
+    """Return the placements that share an instance: of one entity with equal ports, and equal generics not per axis.
+
+    Args:
+        parts: components with an entity.
+    """
+    found: dict[object, list[ComponentSpec]] = {}
+    for part in parts:
+        core = part.core
+        assert core is not None
+        key = (
+            core.word,
+            core.entity,
+            core.wants,
+            tuple(sorted((name, value) for name, value in core.generics.items() if name not in core.per_axis)),
+            tuple((signal.name, signal.width, signal.is_given) for signal in part.signals),
+            tuple((pin.name, pin.way) for pin in core.pins),
+            tuple(trigger.name for trigger in core.triggers),
+            part.path if core.stages else "",
+        )
+        found.setdefault(key, []).append(part)
+    return list(found.values())
+
+
 class Joint(msgspec.Struct, frozen=True, kw_only=True):
     """One joint of a group that is declared as joints: paths of its signals."""
 
@@ -538,9 +562,12 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
         Raises:
             ArgumentError: for one that a core cannot have.
         """
-        message = next(filter(None, (limit(clock_hz) for limit in self.limits)), "")
-        if message:
+        if message := self.beyond_limits(clock_hz):
             raise ArgumentError(message)
+
+    def beyond_limits(self, clock_hz: int) -> str:
+        """Return why a parameter of a core is not allowed with a clock of the gateway; empty if all are."""
+        return next(filter(None, (limit(clock_hz) for limit in self.limits)), "")
 
     @functools.cached_property
     def description(self) -> bytes:

@@ -12,7 +12,7 @@ import msgspec
 
 from unity_link.spec.building import Address, Builder, Where, whole_address
 from unity_link.spec.cores import is_word
-from unity_link.spec.diagnostics import did_you_mean, listed
+from unity_link.spec.diagnostics import Placing, did_you_mean, listed
 from unity_link.spec.entity import ENTITY_WORD, LIMIT_WORDS, PORT_WORDS, Hardware, pins_of
 from unity_link.spec.expressions import LEFT_OUT, Evaluator, LeftOut, Result, describe
 from unity_link.spec.interface import SignalPlace
@@ -94,7 +94,7 @@ class Contents:
         self.signals: list[Signal] = []
         self.parts: list[ComponentSpec | ComponentArray] = []
         self.modules: list[int] = []
-        self._hardware = Hardware(self._evaluator, where)
+        self._hardware = Hardware(self._evaluator, where, is_interface=self._node.public)
 
     def core(self) -> Core | None:
         """Return the hardware behind the component, once its members are built; None where it has none."""
@@ -306,26 +306,30 @@ class Contents:
         node = declared.node
         arguments, places = _with_base(member, node) if core is not None else (member.arguments, member.addresses or [])
         values = self._bind(member, node.parameters, arguments, scope, "argument")
+        path = self._builder.path_of(self._where, member.name, index)
+        stands = {name: SignalPlace(self._source, place) for name, (_, place) in values.items()}
         known = dict(self._builder.context_of(declared.source).globals)
         self._context.reporter.spend(_EFFORT_OF_A_COMPONENT + len(known) // 8)
         given: dict[str, Result] = {}
-        for parameter in node.parameters:
-            name = str(parameter.name)
-            if name in values:
-                given[name] = values[name][0]
-            else:
-                default = parameter.default
-                tools = Evaluator(declared.source, self._context.reporter)
-                given[name] = None if default is None else tools.evaluate(default, known)
-            known[name] = given[name]
-        addresses, pins = self._addresses(member, declared, places, scope, known)
-        inner = known | {name: one.value for name, one in addresses.items()}
-        chain = (*self._where.chain, str(node.name))
-        folder = None if core is None else core.folder
-        stands = {name: SignalPlace(self._source, place) for name, (_, place) in values.items()}
-        path = self._builder.path_of(self._where, member.name, index)
-        where = Where(path, addresses, inner, module, base, chain, pins, folder, stands)
-        component = put_component(self._builder, declared, where, str(member.name), index, given)
+        # The lines of a core are not the author's, whose arguments are.
+        placing = Placing(declared.source, node.place, path, {} if core is None else stands)
+        with self._context.reporter.placing(placing):
+            for parameter in node.parameters:
+                name = str(parameter.name)
+                if name in values:
+                    given[name] = values[name][0]
+                else:
+                    default = parameter.default
+                    tools = Evaluator(declared.source, self._context.reporter)
+                    given[name] = None if default is None else tools.evaluate(default, known)
+                known[name] = given[name]
+            addresses, pins = self._addresses(member, declared, places, scope, known)
+            inner = known | {name: one.value for name, one in addresses.items()}
+            chain = (*self._where.chain, str(node.name))
+            folder = None if core is None else core.folder
+            put = SignalPlace(self._source, member.type.place)
+            where = Where(path, addresses, inner, module, base, chain, pins, folder, stands, put)
+            component = put_component(self._builder, declared, where, str(member.name), index, given)
         if not index:
             self._warn_of_no_lease(member, component)
             self._check_stage(member, component)

@@ -13,6 +13,7 @@ from unity_link.errors import UnsupportedError
 from unity_link.generate.vhdl.names import RESERVED
 from unity_link.quoting import vhdl_literal
 from unity_link.spec import KindName, Way
+from unity_link.spec.model import gathered
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping
@@ -155,7 +156,7 @@ class Wiring:
         self._empty: dict[str, str] = {}
         """Signals that tell whether schedules are empty, by the paths of these."""
         # Leases look at them.
-        for placements in sorted(_gathered(interface.cores), key=lambda parts: EMPTY in _wants(parts)):
+        for placements in sorted(gathered(interface.cores), key=lambda parts: EMPTY in _wants(parts)):
             self.instances.append(self._instance(placements))
 
     @property
@@ -292,23 +293,3 @@ class Wiring:
 
 def _wants(parts: list[ComponentSpec]) -> tuple[str, ...]:
     return parts[0].core.wants if parts[0].core is not None else ()
-
-
-def _gathered(parts: Iterable[ComponentSpec]) -> list[list[ComponentSpec]]:
-    """Return the placements that share an instance: of one entity with equal ports, and equal generics not per axis."""
-    found: dict[object, list[ComponentSpec]] = {}
-    for part in parts:
-        core = part.core
-        assert core is not None
-        key = (
-            core.word,
-            core.entity,
-            core.wants,
-            tuple(sorted((name, value) for name, value in core.generics.items() if name not in core.per_axis)),
-            tuple((signal.name, signal.width, signal.is_given) for signal in part.signals),
-            tuple((pin.name, pin.way) for pin in core.pins),
-            tuple(trigger.name for trigger in core.triggers),
-            part.path if core.stages else "",
-        )
-        found.setdefault(key, []).append(part)
-    return list(found.values())

@@ -46,6 +46,8 @@ _LEAST_CLOCK_HZ = 500_000
 """A clock that a PC keeps pace with while cycles in which nothing happens are skipped."""
 _CLOCK_OF_CORES_HZ = 200_000
 """A clock that a PC keeps pace with where each cycle counts, as cores move by themselves."""
+_MOST_CLOCK_HZ = 100_000_000
+"""A clock beyond which no quicker one is looked for."""
 _LEAST_CYCLES = 16
 """Cycles in a period of what the generics of a core ask for in Hz, so that a pulse has as many widths."""
 _USUAL_BASES = tuple(digit * 10**power for power in range(7, 2, -1) for digit in (10, 5, 2))
@@ -80,6 +82,22 @@ def _base_of(interface: Interface, clock_hz: int, groups: int) -> int:
     return base_millihertz(interface.groups, usual)
 
 
+def _clocked(
+    interface: Interface, given: Mapping[str, int], fields: Mapping[str, int], least_hz: int
+) -> dict[str, int]:
+    """Return the generics of an interface with a clock, unless one is given the slowest that its cores allow."""
+    while True:
+        generics = dict(given)
+        if "base_frequency_millihertz" not in fields and ("clock_hz" in fields or interface.cores):
+            base = _base_of(interface, fields.get("clock_hz", least_hz), generics["groups"])
+            generics["base_frequency_millihertz"] = base
+        generics = with_clock(generics, least_hz)
+        is_given = "clock_hz" in fields or least_hz > _MOST_CLOCK_HZ
+        if is_given or not interface.beyond_limits(generics["clock_hz"]):
+            return generics
+        least_hz += least_hz // 4
+
+
 def configuration_of(interface: Interface, fields: Mapping[str, int], node: int | None) -> Configuration:
     """Return the configuration of an interface, which is to be made: the gateway with the register bank.
 
@@ -98,12 +116,8 @@ def configuration_of(interface: Interface, fields: Mapping[str, int], node: int 
                 f"{name} is {fields[name]}: the register bank of {interface.name} has the {getattr(interface, name)} "
                 "of its spec; GATEWAY(...) in the spec changes it"
             )
-    generics = {**generics_of(interface), **_as_generics(fields), "node": -1 if node is None else node}
-    least = _least_clock_of(interface)
-    if "base_frequency_millihertz" not in fields and ("clock_hz" in fields or interface.cores):
-        base = _base_of(interface, fields.get("clock_hz", least), generics["groups"])
-        generics["base_frequency_millihertz"] = base
-    generics = with_clock(generics, least)
+    given = {**generics_of(interface), **_as_generics(fields), "node": -1 if node is None else node}
+    generics = _clocked(interface, given, fields, _least_clock_of(interface))
     if not generics["fingerprint"] and "build_id" not in fields:
         generics["build_id"] = 0
     # As the generated gateway finds it.
