@@ -92,6 +92,8 @@ class Axis:
         self._settings = settings
         self._fraction = 2 * settings.rate_bits
         self.place = self.speed = 0
+        self.accel = 0
+        """The acceleration that acts."""
         self.down, self.known = False, True
         self.step = self.points_down = False
         self.arrived = False
@@ -122,12 +124,13 @@ class Axis:
         rounds = self.speed // accel
         return self.speed * (1 + rounds) - accel * rounds * (rounds + 1) // 2
 
-    def pass_round(self, commands: Commands, *, follows: bool, changed: bool = False) -> None:
-        """Pass a round; `changed` says that the acceleration is another one than before."""
+    def pass_round(self, commands: Commands, *, follows: bool) -> None:
+        """Pass a round. A new `maxaccel` acts if the axis stands, or follows nothing."""
         old, down, stands = self.place, self.down, not self.speed
-        self.known = self.known and (stands or not changed)
-        self._accelerate(commands, follows=follows)
-        self.known = not self.speed or (self.known and not commands.mode)
+        if stands or not follows:
+            self.accel = commands.maxaccel
+        self._accelerate(commands._replace(maxaccel=self.accel), follows=follows)
+        self.known = not self.speed or (self.known and follows and not commands.mode)
         self._was_down = down
         steps = self.steps
         self.place = self._wrapped(old - self.speed if down else old + self.speed)
@@ -191,8 +194,8 @@ class Model:
         self._begins = self._writes = self._busy = False
         self._clearing = True
         self._stage = self._axis = self._write_axis = 0
-        self._fresh, self._dirty, self._changed, self._there = ([False] * settings.axes for _ in range(4))
-        self._taken = (Commands(), False, False)
+        self._fresh, self._dirty, self._there = ([False] * settings.axes for _ in range(3))
+        self._taken = (Commands(), False)
         self._shown = [(0, 0, False, settings.reverse)] * settings.axes
         """Position, velocity, step and direction of each axis."""
         self.changed = True
@@ -205,19 +208,17 @@ class Model:
         writes, write_axis, axis = self._writes, self._write_axis, self._axis
         self.changed = writes
         if takes:
-            changed = self._changed[axis] or bool(written[axis].maxaccel)
-            self._taken = (commands[axis], obeys[axis], changed)
+            self._taken = (commands[axis], obeys[axis])
         if writes:
             self._write(write_axis)
         self._count()
         for index, pulses in enumerate(written):
             if takes and index == axis:
-                self._dirty[index] = self._changed[index] = False
+                self._dirty[index] = False
             if pulses.position_cmd or pulses.mode:
                 self._dirty[index], self._there[index] = True, False
                 self.changed = True
             self._fresh[index] = (self._fresh[index] or bool(pulses.position_cmd)) and bool(armed >> index & 1)
-            self._changed[index] |= bool(pulses.maxaccel) or not armed >> index & 1
 
     def _write(self, index: int) -> None:
         axis = self.axes[index]
@@ -234,8 +235,8 @@ class Model:
             self._stage += 1
             if self._stage == _CYCLES_OF_AXIS:
                 if not self._clearing:
-                    commands, follows, changed = self._taken
-                    self.axes[self._axis].pass_round(commands, follows=follows, changed=changed)
+                    commands, follows = self._taken
+                    self.axes[self._axis].pass_round(commands, follows=follows)
                 self._stage, self._writes = 0, True
                 self._axis = (self._axis + 1) % settings.axes
                 self._busy = self._axis != 0

@@ -3,6 +3,7 @@
 // What the pins of a step generator promise, for any commands and arming: a pulse and the pause behind it are as long as
 // they are to be; the direction is stable before a pulse and behind it. A pulse begins exactly where the axis comes to
 // another step, in the direction of its motion. An axis follows a position only if that was written while it was armed.
+// A new acceleration acts in a round of an axis that stands or follows nothing, and in no other one.
 // The motion is proved in ul_stepgen_ramp.sv.
 //
 // The last part are invariants that make the proof hold without a bound: a round has seven cycles at least, so the rounds
@@ -38,6 +39,8 @@ module ul_stepgen_properties #(
 	(* hierconn *) wire [39:0] \dut.place , \dut.next_place ;
 	(* hierconn *) wire [2:0] \dut.stage , \dut.age ;
 	(* hierconn *) wire \dut.is_busy , \dut.writes , \dut.moves , \dut.clearing , \dut.down ;
+	(* hierconn *) wire [27:0] \dut.accels , \dut.maxaccel_now ;
+	(* hierconn *) wire \dut.stands , \dut.each_n1_stood ;
 	(* hierconn *) wire \dut.is_high , \dut.points_down , \dut.has_turned , \dut.takes , \dut.follows , \dut.fresh , \dut.axis , \dut.write_axis ;
 
 	// Cycles, this one included and without end at 63, since a level has changed, and since a round ended.
@@ -45,6 +48,9 @@ module ul_stepgen_properties #(
 	reg last_step = 0, last_dir = 0, valid = 0, commanded = 0;
 	reg last_writes, last_down, last_moves, last_takes, last_holding;
 	reg [39:0] last_place;
+	// The acceleration that the register had when the round began, and that of the round before.
+	reg [27:0] given_accel = 0, last_accel = 0;
+	reg has_looked = 0;
 
 	function [5:0] longer (input [5:0] cycles);
 		longer = cycles == 63 ? cycles : cycles + 1;
@@ -70,6 +76,11 @@ module ul_stepgen_properties #(
 		last_place <= \dut.place ;
 		last_takes <= \dut.takes ;
 		last_holding <= holding;
+		if (\dut.takes )
+			given_accel <= maxaccel;
+		if (\dut.stage == 2)
+			last_accel <= \dut.maxaccel_now ;
+		has_looked <= !rst && (has_looked || \dut.stage == 2);
 		commanded <= !rst && armed && (commanded || position_cmd_written);
 	end
 
@@ -94,6 +105,10 @@ module ul_stepgen_properties #(
 		assert (holding == !(armed && (mode || commanded)));
 		if (last_takes)
 			assert (\dut.follows == !last_holding);
+		if (\dut.stage == 2 && !\dut.clearing )
+			assert (\dut.maxaccel_now == (\dut.stands || !\dut.follows ? given_accel : last_accel));
+		if (\dut.stage > 2)
+			assert (has_looked && \dut.maxaccel_now == last_accel);
 
 		cover (rises);
 		cover (falls && position > 32'h8000_0000 && !\dut.has_turned );
@@ -109,6 +124,14 @@ module ul_stepgen_properties #(
 
 	always @(posedge clk) if (!rst) begin
 		assert (\dut.fresh == commanded);
+		if (\dut.stage == 1 && !\dut.clearing )
+			assert (\dut.accels == (\dut.stands || !\dut.follows ? given_accel : last_accel));
+		if (\dut.stage == 2)
+			assert (\dut.accels == \dut.maxaccel_now );
+		if (has_looked && (\dut.stage == 0 || \dut.stage > 2))
+			assert (\dut.accels == last_accel);
+		assert (has_looked || (\dut.clearing && \dut.stage <= 2 && !\dut.writes ));
+		assert (\dut.clearing || \dut.each_n1_stood == \dut.stands );
 		assert (!\dut.axis && !\dut.write_axis );
 		assert (\dut.stage < 7);
 		assert (!\dut.writes || \dut.stage == 0);

@@ -55,9 +55,10 @@ entity ul_stepgen is
     maxvel : in    std_logic_vector(axes * 28 - 1 downto 0);
     -- Not needed.
     maxvel_written : in    std_logic_vector(axes - 1 downto 0) := (others => '0');
-    -- In steps/s2; 0 is no limit.
-    maxaccel         : in    std_logic_vector(axes * 28 - 1 downto 0);
-    maxaccel_written : in    std_logic_vector(axes - 1 downto 0);
+    -- In steps/s2; 0 is no limit. A new one acts from the next standstill, or if the axis has no command.
+    maxaccel : in    std_logic_vector(axes * 28 - 1 downto 0);
+    -- Not needed.
+    maxaccel_written : in    std_logic_vector(axes - 1 downto 0) := (others => '0');
     -- Signed, in steps * 2 ** -8; goes round. To the nearest step, halves up, it is the pulses that have begun: those
     -- upwards less those downwards.
     position : out   std_logic_vector(axes * 32 - 1 downto 0);
@@ -153,13 +154,13 @@ architecture rtl of ul_stepgen is
   signal fresh    : std_logic_vector(axes - 1 downto 0);
   signal obeys    : std_logic_vector(axes - 1 downto 0);
   signal dirty    : std_logic_vector(axes - 1 downto 0);
-  signal changed  : std_logic_vector(axes - 1 downto 0);
   signal is_there : std_logic_vector(axes - 1 downto 0);
 
   signal targets    : targets_t;
   signal velocities : velocities_t;
   signal maxvels    : limits_t;
-  signal maxaccels  : limits_t;
+  -- The accelerations that act.
+  signal accels : limits_t := (others => (others => '0'));
 
   -- Of the axis that is looked at: its commands,
   signal target_now   : std_logic_vector(31 downto 0);
@@ -168,7 +169,6 @@ architecture rtl of ul_stepgen is
   signal maxaccel_now : unsigned(27 downto 0);
   signal is_position  : std_logic;
   signal follows      : std_logic;
-  signal is_changed   : std_logic;
   signal size_now     : unsigned(28 downto 0);
   signal limit_now    : unsigned(27 downto 0);
   signal wanted_now   : unsigned(27 downto 0);
@@ -184,18 +184,17 @@ architecture rtl of ul_stepgen is
   signal kept        : std_logic_vector(kept_bits - 1 downto 0);
   signal to_keep     : std_logic_vector(kept_bits - 1 downto 0);
   signal place       : std_logic_vector(place_bits - 1 downto 0);
-  signal needed      : std_logic_vector(place_bits - 1 downto 0);
+  signal unneeded    : std_logic_vector(place_bits - 1 downto 0);
   signal speed       : std_logic_vector(speed_bits - 1 downto 0);
   signal age         : age_t;
   signal down        : std_logic;
   signal known       : std_logic;
-  signal is_known    : std_logic;
   signal stands      : std_logic;
   signal is_high     : std_logic;
   signal points_down : std_logic;
   signal has_turned  : std_logic;
   signal next_place  : std_logic_vector(place_bits - 1 downto 0);
-  signal next_needed : std_logic_vector(place_bits - 1 downto 0);
+  signal next_unneeded : std_logic_vector(place_bits - 1 downto 0);
   signal next_speed  : std_logic_vector(speed_bits - 1 downto 0);
   signal next_down   : std_logic;
   signal next_known  : std_logic;
@@ -288,11 +287,11 @@ begin
         target_now   <= targets(to_integer(axis));
         velocity_now <= velocities(to_integer(axis));
         maxvel_now   <= maxvels(to_integer(axis));
-        maxaccel_now <= maxaccels(to_integer(axis));
         is_position  <= not mode(to_integer(axis));
         follows      <= obeys(to_integer(axis));
-        is_changed   <= changed(to_integer(axis)) or maxaccel_written(to_integer(axis));
       end if;
+      -- One cycle later, as the limit.
+      maxaccel_now <= accels(to_integer(axis));
 
       size_now <= unsigned(velocity_now);
       if velocity_now < 0 then
@@ -318,7 +317,6 @@ begin
         wanted_now   <= (others => '0');
         is_position  <= '1';
         follows      <= '0';
-        is_changed   <= '0';
       end if;
     end if;
 
@@ -382,7 +380,7 @@ begin
 
   end generate of_one;
 
-  needed      <= kept(kept_bits - 1 downto kept_bits - place_bits);
+  unneeded    <= kept(kept_bits - 1 downto kept_bits - place_bits);
   speed       <= kept(speed_bits + age_bits + 5 downto age_bits + 6);
   age         <= (others => '0') when clearing = '1' else
                  unsigned(kept(age_bits + 5 downto 6));
@@ -393,10 +391,8 @@ begin
   points_down <= kept(1);
   has_turned  <= kept(0);
 
-  to_keep <= next_needed & next_speed & std_logic_vector(next_age) & next_down & next_known & next_stands & next_high
+  to_keep <= next_unneeded & next_speed & std_logic_vector(next_age) & next_down & next_known & next_stands & next_high
              & next_points & next_turned;
-
-  is_known <= known and (stands or not is_changed);
 
   ramp_inst : entity work.ul_stepgen_ramp
     generic map (
@@ -415,13 +411,13 @@ begin
       accel       => std_logic_vector(accel),
       is_sudden   => is_sudden,
       place       => place,
-      needed      => needed,
+      unneeded    => unneeded,
       speed       => speed,
       down        => down,
-      known       => is_known,
+      known       => known,
       stands      => stands,
       next_place  => next_place,
-      next_needed => next_needed,
+      next_unneeded => next_unneeded,
       next_speed  => next_speed,
       next_down   => next_down,
       next_known  => next_known,
@@ -467,6 +463,10 @@ begin
 
     signal is_taken   : std_logic;
     signal is_written : std_logic;
+    -- The axis stood at the end of its last look, which may be in the cycle in which the next one begins.
+    signal stood       : std_logic;
+    signal is_still    : std_logic;
+    signal takes_accel : std_logic;
 
   begin
 
@@ -476,7 +476,11 @@ begin
     targets(index)    <= position_cmd(index * 32 + 31 downto index * 32);
     velocities(index) <= signed(velocity_cmd(index * 29 + 28 downto index * 29));
     maxvels(index)    <= unsigned(maxvel(index * 28 + 27 downto index * 28));
-    maxaccels(index)  <= unsigned(maxaccel(index * 28 + 27 downto index * 28));
+
+    -- An acceleration that changes while the axis follows a position would void `needed`.
+    is_still    <= next_stands when is_written = '1' else
+                   stood;
+    takes_accel <= is_taken and (is_still or not obeys(index));
 
     in_position(index) <= is_there(index) and obeys(index);
 
@@ -495,10 +499,14 @@ begin
           position(index * 32 + 31 downto index * 32) <= next_place(fraction + 23 downto fraction - 8);
         end if;
 
+        stood <= is_still;
+        if takes_accel = '1' then
+          accels(index) <= unsigned(maxaccel(index * 28 + 27 downto index * 28));
+        end if;
+
         -- An axis is not yet where it goes by what was written since its commands were taken.
         if is_taken = '1' then
-          dirty(index)   <= '0';
-          changed(index) <= '0';
+          dirty(index) <= '0';
         end if;
         if position_cmd_written(index) = '1' then
           fresh(index) <= '1';
@@ -507,12 +515,8 @@ begin
           dirty(index)    <= '1';
           is_there(index) <= '0';
         end if;
-        if maxaccel_written(index) = '1' then
-          changed(index) <= '1';
-        end if;
         if armed(index) = '0' then
-          fresh(index)   <= '0';
-          changed(index) <= '1';
+          fresh(index) <= '0';
         end if;
 
         if rst = '1' then
@@ -524,7 +528,7 @@ begin
           dir(index)      <= to_std_logic(reverse);
           fresh(index)    <= '0';
           dirty(index)    <= '0';
-          changed(index)  <= '0';
+          stood           <= '1';
         end if;
       end if;
 

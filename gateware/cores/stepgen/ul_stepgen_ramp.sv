@@ -4,7 +4,8 @@
 // more than the acceleration, none is above the limit but one that slows down, and the direction changes at standstill
 // alone. An axis that can stop before its target, or stands, never passes it, and is told to be there exactly where it
 // stands there. One that follows nothing slows down, stands, and stays. Where the acceleration has no limit, the speed is
-// in each round the limit, or all of the way that is left.
+// in each round the limit, or all of the way that is left. The acceleration changes in a round of an axis that stands or
+// follows nothing, and may come a cycle later than the other commands, as ul_stepgen has it.
 //
 // A round has seven cycles, as in ul_stepgen. The last part is the invariant that makes the proof hold without a bound:
 // `needed` is the sum of the speeds from now on, if the axis slows down.
@@ -21,19 +22,21 @@ module ul_stepgen_ramp_properties #(
 	reg [2:0] stage = 0;
 	reg clear = 1, begun = 0;
 	// Commands of this round, and the acceleration of the round before.
-	reg is_position, follows, is_down, is_sudden;
+	reg is_position, follows, is_down;
 	reg [PLACE-1:0] target;
-	reg [SPEED-1:0] taken_wanted, taken_limit, accel, last_accel, passed_wanted, wanted, limit;
-	reg last_sudden;
+	reg [SPEED-1:0] taken_wanted, taken_limit, taken_accel, last_accel, passed_wanted, wanted, limit, accel;
+	reg taken_sudden, last_sudden, is_sudden;
 	// The axis.
-	reg [PLACE-1:0] place, needed;
+	reg [PLACE-1:0] place, unneeded;
 	reg [SPEED-1:0] speed;
-	reg down, kept_known, stands;
+	reg down, known, stands;
 
-	wire [PLACE-1:0] next_place, next_needed;
+	wire [PLACE-1:0] next_place, next_unneeded;
+	wire [PLACE-1:0] needed = ~unneeded, next_needed = ~next_unneeded;
 	wire [SPEED-1:0] next_speed;
 	wire next_down, next_known, next_stands, arrived;
-	wire known = kept_known && (stands || (accel == last_accel && is_sudden == last_sudden));
+	// The acceleration is another one only in a round of an axis that stands or follows nothing.
+	wire takes_accel = !begun || next_stands || !some_follows;
 
 	ul_stepgen_ramp dut (.*);
 
@@ -42,24 +45,28 @@ module ul_stepgen_ramp_properties #(
 		passed_wanted <= taken_wanted;
 		wanted <= passed_wanted;
 		limit <= taken_limit;
+		accel <= taken_accel;
+		is_sudden <= taken_sudden;
 		if (stage == 0) begin
 			begun <= 1;
 			clear <= !begun;
 			is_position <= some_is_position;
 			follows <= some_follows;
 			is_down <= some_is_down;
-			is_sudden <= some_is_sudden;
 			target <= some_target;
 			taken_wanted <= some_wanted > some_limit ? some_limit : some_wanted;
 			taken_limit <= some_limit;
-			accel <= some_is_sudden ? 0 : some_accel == 0 ? 1 : some_accel;
-			last_accel <= accel;
-			last_sudden <= is_sudden;
+			if (takes_accel) begin
+				taken_accel <= some_is_sudden ? 0 : some_accel == 0 ? 1 : some_accel;
+				taken_sudden <= some_is_sudden;
+			end
+			last_accel <= taken_accel;
+			last_sudden <= taken_sudden;
 			place <= next_place;
-			needed <= next_needed;
+			unneeded <= next_unneeded;
 			speed <= next_speed;
 			down <= next_down;
-			kept_known <= next_known;
+			known <= next_known;
 			stands <= next_stands;
 		end
 	end
@@ -125,11 +132,12 @@ module ul_stepgen_ramp_properties #(
 		assert (begun || stage == 0);
 		if (!clear) begin
 			assert (stands == (speed == 0));
-			assert (!stands || kept_known);
+			assert (!stands || known);
 			// The state stays for a round.
 			if (stage == 1)
-				assert (!kept_known || needed == sum);
-			assert (accel != 0 || is_sudden);
+				assert (!known || needed == sum);
+			assert (taken_accel != 0 || taken_sudden);
+			assert (!known || stands || !follows || (taken_accel == last_accel && taken_sudden == last_sudden));
 		end
 	end
 endmodule

@@ -11,9 +11,9 @@
 --   a round at `slower`:                   possible always, if the round before was; it is needed - speed then.
 --
 -- The last bit of a way is shorter than what one round of acceleration gives, and is gone in one round. An axis whose
--- `needed` is not known, because it comes from a velocity or its acceleration was changed, stops first. One that stands
--- takes a round to turn. Where the acceleration has no limit, the speed of a round does not depend on that before it, and
--- `needed` is 0.
+-- `needed` is not known, because it comes from a velocity or has followed nothing in a round, stops first. The
+-- acceleration may change in a round of an axis that stands or follows nothing. An axis that stands takes a round to
+-- turn. Where the acceleration has no limit, the speed of a round does not depend on that before it, and `needed` is 0.
 --
 -- Everything is a register, in every cycle: results follow from what is given, if that stays, six cycles later.
 
@@ -42,26 +42,27 @@ entity ul_stepgen_ramp is
     wanted : in    std_logic_vector(speed_bits - 1 downto 0);
     -- Of the speed that is wanted.
     is_down : in    std_logic;
-    -- May come one cycle later than all others.
+    -- May come one cycle later than all others, and so may the acceleration.
     limit : in    std_logic_vector(speed_bits - 1 downto 0);
     accel : in    std_logic_vector(speed_bits - 1 downto 0);
     -- `accel` has no limit, and is 0.
     is_sudden : in    std_logic;
     -- State of the axis.
-    place  : in    std_logic_vector(place_bits - 1 downto 0);
-    needed : in    std_logic_vector(place_bits - 1 downto 0);
-    speed  : in    std_logic_vector(speed_bits - 1 downto 0);
-    down   : in    std_logic;
+    place : in    std_logic_vector(place_bits - 1 downto 0);
+    -- The complement of `needed`, -1 - needed: an iCE40 subtracts it without a LUT for the inversion of each bit.
+    unneeded : in    std_logic_vector(place_bits - 1 downto 0);
+    speed    : in    std_logic_vector(speed_bits - 1 downto 0);
+    down     : in    std_logic;
     -- `needed` holds; it does for an axis that stands.
     known  : in    std_logic;
     stands : in    std_logic;
     -- The next state, six cycles later; the speed and the direction are there one cycle sooner.
-    next_place  : out   std_logic_vector(place_bits - 1 downto 0);
-    next_needed : out   std_logic_vector(place_bits - 1 downto 0);
-    next_speed  : out   std_logic_vector(speed_bits - 1 downto 0);
-    next_down   : out   std_logic;
-    next_known  : out   std_logic;
-    next_stands : out   std_logic;
+    next_place    : out   std_logic_vector(place_bits - 1 downto 0);
+    next_unneeded : out   std_logic_vector(place_bits - 1 downto 0);
+    next_speed    : out   std_logic_vector(speed_bits - 1 downto 0);
+    next_down     : out   std_logic;
+    next_known    : out   std_logic;
+    next_stands   : out   std_logic;
     -- It stands at its target, and did.
     arrived : out   std_logic
   );
@@ -162,7 +163,7 @@ begin
       else
         away <= sum_of(unsigned(target), not unsigned(place), not down);
 
-        spare  <= signed(ahead) - signed('0' & needed);
+        spare  <= signed(sum_of(ahead, '1' & unsigned(unneeded), '1'));
         slower <= ('0' & unsigned(speed)) - unsigned(accel);
         rise   <= unsigned(accel);
         if is_sudden = '1' or unsigned(accel) > unsigned(limit) then
@@ -204,8 +205,8 @@ begin
   next_speed <= std_logic_vector(new_speed);
 
   is_still <= to_std_logic(new_speed = 0);
-  change   <= resize(new_speed, place_bits) when gained = '1' else
-              not resize(unsigned(speed), place_bits);
+  change   <= not resize(new_speed, place_bits) when gained = '1' else
+              resize(unsigned(speed), place_bits);
   way      <= not resize(new_speed, place_bits) when down = '1' else
               resize(new_speed, place_bits);
 
@@ -214,20 +215,20 @@ begin
 
     if rising_edge(clk) then
       if clear = '1' then
-        next_place  <= (others => '0');
-        next_needed <= (others => '0');
-        next_known  <= '1';
-        next_stands <= '1';
-        arrived     <= '0';
+        next_place    <= (others => '0');
+        next_unneeded <= (others => '1');
+        next_known    <= '1';
+        next_stands   <= '1';
+        arrived       <= '0';
       else
-        next_place  <= std_logic_vector(sum_of(unsigned(place), way, down));
-        next_needed <= needed;
+        next_place    <= std_logic_vector(sum_of(unsigned(place), way, down));
+        next_unneeded <= unneeded;
         if is_still = '1' or is_sudden = '1' then
-          next_needed <= (others => '0');
+          next_unneeded <= (others => '1');
         elsif gained = '1' or kept = '0' then
-          next_needed <= std_logic_vector(sum_of(unsigned(needed), change, not gained));
+          next_unneeded <= std_logic_vector(sum_of(unsigned(unneeded), change, gained));
         end if;
-        next_known  <= is_still or (known and is_position);
+        next_known  <= is_still or (known and is_position and follows);
         next_stands <= is_still;
         arrived     <= arrives and is_still;
       end if;
