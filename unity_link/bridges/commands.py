@@ -116,7 +116,7 @@ class SignalCommands:
         for error in errors:
             self._faults.tell(str(error))
         for proxy, _, words in {value.proxy: value for value in values}.values():
-            proxy.see(proxy.scalar(proxy.signal.decode(words)))
+            proxy.see(proxy.decode(words))
 
     async def _look(self) -> None:
         """Look again and again what has become of what was posted, and whether the gateway is away."""

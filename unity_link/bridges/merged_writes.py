@@ -33,7 +33,7 @@ class Value(NamedTuple):
         Raises:
             ArgumentError: for one that the signal does not take.
         """
-        return cls(proxy, value, proxy.signal.encode(value))
+        return cls(proxy, value, proxy.encode(value))
 
 
 Objects = list[list[Value]]

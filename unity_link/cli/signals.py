@@ -140,7 +140,7 @@ async def _set(
         for path, value in values:
             proxy: Any = robot[path]
             await proxy.set(value)
-            written[proxy] = proxy.scalar(proxy.signal.decode(proxy.signal.encode(value)))
+            written[proxy] = proxy.decode(proxy.encode(value))
     if json:
         print_json({"url": url, "values": {proxy.path: plain(value) for proxy, value in written.items()}})
         return

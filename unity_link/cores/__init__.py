@@ -91,6 +91,9 @@ class Surroundings(Protocol):
     def is_empty(self) -> bool:
         """Return whether nothing waits in the schedules of what the component guards, as a lease does."""
 
+    def put(self, name: str, value: Any) -> None:
+        """Set what programs read of a signal; a plant goes on with the value that it has set."""
+
     def commit(self, words: Mapping[int, int]) -> None:
         """Write words of 32 bits to signals that the component times, by their places on its stage."""
 
@@ -170,6 +173,11 @@ class Model(_Placement):
     def __init__(self, component: ComponentSpec, part: Any, around: Surroundings) -> None:
         super().__init__(component, part)
         self.around = around
+
+    def is_wired(self, pin: str) -> bool:
+        """Return whether a pin is not `none` in the spec; an input that is stays at its level without a wire."""
+        assert self.component.core is not None
+        return any(one.name == pin and one.is_used for one in self.component.core.pins)
 
     def show(self, **values: Any) -> None:
         """Set the values of signals, by their names. It costs little where a signal has that value."""

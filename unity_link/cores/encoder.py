@@ -20,49 +20,88 @@ LONGEST = 0.5
 
 
 class EncoderModel(Model):
-    """Velocity by the time between counts, and the index once a turn; the pins are not looked at."""
+    """Velocity by the time between counts, and the index once a turn, from the position that a plant sets.
+
+    What the pins that are `none` do not show is not counted, as the entity has it.
+    """
 
     def __init__(self, component: ComponentSpec, part: Any, around: Surroundings) -> None:
         super().__init__(component, part, around)
         signals = {signal.name: signal for signal in component.signals}
-        self._count = abs(signals["position"].kind.scale)
-        """One count, in the unit of the position."""
-        self._turn = float(component.arguments.get("COUNTS", 0)) * self._count
+        self._scale = signals["position"].kind.step
+        self._turn = int(float(component.arguments.get("COUNTS", 0))) if self.is_wired("z") else 0
+        """Counts from one index to the next; 0 without one."""
         self._limits = signals["velocity"].limits
-        self._position = 0.0
-        self._at = 0
-        """Cycle of the last count."""
-        self._between = 0.0
-        """Seconds between the last two counts."""
+        self._is_counter = bool(self.generics.get("counter", False))
+        self._has_a, self._has_b = self.is_wired("a"), self.is_wired("b")
+        self.reset()
 
     def reset(self) -> None:
         """Begin at 0."""
         part = self.part
         part.position, part.velocity, part.index_position, part.index_count, part.errors = 0, 0, 0, 0, 0
-        self._position, self._at = 0.0, self.around.now
+        self._plant = 0
+        """Position of the plant, in counts."""
+        self._position = 0.0
+        """The position that is counted."""
+        self._at = self.around.now
+        """Cycle of the last count."""
+        self._between = 0.0
+        """Seconds between the last two counts."""
 
     def step(self, dt: float) -> None:  # noqa: ARG002  (the clock says more)
         """Follow the position."""
-        part, moved = self.part, self.part.position - self._position
+        part, before = self.part, self._plant
+        self._plant = round(part.position / self._scale)
+        position = self._counted(self._plant - before)
+        if not (self._has_a and self._has_b):
+            self.around.put("position", position)
+        self._see_index(before, position)
+        moved, self._position = position - self._position, position
         passed = (self.around.now - self._at) / self.around.clock_hz
         if not moved:
             # There was no count for so long, so it is no quicker than one in that time. A plant moves in steps, between
             # which there is none either.
             if passed > 1.5 * self._between and part.velocity:
-                most = self._count / passed if passed < LONGEST else 0.0
+                most = abs(self._scale) / passed if passed < LONGEST else 0.0
                 self._set_velocity(math.copysign(min(abs(part.velocity), most), part.velocity))
             return
-        if passed > 0:
+        self._at = self.around.now
+        # An axis that swings over one edge has no velocity.
+        swings = not self._is_counter and not (self._has_a and self._has_b)
+        if passed > 0 and not swings:
             self._between = passed
             self._set_velocity(moved / passed)
-        if self._turn and (turns := self._turns(part.position) - self._turns(self._position)):
-            part.index_count = (part.index_count + abs(turns)) % (1 << 16)
-            at = max(self._turns(part.position), self._turns(self._position)) * self._turn
-            part.index_position = at
-        self._position, self._at = part.position, self.around.now
 
-    def _turns(self, position: float) -> int:
-        return math.floor(position / self._turn + 1e-9)
+    def _counted(self, moved: int) -> float:
+        """Return the position that is counted from the pins that there are, when the plant has moved by some counts."""
+        if self._has_a and (self._has_b or self._is_counter):
+            if self._has_b:
+                return float(self.part.position)
+            # Each edge of a counts upwards.
+            return self._position + abs(moved) * self._scale
+        if self._is_counter:
+            return 0.0
+        # Of one pin alone a level counts one way, and its end back.
+        a, b = _LEVELS[self._plant % 4]
+        return self._scale * ((a if self._has_a else 0) - (b if self._has_b else 0))
+
+    def _see_index(self, before: int, position: float) -> None:
+        """Count the edges of z, which is 1 for one count in a turn, on the way of the plant."""
+        if not self._turn or self._plant == before:
+            return
+        # The last index that the plant comes to, and how many there are behind it.
+        if self._plant > before:
+            last, first = self._plant // self._turn, before // self._turn + 1
+        else:
+            last, first = -(-self._plant // self._turn), -(-before // self._turn) - 1
+        passed = (last - first) * (1 if self._plant > before else -1) + 1
+        if passed <= 0:
+            return
+        part = self.part
+        part.index_count = (part.index_count + passed) % (1 << 16)
+        is_whole = self._has_a and self._has_b
+        part.index_position = last * self._turn * self._scale if is_whole else position
 
     def _set_velocity(self, velocity: float) -> None:
         low, high = self._limits

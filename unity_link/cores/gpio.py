@@ -16,7 +16,8 @@ class GpioModel(Model):
     def step(self, dt: float) -> None:  # noqa: ARG002  (edges have their instant by the clock)
         """See the level of the pin: of what drives it, the core goes before the plant."""
         part = self.part
-        level = part.output if part.drive else bool(part.pin)
+        # An input without a pin is 0, also if the core drives its output.
+        level = part.output if part.drive and self.is_wired("pin") else bool(part.pin)
         if level == part.level:
             return
         part.level = level

@@ -18,6 +18,8 @@ LOOK_AGAIN = 0.005
 """Seconds between two looks at an axis that is on its way."""
 _ROUND = 1 << 24
 """Steps at which a position goes round."""
+_SLICE = 0.001
+"""Seconds after which the shortest way is looked for again, where that may be another one."""
 _CLOSE = 1e-9
 """Part of a way, a speed or a step that is none."""
 
@@ -31,15 +33,26 @@ class StepgenVerbs(Verbs):
         It waits for as long as that takes; in ``asyncio.timeout`` no longer than that.
 
         Args:
-            position: in the unit of `position_cmd`.
+            position: in the unit of `position_cmd`; less than half a round of 2 ** 24 steps away.
 
         Raises:
             NotArmedError: where its lease is not armed, or ends on the way: then the axis stops by itself.
-            ArgumentError: for a position that `position_cmd` cannot have.
+            ArgumentError: for a position that `position_cmd` cannot have, or too far away.
             UnityLinkError: where `mode` or `position_cmd` was written on the way, or the gateway was reset.
         """
         axis: Any = self
-        wanted = axis.position_cmd.signal.encode(position)
+        kind = axis.position_cmd.signal.kind
+
+        def number(value: float) -> int:
+            raw: int = kind.encode(kind.wrapped(value) if kind.wraps else value)
+            return raw
+
+        # Farther away than half a round, the shortest way would lead to another place that reads the same.
+        await axis.position.get()
+        axis.position_cmd.encode(position)
+        if axis.position.laps is not None:
+            axis.position.laps.check_near(position, axis.position.link.epoch, axis.position_cmd.path)
+        wanted = number(position)
         await axis.mode.set("position")
         await axis.position_cmd.set(position)
         while True:
@@ -50,7 +63,7 @@ class StepgenVerbs(Verbs):
             if holds and safe is not None:
                 registers = LeaseRegisters(axis.position_cmd.robot, safe.lease)
                 raise await registers.fault(await registers.condition())
-            if holds or mode != "position" or axis.position_cmd.signal.encode(target) != wanted:
+            if holds or mode != "position" or number(target) != wanted:
                 name = axis.position_cmd.path.rpartition(".")[0]
                 raise UnityLinkError(f"{name} does not go to {position:g}: it was told something else on the way")
             if is_there:
@@ -76,12 +89,8 @@ class StepgenModel(Model):
 
     def __init__(self, component: ComponentSpec, part: Any, around: Any) -> None:
         super().__init__(component, part, around)
-        signals = {signal.name: signal for signal in component.signals}
-        self._step = abs(signals["maxaccel"].kind.scale)
-        """One step, in the unit of the position."""
-        between = sum(int(self.generics.get(name, 2000)) for name in ("steplen_ns", "stepspace_ns"))
-        self._fastest = self._step * 1e9 / between if between else math.inf
-        self._motion = Motion()
+        self._kind = next(signal for signal in component.signals if signal.name == "position").kind
+        self._motion = Motion(self._kind.span)
         self._is_fresh = False
 
     def disarmed(self) -> None:
@@ -90,7 +99,7 @@ class StepgenModel(Model):
 
     def reset(self) -> None:
         """Stand at 0."""
-        self._motion = Motion()
+        self._motion = Motion(self._kind.span)
         self._is_fresh = False
         self._move(0)
 
@@ -104,14 +113,15 @@ class StepgenModel(Model):
         self._is_fresh = self._is_fresh and self.around.is_armed
         at_velocity = part.mode == "velocity"
         obeys = self.around.is_armed and (self._is_fresh or at_velocity)
-        limit = min(part.maxvel, self._fastest)
-        accel = part.maxaccel or math.inf
-        if obeys and not at_velocity:
-            motion.go_to(part.position_cmd, limit, accel, dt)
+        limit, accel = part.maxvel, part.maxaccel or math.inf
+        if not obeys:
+            motion.stop(accel, dt)
+        elif at_velocity:
+            motion.go_at(min(max(part.velocity_cmd, -limit), limit), accel, dt)
         else:
-            motion.go_at(min(max(part.velocity_cmd, -limit), limit) if obeys else 0.0, accel, dt)
+            motion.go_to(part.position_cmd, limit, accel, dt)
         self.show(
-            position=motion.place,
+            position=self._kind.within(motion.place),
             velocity=motion.speed,
             holding=not obeys,
             in_position=obeys and not at_velocity and motion.stands_at(part.position_cmd),
@@ -145,47 +155,98 @@ class StepgenAtPins(AtPins):
 
 
 class Motion:
-    """A place and a speed that change with time; speeds of either sign, accelerations above 0."""
+    """A place and a speed that change with time; speeds of either sign, accelerations above 0.
 
-    def __init__(self) -> None:
+    A new acceleration acts when it stands, or is stopped.
+
+    Args:
+        span: after which a target is the same place again; the place itself counts on.
+    """
+
+    def __init__(self, span: float = math.inf) -> None:
         self.place = self.speed = 0.0
+        self.accel = math.inf
+        """The acceleration that acts."""
+        self._span = span
 
     def stands_at(self, target: float) -> bool:
         """Return whether it stands at a place, to what numbers can tell."""
-        return not self.speed and self.place == target
+        return not self.speed and abs(self._way(target)) <= _CLOSE * max(abs(target), abs(self.place), 1)
+
+    def stop(self, accel: float, seconds: float) -> None:
+        """Slow down for some time, by an acceleration that acts at once."""
+        self.accel = accel
+        self._go_at(0.0, seconds)
 
     def go_at(self, speed: float, accel: float, seconds: float) -> None:
         """Move for some time, and change the speed to another one."""
-        taken = min(abs(speed - self.speed) / accel, seconds)
-        self._pass(taken, math.copysign(accel, speed - self.speed) if taken else 0.0)
-        if taken < seconds or math.isinf(accel):
+        if not self.speed:
+            self.accel = accel
+        elif self.speed * speed < 0:
+            # It stands where it turns.
+            needed = abs(self.speed) / self.accel
+            if needed >= seconds:
+                self._go_at(0.0, seconds)
+                return
+            self._go_at(0.0, needed)
+            self.speed, self.accel, seconds = 0.0, accel, seconds - needed
+        self._go_at(speed, seconds)
+
+    def _go_at(self, speed: float, seconds: float) -> None:
+        taken = min(abs(speed - self.speed) / self.accel, seconds)
+        self._pass(taken, math.copysign(self.accel, speed - self.speed) if taken else 0.0)
+        if taken < seconds or math.isinf(self.accel):
             self.speed = speed
             self._pass(seconds - taken, 0.0)
 
     def go_to(self, target: float, limit: float, accel: float, seconds: float) -> None:
-        """Move for some time, to a place and as soon as that can be: without passing it, unless it is too near."""
-        if math.isinf(accel):
-            way = target - self.place
-            self.speed = math.copysign(limit, way) if abs(way) > limit * seconds else 0.0
-            self.place = self.place + self.speed * seconds if self.speed else target if limit else self.place
-            return
-        while seconds > 0 and not self.stands_at(target):
-            seconds -= self._phase(target, limit, accel, seconds)
+        """Move for some time, by the shortest way to a place: without passing it, unless it is too near.
 
-    def _phase(self, target: float, limit: float, accel: float, seconds: float) -> float:
+        To a place exactly opposite it does not go.
+        """
+        if not self.speed:
+            self.accel = accel
+        while not math.isinf(self.accel):
+            way = self._way(target)
+            if seconds <= 0 or self.stands_at(target) or (not self.speed and self._is_opposite(way)):
+                return
+            seconds -= self._phase(way, limit, self.accel, seconds)
+            if not self.speed:
+                self.accel = accel
+                if self.stands_at(target):
+                    self.place = self._nearest(target)
+        way = self._way(target)
+        self.speed = math.copysign(limit, way) if abs(way) > limit * seconds and not self._is_opposite(way) else 0.0
+        if self.speed:
+            self.place += self.speed * seconds
+        elif limit and not self._is_opposite(way):
+            self.place = self._nearest(target)
+
+    def _nearest(self, target: float) -> float:
+        """Return the place nearest to here that is a target."""
+        return target if math.isinf(self._span) else target + self._span * round((self.place - target) / self._span)
+
+    def _way(self, target: float) -> float:
+        return self._nearest(target) - self.place
+
+    def _is_opposite(self, way: float) -> bool:
+        return abs(abs(way) - self._span / 2) <= _CLOSE * self._span if math.isfinite(self._span) else False
+
+    def _phase(self, way: float, limit: float, accel: float, seconds: float) -> float:
         """Move in one of the phases of a way, or its part that fits into some time; return the seconds that it took."""
-        way = target - self.place
         sign = math.copysign(1.0, self.speed or way)
-        ahead, speed = sign * way, abs(self.speed)
+        ahead, speed = -abs(way) if self._is_opposite(way) else sign * way, abs(self.speed)
         stop = speed * speed / (2 * accel)
-        slack = _CLOSE * (abs(target) + stop)
+        slack = _CLOSE * (abs(self.place) + abs(way) + stop)
         if ahead < stop - slack or speed > limit * (1 + _CLOSE):
-            # It cannot stop before, or is too fast.
+            # It cannot stop before, or is too fast. Farther away than half a round, the way ahead is the shorter one.
             slower = limit if ahead >= stop - slack else 0.0
-            return self._change(sign * slower, accel, seconds)
+            return self._change(
+                sign * slower, accel, min(seconds, _SLICE) if stop - ahead > self._span / 2 else seconds
+            )
         if ahead <= stop + slack:
             if not speed or seconds >= speed / accel:
-                self.place, self.speed = target, 0.0
+                self.place, self.speed = self.place + way, 0.0
                 return speed / accel
             return self._change(0.0, accel, seconds)
         if not limit:

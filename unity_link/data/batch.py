@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     import polars as pl
     from numpy.typing import NDArray
 
+    from unity_link.data.laps import ColumnLaps
     from unity_link.data.layout import GroupLayout
     from unity_link.data.proxies import Proxy
     from unity_link.data.tables import Clock
@@ -142,19 +143,23 @@ class Batch(Sealed):
     ``batch[robot.j1.cpos]`` is the column of a signal. Iteration gives the samples one by one.
     """
 
-    def __init__(self, layout: GroupLayout, samples: Sequence[Sample]) -> None:
+    def __init__(
+        self, layout: GroupLayout, samples: Sequence[Sample], counted: Mapping[int, NDArray[Any]] | None = None
+    ) -> None:
         self.layout = layout
         """Signals of the samples, and their places in the words."""
         self.at = _monotonic(samples[-1].arrived)
         """Instant at which the last one arrived, by `time.monotonic`."""
         self.samples = samples
         """Samples as they came."""
+        self.counted: Mapping[int, NDArray[Any]] = {} if counted is None else counted
+        """Values of signals with WRAPS, with their rounds, by the places of these; each of shape (samples,)."""
 
     def _called(self) -> str:
         return "a batch of samples"
 
     def _data(self) -> tuple[Any, ...]:
-        return self.layout, self.samples
+        return self.layout, self.samples, self.counted
 
     def __len__(self) -> int:
         """Return the number of samples."""
@@ -179,13 +184,20 @@ class Batch(Sealed):
         for sample, row in zip(self.samples, rows, strict=True):
             yield GroupSample(sample.sequence, sample.time, sample.arrived, Values(proxies, row), sample.lost)
 
+    def with_rounds(self, laps: ColumnLaps) -> Batch:
+        """Return the same samples with the rounds of signals with WRAPS, which follow those that `laps` has seen."""
+        made = Batch(self.layout, self.samples, laps.count(self.words, self.epoch, self.at))
+        vars(made)["words"] = self.words
+        return made
+
     def behind(self, count: int, lost: int = 0) -> Batch:
         """Return the samples behind the first `count`; the first of them counts these, and `lost` others, as lost."""
         if not count + lost:
             return self
         lost += count + int(self.lost[: count + 1].sum())
         first, *others = self.samples[count:]
-        return Batch(self.layout, [msgspec.structs.replace(first, lost=lost), *others])
+        counted = {place: column[count:] for place, column in self.counted.items()}
+        return Batch(self.layout, [msgspec.structs.replace(first, lost=lost), *others], counted)
 
     def see(self, asked: float) -> None:
         """Keep each signal's last value of it, or call its handlers of changes with each value.
@@ -251,7 +263,8 @@ class Batch(Sealed):
     @functools.cached_property
     def columns(self) -> dict[Proxy[Any], NDArray[Any]]:
         """The values of all signals, each of shape (samples,), as the type that its kind has."""
-        return self.layout.columns(self.words)
+        columns = self.layout.columns(self.words)
+        return columns | {self.proxies[place]: column for place, column in self.counted.items()}
 
     @functools.cached_property
     def words(self) -> Words:

@@ -6,16 +6,18 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from unity_link.data.laps import ColumnLaps
 from unity_link.errors import ArgumentError
 from unity_link.link.synchronisation import gather
 from unity_link.spec import Effect
 from unity_link.spec.columns import Columns
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Hashable, Sequence
 
     from numpy.typing import NDArray
 
+    from unity_link.data.laps import Laps
     from unity_link.data.proxies import Proxy
     from unity_link.link.link import Link
     from unity_link.protocol.arrays import Words
@@ -44,6 +46,10 @@ class GroupLayout:
         # Thousands of batches of dozens of signals may come a second, and to find an attribute of a class that has a
         # `__getattr__` takes longer than all else that `Batch.see` does.
         self.lasts = [(proxy, proxy._last) for proxy in proxies]  # noqa: SLF001  (once; nobody else is to see it)
+        # Those that count for others first.
+        self._wrapping = sorted(
+            (proxy for proxy in proxies if proxy.laps is not None), key=lambda proxy: proxy.signal.laps_of != proxy.path
+        )
         self._named = [(place, proxy) for place, proxy in enumerate(proxies) if proxy.signal.kind.enumeration]
 
     def __reduce__(self) -> Any:
@@ -103,7 +109,21 @@ class GroupLayout:
         row = self._columns.row(words)
         for place, proxy in self._named:
             row[place] = proxy.scalar(row[place])
+        for proxy in self._wrapping:
+            place = self.places[proxy]
+            row[place] = proxy.counted(row[place])
         return row
+
+    def laps(self) -> ColumnLaps | None:
+        """Return the rounds of a stream of samples, from what was seen; None without a signal with WRAPS."""
+        if not self._wrapping:
+            return None
+        bases = [
+            proxy if proxy.signal.laps_of in {None, proxy.path} else proxy.robot[proxy.signal.laps_of]
+            for proxy in self.proxies
+        ]
+        known: dict[Hashable, Laps] = {base: base.laps for base in bases if base.laps is not None}
+        return ColumnLaps([proxy.signal for proxy in self.proxies], self.addresses, self.proxies, bases, known)
 
     def columns(self, words: Words) -> dict[Proxy[Any], NDArray[Any]]:
         """Return the values in words of shape (samples, addresses), by their proxies, each of shape (samples,)."""

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Generic, Never, Protocol, cast
 from typing_extensions import TypeVar
 
 from unity_link.data.callbacks import Callback, Registration
+from unity_link.data.laps import Laps
 from unity_link.errors import ArgumentError, Sealed, missing
 from unity_link.modules import link_under
 
@@ -79,7 +80,7 @@ class Proxy(Sealed, Generic[T]):
     A copy of it is itself. Out of a pickle, which links do not go through, it has its path and unit alone.
     """
 
-    __slots__ = ("_last", "_names", "bus", "link", "robot", "signal")
+    __slots__ = ("_laps", "_last", "_names", "bus", "link", "robot", "signal")
 
     def __init__(self, signal: Signal, robot: Owner, bus: Bus) -> None:
         self.signal = signal
@@ -93,6 +94,7 @@ class Proxy(Sealed, Generic[T]):
             known = robot.enumeration(signal.kind.enumeration)
             self._names = {int(member): member for member in known}
         self._last: _Last[T] = _Last()
+        self._laps = Laps(signal) if signal.laps_of == signal.path else None
 
     if not TYPE_CHECKING:  # A type checker refuses them by itself.
 
@@ -203,10 +205,46 @@ class Proxy(Sealed, Generic[T]):
             return cast("T", value)
         return cast("T", self._names.get(int(value), int(value)))
 
+    @property
+    def laps(self) -> Laps | None:
+        """The rounds that count for its values; None for a signal without WRAPS."""
+        base = self.signal.laps_of
+        if self._laps is not None or base is None or self.is_alone():
+            return self._laps
+        return self.robot[base].laps
+
+    def counted(self, value: T) -> T:
+        """Return a value that was just read, or was written, with the rounds of a signal with WRAPS."""
+        laps = self.laps
+        if laps is None:
+            return value
+        epoch = self.link.epoch
+        near: T = laps.near(value, epoch)
+        if laps is self._laps:
+            laps.see(near, epoch, time.monotonic())
+        return near
+
+    def decode(self, words: int | Sequence[int]) -> T:
+        """Return the value of words that were just read, or written."""
+        return self.counted(self.scalar(self.signal.decode(words)))
+
+    def encode(self, value: Any) -> tuple[int, ...]:
+        """Return the words of a value, one for each address, as `Signal.encode`; with WRAPS also beyond the range.
+
+        Raises:
+            ArgumentError: for a value that its kind cannot say, outside of the limits, or too far from what was seen
+                last of a signal with WRAPS.
+        """
+        laps = self.laps
+        given: object = value
+        if laps is not None and isinstance(given, int | float) and not isinstance(given, bool) and math.isfinite(given):
+            value = laps.register_value(value, self.link.epoch, self.path)
+        return self.signal.encode(value)
+
     def see_written(self, words: Sequence[int]) -> None:
         """Keep the value of words that were written as the last one, unless they are not what is read then."""
         if self.signal.effect is None:
-            self.see(self.scalar(self.signal.decode(words)))
+            self.see(self.decode(words))
 
     def see(self, value: T, at: float | None = None) -> None:
         """Keep a value as the last one, and call the handlers that wait for another one.
@@ -229,7 +267,7 @@ class Proxy(Sealed, Generic[T]):
 def _alone(signal: Signal, names: dict[int, Any] | None) -> Proxy[Any]:
     """Return a signal of no robot."""
     made: Proxy[Any] = object.__new__(Proxy)
-    given: dict[str, Any] = {"signal": signal, "_names": names, "_last": _Last(), "_is_sealed": True}
+    given: dict[str, Any] = {"signal": signal, "_names": names, "_laps": None, "_last": _Last(), "_is_sealed": True}
     for name, value in given.items():
         object.__setattr__(made, name, value)
     return made

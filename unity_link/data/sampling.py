@@ -175,7 +175,7 @@ class Poll:
     def _sample(self, words: Words) -> Sample:
         self._last = words
         self._sequence += self._lost
-        sample = Sample(self._sequence, None, time.time(), words, self._lost)
+        sample = Sample(self._sequence, None, time.time(), words, self._lost, self._layout.link.epoch)
         self._sequence += 1
         self._lost = 0
         self.received += 1
@@ -196,6 +196,7 @@ class GroupSubscription(Sealed):
         self._waiting: dict[asyncio.Task[Batch], int] = {}
         self._read = [(layout, source, [-1]) for layout, source in sources]
         """The same, each with the sequence of the last sample that signals have seen."""
+        self._laps = [layout.laps() for layout, _ in sources]
         self._batch: Batch | None = None
         """Batch that iteration took last."""
         self._rest: list[GroupSample] = []
@@ -274,7 +275,9 @@ class GroupSubscription(Sealed):
         layout, source, seen = self._read[number]
         asked = time.monotonic()
         samples = await source.take(count)
-        batch = fresh = Batch(layout, samples)
+        laps = self._laps[number]
+        batch = Batch(layout, samples)
+        batch = fresh = batch if laps is None else batch.with_rounds(laps)
         if samples[0].sequence <= seen[0]:
             # They were given back, and no change is to be told twice.
             again = sum(sample.sequence <= seen[0] for sample in samples)

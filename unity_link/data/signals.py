@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Generic, Protocol, cast, overload
+from typing import TYPE_CHECKING, Generic, Protocol, overload
 
 from unity_link.data.proxies import BUFFER, Owner, Proxy, S, T, nothing_publishes, refusal
 from unity_link.errors import BusError, UnsupportedError, refusing
@@ -95,10 +95,10 @@ class Readable(SampledSignal[T]):
                 raise UnsupportedError(f"{signal.path} {message}")
             value = self.scalar(signal.decode(int((await self.bus.read_queue(signal.address, 1))[0])))
         elif words == 1:
-            value = self.scalar(signal.decode(await self.bus.read(signal.address)))
+            value = self.decode(await self.bus.read(signal.address))
         else:
             block = await self.bus.read_block(signal.address, words)
-            value = self.scalar(signal.decode(block.tolist()))
+            value = self.decode(block.tolist())
         self.see(value)
         return value
 
@@ -137,7 +137,7 @@ class Writable(Proxy[T], Generic[T, S]):
             from unity_link.cores.timeline import set_at
 
             return await set_at(self, value, at)
-        words = self.signal.encode(cast("Any", value))
+        words = self.encode(value)
         try:
             await self._write(words)
         except BusError as error:
@@ -168,7 +168,7 @@ class Writable(Proxy[T], Generic[T, S]):
         if signal.is_field or signal.words > 1:
             await self.set(value)
             return
-        (word,) = signal.encode(cast("Any", value))
+        (word,) = self.encode(value)
         await self.bus.post(signal.address, word)
         self.see_written((word,))
 

@@ -53,7 +53,7 @@ def _encode(proxy: Proxy[Any], value: Any) -> tuple[int, ...]:
         raise ArgumentError(f"{proxy.path} can only be read")
     if proxy.signal.fifo:
         raise ArgumentError(f"{proxy.path} is the port of a queue, to which each write appends a word")
-    return proxy.signal.encode(value)
+    return proxy.encode(value)
 
 
 def _writings(

@@ -179,6 +179,11 @@ class Connection:
         return self._name
 
     @property
+    def epoch(self) -> int:
+        """Number of the session, as samples have it: 0, and one more after each reconnection or reset."""
+        return self._session.epoch
+
+    @property
     def connected(self) -> bool:
         """Return whether there is a session now; not while it is being opened again, nor after the end."""
         return self._session.is_open

@@ -74,6 +74,11 @@ class MappedLink(Link):
             self._bus.close()
 
     @property
+    def epoch(self) -> int:
+        """Number of the session: there is one."""
+        return 0
+
+    @property
     def connected(self) -> bool:
         """Return whether the bus is mapped."""
         return self._words_at is not _CLOSED

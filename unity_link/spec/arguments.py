@@ -78,6 +78,7 @@ ACCESS = (
     ArgumentSlot("GROUP", Shape.CLAUSE, clause=(ArgumentSlot("GROUP", Shape.GROUP, *GROUP_NUMBER, required=True),)),
     ArgumentSlot("FIFO", Shape.CLAUSE, clause=(ArgumentSlot("WORDS", Shape.WHOLE, 1, 1 << 32),)),
     ArgumentSlot("EFFECT", Shape.EFFECT),
+    ArgumentSlot("WRAPS", Shape.CLAUSE, clause=(ArgumentSlot("OF", Shape.SIGNAL),)),
     ArgumentSlot("SCALE", Shape.NUMBER),
     ArgumentSlot("OFFSET", Shape.NUMBER),
     ArgumentSlot("UNIT", Shape.TEXT),

@@ -183,6 +183,7 @@ class Builder:
             reset=parts.reset,
             safe=parts.safe,
             timed=parts.timed,
+            laps_of=where.path_of(parts.laps_of, None) if parts.laps_of else None if parts.laps_of is None else path,
             pin=bound.get("PIN"),
             module=module,
             doc="\n".join(node.doc),
@@ -192,7 +193,8 @@ class Builder:
             group.signals.append((signal, SignalPlace(source, node.name.place)))
         identity = SignalPlace(source, parts.places.get("ID", node.name.place))
         timed = SignalPlace(source, parts.places.get("TIMED", node.name.place))
-        self._draft.signals.append(Placed(signal, address.place, identity, timed))
+        wraps = SignalPlace(source, parts.places.get("WRAPS", node.name.place))
+        self._draft.signals.append(Placed(signal, address.place, identity, timed, wraps))
         return signal
 
     def _address(self, evaluator: Evaluator, node: SignalDeclaration, where: Where) -> Address:

@@ -78,6 +78,8 @@ class Placed(NamedTuple):
     id: SignalPlace
     timed: SignalPlace
     """Place of its TIMED."""
+    wraps: SignalPlace
+    """Place of its WRAPS."""
 
 
 class AxesLimit(NamedTuple):
@@ -120,6 +122,7 @@ class InterfaceDraft:
         self._check_overlaps()
         self._check_memories()
         self._check_ids()
+        self._check_wraps()
         self._number_groups()
         groups = {draft.name: self._group(draft) for draft in self.groups.values() if draft.signals}
         return tuple(self._timed(group, list(groups.values())) for group in groups.values())
@@ -365,6 +368,24 @@ class InterfaceDraft:
                 self._error(placed.id, "id-twice", message, other=(first.id, f"{first.signal.path} has it here"))
 
     # Groups
+
+    def _check_wraps(self) -> None:
+        """Check that a signal whose rounds are counted by another one has such a one, of the same numbers."""
+        by_path = {placed.signal.path: placed.signal for placed in self.signals}
+        for placed in self.signals:
+            signal = placed.signal
+            if signal.laps_of in {None, signal.path}:
+                continue
+            other = by_path.get(signal.laps_of or "")
+            name = (signal.laps_of or "").rpartition(".")[2]
+            if other is None or other.laps_of != other.path or not other.access.reads:
+                message = (
+                    f"{signal.path} wraps as {name} does, which is no signal of its component that is read and wraps"
+                )
+                self._error(placed.wraps, "bad-wraps", message, f"as in @{name}: signed READ(WRAPS);")
+            elif other.kind != signal.kind:
+                message = f"{signal.path} wraps as {name} does, which has other numbers"
+                self._error(placed.wraps, "bad-wraps", message, "give both one kind, SCALE and OFFSET")
 
     def _number_groups(self) -> None:
         used: dict[int, GroupDraft] = {}

@@ -28,6 +28,8 @@ Value: TypeAlias = bool | int | float
 """Value of a signal in a program; of an enumeration a member of its `IntEnum`, or a number without name."""
 
 MOST_BITS = 64
+MOST_WRAPPED = 48
+"""Bits of a number whose rounds are counted: of these rounds a float has 32 exactly, and a whole number 32,768."""
 _NATIVE_BITS = (8, 16, 32, 64)
 """Bits of the whole numbers that processors have."""
 FLOAT_BITS = {16: "<e", 32: "<f", 64: "<d"}
@@ -191,6 +193,8 @@ class Kind(msgspec.Struct, frozen=True):
     scale: float = 1
     offset: float = 0
     enumeration: Enumeration | None = None
+    wraps: bool = False
+    """True if the number goes round at its ends, and values of a program count on beyond them."""
 
     def __str__(self) -> str:
         """Write the kind as a spec does."""
@@ -223,6 +227,22 @@ class Kind(msgspec.Struct, frozen=True):
         return math.ldexp(self.scale, -self.fraction)
 
     @property
+    def span(self) -> int | float:
+        """Change of the value in one round of all numbers."""
+        return (1 << self.width) * (abs(self.step) if self.is_scaled else 1)
+
+    def within(self, value: float) -> float:
+        """Return the value in the range that is whole spans away from a value, which may lie between two numbers."""
+        low, high = self.range
+        return value if low <= value <= high else value - self.span * math.floor((value - low) / self.span)
+
+    def wrapped(self, value: float) -> float:
+        """Return the value in the range that is whole spans away from another one, to half a step."""
+        low, _ = self.raw_range
+        number = self._nearest(value) if self.is_scaled else self._whole(value)
+        return self._scaled((number - low) % (1 << self.width) + low)
+
+    @property
     def raw_range(self) -> tuple[int, int]:
         """Smallest and largest whole number that the bits say, sign included."""
         if self.is_signed:
@@ -246,6 +266,8 @@ class Kind(msgspec.Struct, frozen=True):
             return np.dtype(np.float64)
         if self.name is KindName.BOOL:
             return np.dtype(np.bool_)
+        if self.wraps:
+            return np.dtype(np.int64)
         size = next(bytes_ for bytes_ in (1, 2, 4, 8) if self.width <= 8 * bytes_)
         return np.dtype(f"{'i' if self.is_signed else 'u'}{size}")
 

@@ -189,6 +189,9 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
     """Depth of that queue, where the spec tells it."""
     effect: Effect | None = None
     """Effect of reading or writing it; None for one that is read as it is and keeps what is written."""
+    laps_of: str | None = None
+    """Path of the signal whose rounds a program counts for its values, its own or another one of its component; None
+    for a signal whose values end at the range of its kind."""
     is_field: bool = False
     """True if a write of its word would change other signals, so that it needs a masked write: not where a 0 changes
     none of them."""

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError
 from unity_link.spec.arguments import ADDRESS_BITS, DATA_BITS, DIVISOR, RATE
-from unity_link.spec.kinds import FLOAT_BITS, MOST_BITS, WITHOUT_SCALE, KindName
+from unity_link.spec.kinds import FLOAT_BITS, MOST_BITS, MOST_WRAPPED, WITHOUT_SCALE, KindName
 
 if TYPE_CHECKING:
     from unity_link.spec.kinds import Kind
@@ -31,6 +31,11 @@ def _check_signal(signal: Signal, interface: Interface) -> None:
     _check(f"{signal.path}: lowest_bit", signal.lowest_bit, 0, max(0, signal.word_bits - signal.width))
     _check(f"{signal.path}: address", signal.address, 0, (1 << interface.address_bits) - signal.words)
     _check(f"{signal.path}: poll_hz", signal.poll_hz, *RATE)
+    base = None if signal.laps_of is None else interface.signals.get(signal.laps_of)
+    if (signal.laps_of is not None or signal.kind.wraps) and not (
+        base is not None and base.laps_of == base.path and base.kind == signal.kind and signal.kind.wraps
+    ):
+        raise ArgumentError(f"{signal.path}: laps_of is {signal.laps_of}, expected a signal of its kind that wraps")
 
 
 def _check_kind(path: str, kind: Kind) -> None:
@@ -38,6 +43,8 @@ def _check_kind(path: str, kind: Kind) -> None:
     if kind.name is KindName.FLOAT and kind.width not in FLOAT_BITS:
         raise ArgumentError(f"{path}: a float has {kind.width} bits, expected 16, 32 or 64")
     _check(f"{path}: fraction", kind.fraction, 0, kind.width)
+    if kind.wraps and (kind.name in WITHOUT_SCALE or kind.width > MOST_WRAPPED):
+        raise ArgumentError(f"{path}: {kind} wraps, expected a number of at most {MOST_WRAPPED} bits")
     if kind.is_scaled and (kind.name in WITHOUT_SCALE or not kind.is_exact()):
         scaled = f"{kind.scale} and offset {kind.offset}"
         raise ArgumentError(f"{path}: scale is {scaled}, expected those by which {kind} has a value for each number")

@@ -6,11 +6,13 @@ import math
 import re
 from typing import TYPE_CHECKING, NamedTuple
 
+import msgspec
+
 from unity_link.errors import ArgumentError
 from unity_link.spec.arguments import ACCESS, Binder, Bound
 from unity_link.spec.diagnostics import did_you_mean, listed
 from unity_link.spec.expressions import LEFT_OUT, Evaluator, GroupReference, LeftOut, Result, describe, parse_number
-from unity_link.spec.kinds import FLOAT_BITS, MOST_BITS, WITHOUT_SCALE, Enumeration, Kind, KindName
+from unity_link.spec.kinds import FLOAT_BITS, MOST_BITS, MOST_WRAPPED, WITHOUT_SCALE, Enumeration, Kind, KindName
 from unity_link.spec.model import Access, Effect, Safe
 from unity_link.spec.syntax import Name, Number
 
@@ -65,6 +67,8 @@ class SignalParts(NamedTuple):
     timed: str | None
     """Path of the schedule that can write it."""
     effect: Effect | None
+    laps_of: str | None
+    """Name of the signal whose rounds are counted for it; empty for its own, None where they are not."""
     places: Mapping[str, tuple[int, int]]
 
 
@@ -101,7 +105,12 @@ class SignalReader:
         effect = self._effect(kind, lowest, access, arguments, binder)
         if effect is Effect.PULSE and start:
             self._fault(binder.places["SAFE"], "bad-effect", "a pulse is 0 while its lease is not armed, too")
-        return SignalParts(kind, lowest, access, arguments, publishing, start, safe, timed, effect, binder.places)
+        laps_of = self._laps_of(kind, arguments, binder)
+        if laps_of is not None:
+            kind = msgspec.structs.replace(kind, wraps=True)
+        return SignalParts(
+            kind, lowest, access, arguments, publishing, start, safe, timed, effect, laps_of, binder.places
+        )
 
     def _bits(self, node: SignalDeclaration, scope: Mapping[str, Result]) -> BitRange | None:
         if node.bits is None:
@@ -352,6 +361,24 @@ class SignalReader:
             self._fault(binder.places[refused], "bad-effect", f"no signal with {effect} has {refused}", advice)
         else:
             return effect
+        return None
+
+    def _laps_of(self, kind: Kind, arguments: Bound, binder: Binder) -> str | None:
+        """Return the name of the signal whose rounds are counted for one; empty for its own, None without WRAPS."""
+        clause: Bound | None = arguments.get("WRAPS")
+        if clause is None:
+            return None
+        place = binder.places["WRAPS"]
+        refused = next((word for word in ("FIFO", "EFFECT", "MIN", "MAX") if word in arguments), None)
+        if kind.name in WITHOUT_SCALE:
+            self._fault(place, "bad-wraps", f"no {kind.name} wraps", "signed, unsigned and fixed numbers do")
+        elif kind.width > MOST_WRAPPED:
+            message = f"a signal with WRAPS has at most {MOST_WRAPPED} bits, and this one has {kind.width}"
+            self._fault(place, "bad-wraps", message, "leave it out: nobody counts so far")
+        elif refused is not None:
+            self._fault(binder.places[refused], "bad-wraps", f"no signal with WRAPS has {refused}", "leave it out")
+        else:
+            return str(clause.get("OF", ""))
         return None
 
     def _initial(

@@ -41,12 +41,14 @@ def triggered(trigger: Trigger) -> str:
 
 
 def at_hardware(signal: Signal) -> Iterator[str]:
-    """Return what hardware has of a register beside its bits: its effect, value after a reset, schedule and pins."""
+    """Return what hardware has of a register beside its bits: effect, value after a reset, wrap, schedule, pins."""
     if signal.effect is not None:
         yield EFFECTS[signal.effect]
     if signal.reset:
         value = signal.kind.decode(signal.reset)
         yield f"{str(value).lower() if isinstance(value, bool) else value} after a reset"
+    if signal.laps_of is not None:
+        yield "goes round, and a program counts on"
     if signal.timed is not None:
         yield f"timed by {signal.timed}"
     if signal.pin is not None:

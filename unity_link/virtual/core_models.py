@@ -77,6 +77,10 @@ class _Around:
         """Return whether nothing waits in the schedules of what the component guards, as a lease does."""
         return self._models.is_empty(self._path)
 
+    def put(self, name: str, value: Any) -> None:
+        """Set what programs read of a signal; a plant goes on with the value that it has set."""
+        self._models.registers.cells[f"{self._path}.{name}"].put(value)
+
     def commit(self, words: Mapping[int, int]) -> None:
         """Write words of 32 bits to signals that the component times, by their places on its stage."""
         for cell in self._models.registers.commit(self._path, words):
@@ -103,8 +107,7 @@ class _AroundPins(_Around):
 
     def show(self, name: str, value: Any) -> None:
         """Set the value of a signal that a plant reads."""
-        cell = self._models.registers.cells[f"{self._path}.{name}"]
-        cell.take(cell.signal.kind.encode(value))
+        self._models.registers.cells[f"{self._path}.{name}"].show(value)
 
 
 class CoreModels:

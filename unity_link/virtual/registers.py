@@ -123,7 +123,8 @@ class Cell:
     def set(self, value: Value | str) -> None:
         """Set its value; the rest of a float between two values of the register is kept.
 
-        Of one that accesses clear, set the bits that are 1, and leave the others.
+        Of one that accesses clear, set the bits that are 1, and leave the others. A value of one with WRAPS may go
+        beyond the range: the register goes round, and the model reads what it has set.
 
         Raises:
             ArgumentError: for a value that its kind cannot say, and in gateware for what hardware does not give.
@@ -131,11 +132,32 @@ class Cell:
         raw = _encoded(self.signal, value)
         if self.wire is not None:
             self.wire.drive(self, raw)
-        kind = self.signal.kind
         if self.signal.has_events:
             self.take(self.raw | raw if self.wire is None else 0)
             return
-        self.raw, self.value = raw, float(value) if kind.is_float else kind.decode(raw)
+        self._keep(raw, value)
+
+    def show(self, value: Value | str) -> None:
+        """Set the value that a model of a plant reads of a register in compiled gateware.
+
+        Raises:
+            ArgumentError: for a value that its kind cannot say.
+        """
+        self._keep(_encoded(self.signal, value), value)
+
+    def _keep(self, raw: int, value: Value | str) -> None:
+        kind = self.signal.kind
+        self.raw, self.value = raw, kind.decode(raw)
+        if kind.is_float or kind.wraps:
+            self.value = float(value) if kind.is_float else int(value)
+
+    def put(self, value: Value) -> None:
+        """Set the bits that a program reads, and leave the value that a model of a plant has set.
+
+        Raises:
+            ArgumentError: for a value that its kind cannot say.
+        """
+        self.raw = _encoded(self.signal, value)
 
     def accept(self, raw: int) -> None:
         """Take the bits that a program has written."""
@@ -392,8 +414,9 @@ class Registers:
 
 
 def _encoded(signal: Signal, value: Value | str) -> int:
+    kind = signal.kind
     try:
-        return signal.kind.encode(value)
+        return kind.encode(kind.wrapped(value) if kind.wraps and not isinstance(value, bool | str) else value)
     except ArgumentError as error:
         raise ArgumentError(f"{signal.path}: {error}") from None
 

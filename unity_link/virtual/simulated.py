@@ -115,6 +115,8 @@ class Part:
     _cells: dict[str, Cell]
     _pins: dict[str, int]
     """Levels of the pins of a core, 0 or 1."""
+    _unwired: frozenset[str]
+    """Names of the pins of a core that are `none` in the spec, which keep their levels."""
     _pin_set: Callable[[str], None]
     """Is called with the name of a pin that the user's model has set."""
     _started: bool
@@ -147,6 +149,8 @@ class Part:
         if cell is None and name in self.__dict__.get("_pins", {}):
             if value not in {0, 1}:
                 raise ArgumentError(f"{self._name}.{name} is a pin, and 0 or 1, not {value!r:.80}")
+            if name in self._unwired:
+                raise ArgumentError(f"{self._name}.{name} is none in the spec, and has no pin that a model can set")
             self._pins[name] = int(value)
             self._pin_set(name)
         elif isinstance(row := self.__dict__.get(name), RowValues):
@@ -478,6 +482,8 @@ class SimulatedRobot(Part):
             part.__dict__[_free_name(below.name)] = made if isinstance(below, ComponentArray) else made[0]
         if part is not self:
             part.__dict__["_pins"] = {pin.name: pin.unwired for pin in described.core.pins} if described.core else {}
+            unwired = (pin.name for pin in described.core.pins if not pin.is_used) if described.core else ()
+            part.__dict__["_unwired"] = frozenset(unwired)
             part.__dict__["_pin_set"] = self.cores.add(described, part)
             self._parts.append(part)
             return
