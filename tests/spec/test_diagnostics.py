@@ -150,6 +150,15 @@ CASES = [
     ("public x() { @a = 1: unsigned 64 READ(); @b = 2: READ(); }", "overlap", "b takes bits 31:0 at address 0x2", "2", ""),
     ("public x() { j[2]: joint(\"j\" + i) @(i, 1); }" + JOINT, "overlap", "j[1].pos takes bits 31:0 at address 0x1, which j[0].vel has", "i", ""),
     ("public x() { @a = 1: READ(); @b = 1[3:0]: WRITE(); @c = 1[7:4]: WRITE(); }", "overlap", "b is one of several fields written at address 0x1, where reading gives a instead", "1", "make the field READWRITE"),
+    # Registers that go round.
+    ("public x() { @a = 1: bool READ(WRAPS); }", "bad-wraps", "no bool wraps", "WRAPS", "signed, unsigned and fixed"),
+    ("public x() { @a = 1: unsigned 64 READ(WRAPS); }", "bad-wraps", "has at most 48 bits, and this one has 64", "WRAPS", ""),
+    ("public x() { @a = 1: READWRITE(WRAPS, MAX=9); }", "bad-wraps", "no signal with WRAPS has MAX", "MAX=9", "leave it out"),
+    ("public x() { @a = 1: READ(WRAPS, FIFO); }", "bad-wraps", "no signal with WRAPS has FIFO", "FIFO", ""),
+    ("public x() { @a = 1: READ(WRAPS(b)); }", "bad-wraps", "a wraps as b does, which is no signal of its component that is read and wraps", "WRAPS(b)", "@b: signed READ(WRAPS)"),
+    ("public x() { @a = 1: READ(WRAPS(b)); @b = 2: READ(); }", "bad-wraps", "a wraps as b does, which is no signal", "WRAPS(b)", ""),
+    ("public x() { @a = 1: READ(WRAPS(b)); @b = 2: signed READ(WRAPS); }", "bad-wraps", "a wraps as b does, which has other numbers", "WRAPS(b)", "one kind"),
+    ("public x() { @a = 1: READ(WRAPS(7)); }", "bad-argument", "OF is the name of a signal", "7", ""),
     # Effects.
     ("public x() { @a = 1: bool WRITE(EFFECT=PULS); }", "bad-effect", "there is no effect 'PULS'", "EFFECT=PULS", "mean 'PULSE'?"),
     ("public x() { @a = 1: bool WRITE(EFFECT=SET); }", "bad-effect", "there is no effect 'SET'", "EFFECT=SET", "it is CLEAR_ON_READ, WRITE_1_TO_CLEAR or PULSE"),

@@ -2,11 +2,12 @@
 
 ::
 
-    {"sequence": 7, "time": 0.07, "lost": 0, "words": "000003E8", "signals": {"j1": {"cpos": 1.5}}}
+    {"sequence": 7, "time": 0.07, "lost": 0, "epoch": 0, "words": "000003E8", "signals": {"j1": {"cpos": 1.5}}}
 
 ``signals`` is the tree of the spec, so that what a program calls ``legs[2].coxa.cpos`` has the same name in the tools
 that open the file. ``words`` has the words of the group, in the order of its addresses, each as hex digits of whole
-bytes: the values again, exactly. ``time`` is left out without a clock, and so is a value that is no number of JSON, NaN
+bytes: the values again, exactly, without the rounds that are counted of signals with WRAPS. ``epoch`` is the number of
+the session, in which these are counted. ``time`` is left out without a clock, and so is a value that is no number of JSON, NaN
 or an infinity; in a row of signals that value is null.
 """
 
@@ -32,7 +33,7 @@ if TYPE_CHECKING:
     from unity_link.spec import Signal
 
 _STEP = re.compile(r"([^.\[\]]+)|\[(\d+)\]")
-_ALWAYS = ("sequence", "lost", "words")
+_ALWAYS = ("sequence", "lost", "epoch", "words")
 """Fields of each message, beside its values."""
 _TYPES = {"b": "boolean", "i": "integer", "u": "integer", "f": "number"}
 
@@ -44,6 +45,7 @@ class RecordedMessage(msgspec.Struct):
     lost: int
     words: str
     time: float | None = None
+    epoch: int = 0
 
 
 class Encoder:
@@ -66,7 +68,8 @@ class Encoder:
         """Return the messages of the samples of a batch."""
         columns = list(batch.columns.values())
         time = [] if batch.time is None else [_texts(batch.time)]
-        head = [batch.sequence.tolist(), *time, batch.lost.tolist(), words_to_hex(batch.words, word_bits)]
+        words = words_to_hex(batch.words, word_bits)
+        head = [batch.sequence.tolist(), *time, batch.lost.tolist(), batch.epoch.tolist(), words]
         texts = [_texts(column) for column in columns]
         missing = np.zeros((len(batch), len(self._floats)), bool)
         for number, place in enumerate(self._floats):
@@ -93,7 +96,7 @@ class Encoder:
         absent = {place for place, is_missing in zip(self._floats, missing, strict=True) if is_missing}
         values = _template(self._tree, order, absent)
         time = '"time":%b,' if fields > len(_ALWAYS) else ""
-        return f'{{"sequence":%d,{time}"lost":%d,"words":"%b","signals":{values}}}'.encode(), order
+        return f'{{"sequence":%d,{time}"lost":%d,"epoch":%d,"words":"%b","signals":{values}}}'.encode(), order
 
 
 def words_to_hex(words: Words, word_bits: int) -> list[bytes]:
@@ -171,6 +174,7 @@ def _message_schema(tree: Any, signals: Sequence[Signal]) -> dict[str, Any]:
             "sequence": {"type": "integer", "description": "number of the sample, lost ones counted"},
             "time": {"type": "number", "description": "instant of sampling, seconds of the gateway's clock"},
             "lost": {"type": "integer", "description": "samples lost before this one"},
+            "epoch": {"type": "integer", "description": "number of the session, one more after each reconnection"},
             "words": {"type": "string", "description": "the words as they came, in hex"},
             "signals": _schema(tree, signals),
         },

@@ -8,7 +8,7 @@ import itertools
 import math
 import os
 import struct
-from typing import TYPE_CHECKING, BinaryIO, NamedTuple
+from typing import TYPE_CHECKING, Any, BinaryIO, NamedTuple
 
 import msgspec
 import numpy as np
@@ -16,6 +16,7 @@ import numpy as np
 from unity_link.bridges.messages import RecordedMessage, hex_to_words
 from unity_link.bridges.recording.files import GATEWAY, INTERFACE, RecordingError, check_extra, path_of
 from unity_link.data import Table
+from unity_link.data.laps import ColumnLaps
 from unity_link.errors import ArgumentError, UnknownNameError, UnsupportedError, did_you_mean
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.spec import Interface
@@ -63,6 +64,26 @@ class RecordedSamples(NamedTuple):
     lost: NDArray[np.int64]
     words: Words
     """Shape (samples, addresses)."""
+    epoch: NDArray[np.int64]
+    """Numbers of the sessions that the samples came in."""
+
+
+class RecordedColumns:
+    """The values of the samples of a group, which follow one another from call to call."""
+
+    def __init__(self, group: RecordedGroup) -> None:
+        self._columns = Columns(group.signals, group.addresses)
+        self._laps = ColumnLaps(group.signals, group.addresses)
+
+    def columns(self, words: Words, epoch: NDArray[np.int64]) -> list[NDArray[Any]]:
+        """Return the values of each signal in the order of the group, each of shape (samples,).
+
+        Args:
+            words: shape (samples, addresses).
+            epoch: sessions of the samples, shape (samples,).
+        """
+        counted = self._laps.count(words, epoch)
+        return [counted.get(place, column) for place, column in enumerate(self._columns.columns(words))]
 
 
 class RecordedRow(NamedTuple):
@@ -122,10 +143,10 @@ class Recording:
             raise UnknownNameError(f"{self.path} has no group {name!r:.80}: {hint}")
         found = [samples for samples, _ in self.samples() if samples.group is group] or [_no_samples(group)]
         parts = zip(*(samples[1:] for samples in found), strict=True)
-        at, time, sequence, lost, words = (np.concatenate(part) for part in parts)
+        at, time, sequence, lost, words, epoch = (np.concatenate(part) for part in parts)
         return Table(
             group.signals,
-            Columns(group.signals, group.addresses).columns(words),
+            RecordedColumns(group).columns(words, epoch),
             seconds=at / 1e9 if np.isnan(time).any() else time,
             instants=at,
             counts={"sequence": sequence, "lost": lost},
@@ -280,6 +301,7 @@ class Recording:
                 np.array([message.sequence for message in messages], np.int64),
                 np.array([message.lost for message in messages], np.int64),
                 words,
+                np.array([message.epoch for message in messages], np.int64),
             )
         except (msgspec.DecodeError, ValueError, OverflowError, RecursionError) as error:
             raise RecordingError(f"{self.path} has a message of {group.name} that is not ours: {error}") from None
@@ -287,7 +309,7 @@ class Recording:
 
 def _no_samples(group: RecordedGroup) -> RecordedSamples:
     none = np.empty(0, np.int64)
-    return RecordedSamples(group, none, np.empty(0), none, none, np.empty((0, len(group.addresses)), np.uint64))
+    return RecordedSamples(group, none, np.empty(0), none, none, np.empty((0, len(group.addresses)), np.uint64), none)
 
 
 class _Waiting:

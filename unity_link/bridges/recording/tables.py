@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any, BinaryIO, Self
 
 import unity_link
 from unity_link.bridges.recording.files import FORMATS, RecordingError
+from unity_link.bridges.recording.reader import RecordedColumns
 from unity_link.data.tables import column_names
 from unity_link.errors import ArgumentError
 from unity_link.files import Writing, check_folder, head_of
-from unity_link.spec.columns import Columns
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -93,7 +93,7 @@ class _Table:
         from pyarrow import csv, parquet
 
         self._group = group
-        self._columns = Columns(group.signals, group.addresses)
+        self._columns = RecordedColumns(group)
         self._schema = pa.schema(list(self._fields()), {_WRITER: unity_link.__version__})
         writer: Any = parquet.ParquetWriter if form == "parquet" else csv.CSVWriter
         self._file = file
@@ -111,13 +111,13 @@ class _Table:
     def write(self, samples: RecordedSamples) -> None:
         import pyarrow as pa
 
-        values = self._columns.decode(samples.words)
+        values = self._columns.columns(samples.words, samples.epoch)
         columns = [
             pa.array(samples.at, pa.timestamp("ns", tz="UTC")),
             pa.array(samples.time, from_pandas=True),
             pa.array(samples.sequence),
             pa.array(samples.lost),
-            *(pa.array(values[signal.path]) for signal in self._group.signals),
+            *map(pa.array, values),
         ]
         self._writer.write_table(pa.Table.from_arrays(columns, schema=self._schema))
 

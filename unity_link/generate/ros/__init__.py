@@ -205,6 +205,7 @@ def _signal(interface: Interface, signal: Signal, topic: str) -> Iterator[str]:
     yield repr(SI.get(signal.unit, 1.0))
     yield repr(signal.is_field)
     yield repr(_network_of(interface, signal))
+    yield repr(signal.laps_of)
 
 
 def _sampled(interface: Interface) -> Iterator[SampledSignals]:
