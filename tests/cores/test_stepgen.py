@@ -110,3 +110,50 @@ async def test_a_way_that_becomes_another_ends_with_an_error(gantry: tuple[Any, 
             await robot.x.stop()
             with pytest.raises(UnityLinkError, match=r"x does not go to 20: it was told something else"):
                 await way
+
+
+@on_simulated_time
+async def test_a_lower_maxaccel_in_motion_acts_from_the_next_standstill(gantry: tuple[Any, Any]) -> None:
+    robot_class, gateway = gantry
+    async with unity_link.connect(gateway) as link:
+        robot = robot_class(link)
+        x = robot.x
+        async with robot.armed(timeout=0.9) as lease:
+
+            async def pass_time(seconds: float) -> float:
+                """Let time pass; return the way of the axis in it."""
+                begin = await x.position.get()
+                await asyncio.sleep(seconds)
+                await lease.kick()
+                way: float = await x.position.get() - begin
+                return way
+
+            await x.maxaccel.set(200)
+            await x.position_cmd.set(20)
+            # It needs 4 mm to stop, and 40 mm by the next acceleration.
+            assert await pass_time(0.35) == pytest.approx(10, abs=0.6)
+            await x.maxaccel.set(20)
+            assert await x.maxaccel.get() == pytest.approx(20)
+            ways = [await pass_time(0.05) for _ in range(12)]
+            assert min(ways) >= 0
+            assert await x.position.get() == 20
+            assert await x.in_position.get()
+            # From standstill the new one acts: half of it by the square of the time.
+            await x.position_cmd.set(0)
+            assert await pass_time(0.2) == pytest.approx(-0.4, abs=0.1)
+
+
+@on_simulated_time
+async def test_an_axis_whose_lease_ends_slows_down_by_the_acceleration_of_the_spec(gantry: tuple[Any, Any]) -> None:
+    robot_class, gateway = gantry
+    async with unity_link.connect(gateway) as link:
+        x = robot_class(link).x
+        async with robot_class(link).armed(timeout=0.9):
+            await x.maxaccel.set(200)
+            await x.position_cmd.set(1000)
+            await asyncio.sleep(0.4)
+            begin = await x.position.get()
+        await asyncio.sleep(0.02)
+        # 40 mm in 20 ms at most, and 4 mm more to stop by 200 mm/s2.
+        assert await x.velocity.get() == 0
+        assert await x.position.get() - begin < 0.8

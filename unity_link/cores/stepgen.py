@@ -230,7 +230,8 @@ class Motion:
         return self._nearest(target) - self.place
 
     def _is_opposite(self, way: float) -> bool:
-        return abs(abs(way) - self._span / 2) <= _CLOSE * self._span if math.isfinite(self._span) else False
+        # To a quarter of the last bit of a position.
+        return math.isfinite(self._span) and abs(abs(way) - self._span / 2) < self._span * 2**-34
 
     def _phase(self, way: float, limit: float, accel: float, seconds: float) -> float:
         """Move in one of the phases of a way, or its part that fits into some time; return the seconds that it took."""
