@@ -43,6 +43,13 @@ class Plant(SimulatedRobot):
         self.button.pin = self.pressed
 
 
+class Unmoved(SimulatedRobot):
+    """Does nothing by itself."""
+
+    def step(self, dt: float) -> None:
+        pass
+
+
 @on_simulated_time
 async def test_velocity_and_index_follow_the_position_that_a_plant_sets() -> None:
     gateway = simulated(SPEC.interface(), Plant)
@@ -100,6 +107,71 @@ async def test_a_pin_is_driven_while_its_lease_is_armed() -> None:
         assert await robot.lamp.edges.get() == 2
 
 
+BARE = compile_text("""
+public robot() {
+  wheel: ENCODER(COUNTS=1000, SCALE=0.001, UNIT="turn") @(0x20, z=none);
+  lamp: GPIO() @(0x30, pin=none);
+  drive: LEASE() @(0xC0, estop=none);
+  button: GPIO() @(0x40);
+}
+""")
+
+
+@on_simulated_time
+async def test_pins_that_are_none_are_inputs_of_0_and_no_plant_sets_them() -> None:
+    gateway = simulated(BARE.interface(), Unmoved)
+    plant: Any = gateway.robot
+    async with unity_link.connect(gateway) as link:
+        robot: Any = unity_link.load(BARE)(link)
+        for turns in (2.5, -3.0, 0.0):
+            plant.wheel.position = turns
+            await asyncio.sleep(0.01)
+            assert await robot.wheel.position.get() == turns
+            assert await robot.wheel.index_count.get() == await robot.wheel.index_position.get() == 0
+        await robot.lamp.output.set(True)
+        await robot.lamp.drive.set(True)
+        assert await robot.lamp.level.get() is False
+        assert (plant.drive.estop, await robot.drive.estop_open.get()) == (1, False)
+        for name, part in (("wheel.z", plant.wheel), ("lamp.pin", plant.lamp), ("drive.estop", plant.drive)):
+            with pytest.raises(unity_link.ArgumentError, match=f"{name} is none in the spec"):
+                setattr(part, name.partition(".")[2], 1)
+
+
+@on_simulated_time
+async def test_a_wheel_beyond_the_range_of_its_register_goes_round() -> None:
+    gateway = simulated(SPEC.interface(), Plant)
+    plant: Any = gateway.robot
+    plant.wheel.position = 2_147_480.0
+    plant.speed = 4000.0
+    async with unity_link.connect(gateway) as link:
+        robot: Any = unity_link.load(SPEC)(link)
+        await asyncio.sleep(2)
+        assert plant.wheel.position == pytest.approx(2_155_480, abs=10)
+        # The registers themselves: 2 ** 32 counts less.
+        position, _, index = await link.read_block(0x20, 3)
+        assert int(position) == round(plant.wheel.position * 1000) % (1 << 32)
+        assert int(index) == int(plant.wheel.position + 1e-6) * 1000 % (1 << 32)
+        assert 1 << 31 < int(index) <= int(position)
+        assert await robot.wheel.velocity.get() == pytest.approx(4000, rel=0.01)
+
+
+@on_simulated_time
+async def test_the_time_of_an_edge_goes_round_with_32_bits_of_the_clock() -> None:
+    class Slow(Unmoved):
+        step_seconds = 10
+
+    gateway = simulated(BARE.interface(), Slow)
+    plant: Any = gateway.robot
+    async with unity_link.connect(gateway) as link:
+        robot: Any = unity_link.load(BARE)(link)
+        await asyncio.sleep(1.5 * (1 << 32) / HZ)
+        await robot.button.level.get()
+        plant.button.pin = 1
+        ticks = gateway.ticks_at(asyncio.get_running_loop().time())
+        assert ticks > 1 << 32
+        assert await robot.button.last.get() == pytest.approx(ticks % (1 << 32), abs=HZ // 100)
+
+
 GUARDED = compile_text("""
 public robot() {
   GATEWAY(ADDRESS_BITS=12);
@@ -116,13 +188,6 @@ STEPS = st.one_of(
     st.tuples(st.sampled_from(["drive.disarm", "plan.cancel", "lamp.drive", "lamp.output"]), st.integers(0, 1)),
     st.tuples(st.sampled_from(["axis.position_cmd", "axis.mode", "axis.maxvel", "free"]), st.integers(0, 2)),
 )
-
-
-class Unmoved(SimulatedRobot):
-    """Does nothing, in steps of 20 cycles."""
-
-    def step(self, dt: float) -> None:
-        pass
 
 
 @given(st.lists(st.tuples(st.integers(0, 30), st.lists(STEPS, max_size=4)), max_size=30))

@@ -75,33 +75,36 @@ class EncoderModel(Model):
 
     def _counted(self, moved: int) -> float:
         """Return the position that is counted from the pins that there are, when the plant has moved by some counts."""
-        if self._has_a and (self._has_b or self._is_counter):
-            if self._has_b:
-                return float(self.part.position)
-            # Each edge of a counts upwards.
-            return self._position + abs(moved) * self._scale
+        if self._has_a and self._has_b:
+            return float(self.part.position)
         if self._is_counter:
-            return 0.0
-        # Of one pin alone a level counts one way, and its end back.
-        a, b = _LEVELS[self._plant % 4]
-        return self._scale * ((a if self._has_a else 0) - (b if self._has_b else 0))
+            # Each edge of a counts upwards.
+            return self._position + self._has_a * abs(moved) * self._scale
+        return self._of_one_pin(self._plant)
+
+    def _of_one_pin(self, count: int) -> float:
+        """Return the position at a count of the plant if one of a and b is at no pin: it swings over one edge."""
+        a, b = _LEVELS[count % 4]
+        return self._scale * (self._has_a * a - self._has_b * b)
 
     def _see_index(self, before: int, position: float) -> None:
         """Count the edges of z, which is 1 for one count in a turn, on the way of the plant."""
         if not self._turn or self._plant == before:
             return
-        # The last index that the plant comes to, and how many there are behind it.
-        if self._plant > before:
-            last, first = self._plant // self._turn, before // self._turn + 1
-        else:
-            last, first = -(-self._plant // self._turn), -(-before // self._turn) - 1
-        passed = (last - first) * (1 if self._plant > before else -1) + 1
+        way = 1 if self._plant > before else -1
+        # In turns, the first and the last index on the way.
+        last, first = way * (way * self._plant // self._turn), way * (way * before // self._turn + 1)
+        passed = way * (last - first) + 1
         if passed <= 0:
             return
-        part = self.part
+        part, at = self.part, last * self._turn
         part.index_count = (part.index_count + passed) % (1 << 16)
-        is_whole = self._has_a and self._has_b
-        part.index_position = last * self._turn * self._scale if is_whole else position
+        if self._has_a and self._has_b:
+            part.index_position = at * self._scale
+        elif self._is_counter:
+            part.index_position = position - self._has_a * abs(self._plant - at) * self._scale
+        else:
+            part.index_position = self._of_one_pin(at)
 
     def _set_velocity(self, velocity: float) -> None:
         low, high = self._limits
