@@ -7,8 +7,8 @@
 ``signals`` is the tree of the spec, so that what a program calls ``legs[2].coxa.cpos`` has the same name in the tools
 that open the file. ``words`` has the words of the group, in the order of its addresses, each as hex digits of whole
 bytes: the values again, exactly, without the rounds that are counted of signals with WRAPS. ``epoch`` is the number of
-the session, in which these are counted. ``time`` is left out without a clock, and so is a value that is no number of JSON, NaN
-or an infinity; in a row of signals that value is null.
+the session, in which these are counted. ``time`` is left out without a clock, and so is a value that is no number of
+JSON, NaN or an infinity; in a row of signals that value is null.
 """
 
 from __future__ import annotations

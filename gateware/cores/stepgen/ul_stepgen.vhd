@@ -159,8 +159,10 @@ architecture rtl of ul_stepgen is
   signal targets    : targets_t;
   signal velocities : velocities_t;
   signal maxvels    : limits_t;
-  -- The accelerations that act.
+  -- The accelerations that act. None is used before it was taken: the initial values only keep simulations quiet.
+  -- vsg_off signal_007
   signal accels : limits_t := (others => (others => '0'));
+  -- vsg_on signal_007
 
   -- Of the axis that is looked at: its commands,
   signal target_now   : std_logic_vector(31 downto 0);
@@ -181,27 +183,27 @@ architecture rtl of ul_stepgen is
   signal is_sudden : std_logic;
 
   -- its state, and the next one.
-  signal kept        : std_logic_vector(kept_bits - 1 downto 0);
-  signal to_keep     : std_logic_vector(kept_bits - 1 downto 0);
-  signal place       : std_logic_vector(place_bits - 1 downto 0);
-  signal unneeded    : std_logic_vector(place_bits - 1 downto 0);
-  signal speed       : std_logic_vector(speed_bits - 1 downto 0);
-  signal age         : age_t;
-  signal down        : std_logic;
-  signal known       : std_logic;
-  signal stands      : std_logic;
-  signal is_high     : std_logic;
-  signal points_down : std_logic;
-  signal has_turned  : std_logic;
-  signal next_place  : std_logic_vector(place_bits - 1 downto 0);
+  signal kept          : std_logic_vector(kept_bits - 1 downto 0);
+  signal to_keep       : std_logic_vector(kept_bits - 1 downto 0);
+  signal place         : std_logic_vector(place_bits - 1 downto 0);
+  signal unneeded      : std_logic_vector(place_bits - 1 downto 0);
+  signal speed         : std_logic_vector(speed_bits - 1 downto 0);
+  signal age           : age_t;
+  signal down          : std_logic;
+  signal known         : std_logic;
+  signal stands        : std_logic;
+  signal is_high       : std_logic;
+  signal points_down   : std_logic;
+  signal has_turned    : std_logic;
+  signal next_place    : std_logic_vector(place_bits - 1 downto 0);
   signal next_unneeded : std_logic_vector(place_bits - 1 downto 0);
-  signal next_speed  : std_logic_vector(speed_bits - 1 downto 0);
-  signal next_down   : std_logic;
-  signal next_known  : std_logic;
-  signal next_stands : std_logic;
-  signal arrived     : std_logic;
-  signal shown_speed : unsigned(28 downto 0);
-  signal shown       : unsigned(28 downto 0);
+  signal next_speed    : std_logic_vector(speed_bits - 1 downto 0);
+  signal next_down     : std_logic;
+  signal next_known    : std_logic;
+  signal next_stands   : std_logic;
+  signal arrived       : std_logic;
+  signal shown_speed   : unsigned(28 downto 0);
+  signal shown         : unsigned(28 downto 0);
 
   -- Its pins.
   signal crosses     : std_logic;
@@ -400,29 +402,29 @@ begin
       speed_bits => speed_bits
     )
     port map (
-      clk         => clk,
-      clear       => clearing,
-      is_position => is_position,
-      follows     => follows,
-      target      => target,
-      wanted      => wanted,
-      is_down     => velocity_now(28),
-      limit       => std_logic_vector(limit),
-      accel       => std_logic_vector(accel),
-      is_sudden   => is_sudden,
-      place       => place,
-      unneeded    => unneeded,
-      speed       => speed,
-      down        => down,
-      known       => known,
-      stands      => stands,
-      next_place  => next_place,
+      clk           => clk,
+      clear         => clearing,
+      is_position   => is_position,
+      follows       => follows,
+      target        => target,
+      wanted        => wanted,
+      is_down       => velocity_now(28),
+      limit         => std_logic_vector(limit),
+      accel         => std_logic_vector(accel),
+      is_sudden     => is_sudden,
+      place         => place,
+      unneeded      => unneeded,
+      speed         => speed,
+      down          => down,
+      known         => known,
+      stands        => stands,
+      next_place    => next_place,
       next_unneeded => next_unneeded,
-      next_speed  => next_speed,
-      next_down   => next_down,
-      next_known  => next_known,
-      next_stands => next_stands,
-      arrived     => arrived
+      next_speed    => next_speed,
+      next_down     => next_down,
+      next_known    => next_known,
+      next_stands   => next_stands,
+      arrived       => arrived
     );
 
   shown_speed <= resize(shift_right(unsigned(next_speed), speed_unit), 29);
