@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import ctypes
+import functools
 import itertools
 import os
 import random
@@ -16,12 +17,14 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from support.makers import build_params
 from unity_link.errors import ArgumentError, ConnectError
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.messages import Codec, ErrorCode
-from unity_link.virtual import AccessError
+from unity_link.virtual import AccessError, VirtualGateway
 from unity_link.virtual.rtl import RtlGateway, archive, choose, compiling, configurations, library
 
 if TYPE_CHECKING:
@@ -238,6 +241,52 @@ def test_a_group_of_the_most_words_is_set_up_at_once() -> None:
         codec.framing.checked(answer) for answer in (b"GS00", b"H")
     )
     assert gateway.receive(request, 1.0) == codec.framing.checked(b"GS00")
+
+
+def _requests(group_words: int) -> st.SearchStrategy[list[tuple[str, int, bool]]]:
+    """Return lists of a command, its number of words, and whether the request is sent a second time."""
+    blocks = st.tuples(st.sampled_from(("rm", "rq", "wm", "wq", "wk")), st.integers(1, 255), st.booleans())
+    groups = st.tuples(st.just("GS"), st.integers(1, group_words), st.just(value=False))
+    return st.lists(blocks | groups, min_size=1, max_size=8)
+
+
+@given(requests=_requests(32))
+def test_each_answer_comes_at_once_however_long_the_gateware_is_silent(
+    built: RtlGateway, requests: list[tuple[str, int, bool]]
+) -> None:
+    """The gateware fetches up to 255 words for an answer before a byte of it is sent."""
+    _answers_as_the_model(built, requests)
+
+
+@pytest.mark.slow
+@given(requests=_requests(255))
+def test_answers_after_groups_of_up_to_255_words_come_at_once(requests: list[tuple[str, int, bool]]) -> None:
+    _answers_as_the_model(_largest(), [*requests, ("GS", 255, False), ("rq", 255, True)])
+
+
+@functools.cache
+def _largest() -> RtlGateway:
+    return RtlGateway("ft232h")
+
+
+def _answers_as_the_model(gateway: RtlGateway, requests: list[tuple[str, int, bool]]) -> None:
+    gateway.reset()
+    model = VirtualGateway(gateway.info)
+    for address in range(256):
+        gateway.memory[address] = model.memory[address] = 0x01010101 * address
+    frames = [b"K0001234\r"]
+    identifier = 0
+    for command, words, again in requests:
+        if command == "GS":
+            frames.append(b"GS00000001%02X%s\r" % (words, b"0A" * words))
+            continue
+        head = b"%s%03X" % (command.encode(), identifier)
+        fields = b"20FFFFFFFF%08X" if command == "wk" else b"10%02X"
+        data = b"89ABCDEF" * words if command in ("wm", "wq") else b""
+        frames += [head + fields % words + data + b"\r"] * (2 if again else 1)
+        identifier += 1
+    for instant, frame in enumerate(frames):
+        assert gateway.receive(frame, instant / 10) == model.receive(frame, instant / 10), frame
 
 
 def test_an_unknown_configuration_is_named() -> None:

@@ -75,11 +75,15 @@ constexpr uint8_t BEHIND_DEVICE = 3;
 // Up to this width, memory is one array; above, a table of the words that were written.
 constexpr size_t MOST_DIRECT_BITS = 20;
 
-// So many cycles without a byte and without a bus access mean that the gateway has nothing left to do. Behind a long
-// frame it is half as many as that has characters, and some: of a `GS` an address is stored in each cycle, and has two
-// digits at least. Behind all others more would have the gateway's time run ahead of that of a program.
+// The gateway has no work left after so many cycles without a byte and without a bus access, if its registers are at their
+// end what they were QUIET_AT_PINS cycles after their begin: the same state and the same inputs have the same future.
 constexpr uint64_t QUIET_CYCLES = 96;
-constexpr uint64_t QUIET_CYCLES_BEHIND_A_FRAME = 32;
+constexpr uint64_t QUIET_AT_PINS = 64;
+
+// Every name of a register of the gateway contains the first text. Registers whose name contains one of the others count
+// time, also while the gateway has no work.
+constexpr const char *GATEWAY = "unity_link_inst.";
+constexpr const char *CLOCKS[] = {"clock_inst.", "timer_inst.", ".base_tick", ".timestamp"};
 
 // So many of them a waveform shows.
 constexpr uint64_t SHOWN_QUIET_CYCLES = 24;
@@ -333,6 +337,52 @@ private:
 	bool first_ = true;
 };
 
+// The registers of the gateway, without those that count time.
+class Registers {
+public:
+	explicit Registers(const Top &top) {
+#define UL_ADD(name, member) add(name, top.member);
+		UL_SIGNALS(UL_ADD)
+#undef UL_ADD
+	}
+
+	void keep() {
+		auto kept = kept_.begin();
+		for (auto &place : places_)
+			kept = std::copy(place.first, place.first + place.second, kept);
+	}
+
+	// Whether they are what they were when they were kept.
+	bool are_kept() const {
+		auto kept = kept_.begin();
+		for (auto &place : places_) {
+			if (!std::equal(place.first, place.first + place.second, kept))
+				return false;
+			kept += place.second;
+		}
+		return true;
+	}
+
+private:
+	template<size_t Bits>
+	void add(const std::string &name, const cxxrtl::wire<Bits> &signal) {
+		for (const char *clock : CLOCKS)
+			if (name.find(clock) != std::string::npos)
+				return;
+		if (name.find(GATEWAY) == std::string::npos)
+			return;
+		places_.emplace_back(signal.curr.data, size_t{cxxrtl::value<Bits>::chunks});
+		kept_.resize(kept_.size() + places_.back().second);
+	}
+
+	// What is computed from registers alone.
+	template<size_t Bits>
+	void add(const std::string &, const cxxrtl::value<Bits> &) {}
+
+	std::vector<std::pair<const cxxrtl::chunk_t *, size_t>> places_;
+	std::vector<cxxrtl::chunk_t> kept_;
+};
+
 class Memory {
 public:
 	explicit Memory(size_t address_bits) : direct_(address_bits <= MOST_DIRECT_BITS) {
@@ -438,7 +488,6 @@ public:
 			cycle();
 			++count;
 		}
-		forget_when_quiet();
 		return count;
 	}
 
@@ -478,7 +527,6 @@ public:
 			++count;
 		}
 		const bool stopped = stop_when_quiet && is_quiet();
-		forget_when_quiet();
 		return stopped ? count - quiet_ : count;
 	}
 
@@ -588,12 +636,7 @@ private:
 		bool asked;
 	};
 
-	bool is_quiet() const { return quiet_ >= std::max(QUIET_CYCLES, QUIET_CYCLES_BEHIND_A_FRAME + longest_frame_ / 2); }
-
-	void forget_when_quiet() {
-		if (is_quiet())
-			longest_frame_ = 0;
-	}
+	bool is_quiet() const { return quiet_ >= QUIET_CYCLES; }
 
 	void cycle() {
 		if (cycles >= alarm && event) {
@@ -635,8 +678,6 @@ private:
 		const bool sent = room_left && get(top_.p_out__valid);
 		stalled = !room_left && get(top_.p_out__valid);
 		if (taken) {
-			frame_ = to_gateway.front() == '\n' || to_gateway.front() == '\r' ? 0 : frame_ + 1;
-			longest_frame_ = std::max(longest_frame_, frame_);
 			to_gateway.pop_front();
 			lost_before_next = false;
 			in_due_ = next_due(in_due_);
@@ -655,14 +696,20 @@ private:
 			counter.second.look(cycles);
 		for (auto &counter : step_counters_)
 			counter.second.look();
-		// It rests after a timeout, or reads a long request that its FIFO holds.
-		const uint64_t held = get(top_.UL_HELD);
-		const bool busy = get(top_.UL_RESTS) || held != held_;
-		held_ = held;
 
 		top_.commit();
 		++cycles;
-		quiet_ = (taken || sent || on_bus || busy) ? 0 : quiet_ + 1;
+		quiet_ = taken || sent || on_bus ? 0 : quiet_ + 1;
+		if (quiet_ == QUIET_AT_PINS)
+			registers_.keep();
+		else if (quiet_ == QUIET_CYCLES && (is_paced() || !registers_.are_kept()))
+			quiet_ = 0;
+	}
+
+	// Whether the pace of the medium alone holds a byte back.
+	bool is_paced() const {
+		return (!to_gateway.empty() && cycles < in_due_) ||
+			(get(top_.p_out__valid) && from_gateway.size() < room && cycles < out_due_);
 	}
 
 	void show() {
@@ -789,11 +836,9 @@ private:
 	std::multimap<uint64_t, std::pair<size_t, std::vector<cxxrtl::chunk_t>>> later_;
 	std::map<int, uint64_t> pulses_;
 	uint64_t read_data_ = 0;
-	uint64_t held_ = 0;
+	Registers registers_{top_};
+	// Cycles in which nothing passed the pins or the bus.
 	uint64_t quiet_ = 0;
-	// Characters of the frame that is under way, and of the longest since all was quiet.
-	uint64_t frame_ = 0;
-	uint64_t longest_frame_ = 0;
 	double in_due_ = 0;
 	double out_due_ = 0;
 	double began_ = 0;
