@@ -14,6 +14,7 @@ import hashlib
 import os
 import re
 import secrets
+import signal
 import stat
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO, Self
@@ -103,13 +104,14 @@ class Writing:
 
     def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
         done = False
-        try:
-            if kind is None:
-                self._finish()
-                done = True
-        finally:
-            if not done:
-                self._discard()
+        with _without_signals():
+            try:
+                if kind is None:
+                    self._finish()
+                    done = True
+            finally:
+                if not done:
+                    self._discard()
 
     def claim(self, paths: Iterable[Path], known: Known = has_mark) -> None:
         """Check that files may be written, before anything is.
@@ -138,11 +140,11 @@ class Writing:
         target = _behind_links(path)
         # Told nobody, and made exclusively: nothing that waits under this name is written through.
         part = target.with_name(f".unity-link-{secrets.token_hex(8)}")
-        with _about(path):
+        with _without_signals(), _about(path):
             if self._makes_folders:
                 self._folders += _make_folder(target.parent)
             file = part.open("xb")
-        self._parts[path] = part
+            self._parts[path] = part
         if executable:
             self._programs.add(path)
         return file
@@ -315,6 +317,19 @@ def _may_go(path: Path, known: Known) -> bool:
 
 def _behind_links(path: Path) -> Path:
     return Path(os.path.realpath(path)) if path.is_symlink() else path
+
+
+@contextlib.contextmanager
+def _without_signals() -> Iterator[None]:
+    """Have signals that end the program wait for the end of the block: no file stays that nobody removes."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, (signal.SIGINT, signal.SIGTERM, signal.SIGHUP))
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _make_folder(folder: Path) -> list[Path]:

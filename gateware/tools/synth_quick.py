@@ -11,9 +11,7 @@ from __future__ import annotations
 
 import os
 import sys
-import tempfile
 from concurrent.futures import ThreadPoolExecutor
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gateware.tools import parser_of
@@ -23,6 +21,7 @@ from unity_link.boards.families import FAMILIES
 from unity_link.boards.loading import board_names, load_board
 from unity_link.boards.pins import generated_ports
 from unity_link.errors import UnityLinkError
+from unity_link.gateware.external import temporary_folder
 from unity_link.spec import compile_text
 
 if TYPE_CHECKING:
@@ -71,8 +70,8 @@ def _top(configuration: Configuration) -> Callable[[], None]:
 def _board(name: str, board: Board) -> Callable[[], None]:
     def attempt() -> None:
         spec = compile_text(_SPEC)
-        with tempfile.TemporaryDirectory() as work:
-            synthesise(design_of(spec, spec.interface(), name, board, Path(work)), board, Path(work))
+        with temporary_folder() as work:
+            synthesise(design_of(spec, spec.interface(), name, board, work), board, work)
 
     return attempt
 

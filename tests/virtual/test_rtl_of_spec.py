@@ -25,6 +25,7 @@ from unity_link.virtual import VirtualGateway
 from unity_link.virtual.build import simulate
 from unity_link.virtual.rtl import configurations
 from unity_link.virtual.rtl.making import origin
+from unity_link.virtual.rtl.spec_gateway import SpecGateway
 from unity_link.virtual.rtl.specs import configuration_of, configuration_of_node, made
 from unity_link.virtual.shared_line import build_shared_line
 from unity_link.virtual.simulated import SimulatedRobot
@@ -171,6 +172,16 @@ async def test_a_model_moves_behind_the_gateware_and_each_sample_is_of_one_insta
         assert all(column == columns[0] for column in columns)
         assert columns[0][-1] > columns[0][0]
         assert not batch.lost.any()
+
+
+@pytest.mark.slow
+def test_a_gateway_among_registers_rests_when_it_has_answered() -> None:
+    interface = compile_file(WALKER).interface()
+    gateway = SpecGateway(made(configuration_of(interface, {}, None)), interface)
+    gateway.receive(b"Q\r", 0.0)
+    before = gateway.cycles
+    gateway._run_until_quiet()
+    assert gateway.cycles - before < 200
 
 
 @pytest.mark.slow

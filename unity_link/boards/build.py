@@ -5,8 +5,6 @@ from __future__ import annotations
 import json
 import re
 import shutil
-import subprocess
-import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -18,6 +16,8 @@ from unity_link.errors import ArgumentError, UnityLinkError
 from unity_link.files import MARK, Writing, check_folder, digest_of, listed_in
 from unity_link.gateware.cache import ToolMissingError, board_sources
 from unity_link.gateware.convert import to_verilog
+from unity_link.gateware.external import run as run_tool
+from unity_link.gateware.external import temporary_folder
 from unity_link.gateware.ghdl import converting_ghdl
 from unity_link.gateware.limits import ETHERNET, check_generics
 from unity_link.gateware.own_vhdl import check_entities, convert_own
@@ -133,13 +133,13 @@ def build(
     built = Built(output / f"{name}.{family.suffix}", output / f"{name}.md")
     check_folder(output, built)
     try:
-        with Writing(overwrite=overwrite) as writing, tempfile.TemporaryDirectory() as scratch:
+        with Writing(overwrite=overwrite) as writing:
             writing.claim(built, listed_in(built.report))
-            work = Path(scratch)
-            design = design_of(spec, chosen, board_name, board, work, own)
-            for remark in design.remarks:
-                note(remark)
-            made = _make(spec, chosen, board_name, board, work, design, own, note)
+            with temporary_folder() as work:
+                design = design_of(spec, chosen, board_name, board, work, own)
+                for remark in design.remarks:
+                    note(remark)
+                made = _make(spec, chosen, board_name, board, work, design, own, note)
             for path, data in zip(built, made, strict=True):
                 with writing.open(path) as file:
                     file.write(data)
@@ -416,9 +416,8 @@ def program(board: Board, bitstream: Path) -> None:
         BuildError: where openFPGALoader says that it failed.
         ToolMissingError: where it is not there.
     """
-    done = subprocess.run(  # noqa: S603  (a command of our own, found on the path)
-        [loader(), *board.programmer, str(bitstream)], check=False, capture_output=True, text=True
-    )
+    with temporary_folder() as folder:
+        done = run_tool([loader(), *board.programmer, str(bitstream)], folder)
     if done.returncode:
         said = (done.stderr + done.stdout).strip().splitlines()[-1:] or ["no reason given"]
         raise BuildError(f"{bitstream} is made, and {_LOADER} failed: {said[0]}")

@@ -6,14 +6,13 @@ No vendor's tool was at hand, so none has read one: what can be checked without 
 from __future__ import annotations
 
 import re
-import tempfile
-from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.boards.pins import generated_pins, generics_on, pins_of
 from unity_link.errors import ArgumentError
 from unity_link.gateware import LICENCE
 from unity_link.gateware.cache import LIBRARY, board_sources
+from unity_link.gateware.external import temporary_folder
 from unity_link.gateware.limits import check_generics
 from unity_link.gateware.own_vhdl import check_entities, convert_own
 from unity_link.gateware.sources import in_compile_order
@@ -26,6 +25,7 @@ from unity_link.quoting import tcl_comment, tcl_string
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator
+    from pathlib import Path
 
     from unity_link.boards.board import Board, Pin
     from unity_link.files import Overwrite
@@ -135,9 +135,9 @@ def make_project(
 
 def _converted(own: Own, generated: list[GeneratedFile], generics: dict[str, int | str], top: str) -> Converted:
     """Return a user's top as GHDL converts it: its ports are known, and faults are found before a vendor's tool."""
-    with tempfile.TemporaryDirectory() as scratch:
+    with temporary_folder() as scratch:
         files = [file for file in generated if not file.name.endswith("_bench.vhd")]
-        return convert_own(own, generics, [*write(files, Path(scratch)), *board_sources()], generated_top=top)
+        return convert_own(own, generics, [*write(files, scratch), *board_sources()], generated_top=top)
 
 
 def _copied(own: Own) -> list[GeneratedFile]:

@@ -34,7 +34,7 @@ import os
 import signal
 import sys
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, NoReturn
 
 import typer
 
@@ -42,7 +42,7 @@ import unity_link
 from unity_link.cli.completion import remember_used, words_of_bash
 from unity_link.cli.families import MARKUP, Commands
 from unity_link.cli.output import print_error, quote_logs
-from unity_link.cli.running import INTERRUPTED
+from unity_link.cli.running import INTERRUPTED, SIGNALLED, SIGNALS
 from unity_link.errors import ArgumentError, UnityLinkError
 
 FAILED = 1
@@ -83,11 +83,18 @@ _UNWRITABLE = {errno.EBADF, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.ENOSPC, 
 
 def main(program: typer.Typer = app, name: str = NAME) -> None:
     """Run a command line, and exit with its code; `name` is what users type to get there."""
-    if signal.getsignal(signal.SIGINT) is signal.SIG_DFL:
-        signal.signal(signal.SIGINT, signal.default_int_handler)
+    for number in SIGNALS:
+        # What `nohup` ignores stays ignored.
+        if signal.getsignal(number) is signal.SIG_DFL:
+            signal.signal(number, signal.default_int_handler if number == signal.SIGINT else _end)
     _open_what_is_closed()
     with words_of_bash():
         sys.exit(_run(program, name))
+
+
+def _end(number: int, _: object) -> NoReturn:
+    """End the program by a signal as by an error, so that `finally` blocks remove unfinished files."""
+    sys.exit(SIGNALLED + number)
 
 
 def _open_what_is_closed() -> None:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, TypeVar
 import typer
 
 if TYPE_CHECKING:
-    from collections.abc import Coroutine
+    from collections.abc import Coroutine, Iterable
 
 T = TypeVar("T")
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
@@ -47,11 +47,13 @@ async def _until_signal(command: Coroutine[None, None, T]) -> T:
         task.cancel()
 
     def release() -> None:
-        for number in watched:
+        for number, handler in watched.items():
             loop.remove_signal_handler(number)
+            signal.signal(number, handler)
 
+    before = {number: signal.getsignal(number) or signal.SIG_DFL for number in SIGNALS}
     # What `nohup` ignores stays ignored.
-    watched = [number for number in SIGNALS if signal.getsignal(number) is not signal.SIG_IGN]
+    watched = {number: handler for number, handler in before.items() if handler is not signal.SIG_IGN}
     for number in watched:
         loop.add_signal_handler(number, stop, number)
     try:
@@ -68,7 +70,7 @@ async def _until_signal(command: Coroutine[None, None, T]) -> T:
     return result
 
 
-def _end_at_next(watched: list[signal.Signals]) -> None:
+def _end_at_next(watched: Iterable[signal.Signals]) -> None:
     """End the program by the next signal that comes after `PATIENCE`, whatever it is doing then."""
     earliest = time.monotonic() + PATIENCE
 

@@ -2,6 +2,7 @@
 
 - `cache`: where the VHDL is, where made things are kept, and under which name
 - `sources`: the VHDL and all that belongs to it, for a design of a user's own
+- `external`: tools and temporary folders, none of which outlives the program
 - `ghdl`: a GHDL that converts correctly, found or fetched
 - `convert`: an entity as Verilog
 - `release`: the same as a file for those who have no VHDL

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from unity_link.errors import UnityLinkError
-from unity_link.files import write_file
+from unity_link.files import digest_of, write_file
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -25,6 +25,7 @@ class ToolMissingError(UnityLinkError):
 _HERE = Path(__file__).resolve().parent
 GATEWARE = _HERE if (_HERE / "rtl").exists() else _HERE.parent.parent / "gateware"
 """The folder in which the VHDL is, in `rtl`: that of the project, or what an installed package has of it."""
+_BEFORE_SEAL = b"\n// SHA-256 of all above this line: "
 LIBRARY = "unity_link"
 """The VHDL library into which the gateware's sources are compiled; they themselves call it `work`."""
 
@@ -66,10 +67,35 @@ def _private_folder() -> Path:
 
 
 def kept(path: Path, make: Callable[[], str]) -> str:
-    """Return the text of a file of the cache, which is made unless it was made before."""
-    if not path.exists():
-        write_file(path, make().encode(), overwrite=True)
-    return path.read_text()
+    """Return a text of the cache, made unless it was made before; its file is `path` with one more suffix."""
+    file = path.with_name(f"{path.name}.sealed")
+    data = _opened(file)
+    if data is None:
+        data = make().encode()
+        write_file(file, sealed(data), overwrite=True)
+    return data.decode()
+
+
+def sealed(data: bytes) -> bytes:
+    """Return data with their SHA-256 in a last line, which is a comment in Verilog and in C++.
+
+    A power failure can cut a file that was written shortly before, although it got its name when all was written.
+    """
+    return b"%s%s%s\n" % (data, _BEFORE_SEAL, digest_of(data).encode())
+
+
+def is_whole(path: Path) -> bool:
+    """Return whether a file of the cache is there and as `sealed` made it."""
+    return _opened(path) is not None
+
+
+def _opened(path: Path) -> bytes | None:
+    """Return what was sealed in a file; None if the file is not there, or was cut or changed since."""
+    try:
+        data, _, seal = path.read_bytes().rpartition(_BEFORE_SEAL)
+    except OSError:
+        return None
+    return data if seal == digest_of(data).encode() + b"\n" else None
 
 
 def pads_of(vendor: str | None) -> dict[str, Path]:

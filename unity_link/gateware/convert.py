@@ -8,13 +8,13 @@ from __future__ import annotations
 import itertools
 import re
 import subprocess
-import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from unity_link.errors import UnityLinkError
 from unity_link.files import write_file
-from unity_link.gateware.cache import LIBRARY, cache_folder, hash_of, library_of, sources_for
+from unity_link.gateware.cache import LIBRARY, cache_folder, hash_of, is_whole, library_of, sealed, sources_for
+from unity_link.gateware.external import temporary_folder
 from unity_link.gateware.ghdl import converting_ghdl
 
 if TYPE_CHECKING:
@@ -62,21 +62,21 @@ def to_verilog(
     ghdl = converting_ghdl()
     name = hash_of([ghdl.version(), _PRIMITIVES.pattern, top, *options, *(source.read_bytes() for source in sources)])
     result = cache_folder("verilog") / f"{top}-{name}.v"
-    if result.exists():
+    if is_whole(result):
         return result
-    with tempfile.TemporaryDirectory() as scratch:
+    with temporary_folder() as scratch:
         try:
             # Imported first, so that GHDL itself finds the order in which the sources depend on each other.
             anywhere = [STD, UNBOUND, f"--workdir={scratch}"]
             work = [*anywhere, f"--work={library_of(top)}"]
             steps = (
                 *(
-                    ghdl.run("import", *anywhere, f"--work={library}", *map(str, files), cwd=Path(scratch))
+                    ghdl.run("import", *anywhere, f"--work={library}", *map(str, files), cwd=scratch)
                     for library, files in libraries.items()
                     if files
                 ),
-                ghdl.run("make", *work, top, cwd=Path(scratch)),
-                ghdl.run("synth", *work, "--out=verilog", *options, top, cwd=Path(scratch)),
+                ghdl.run("make", *work, top, cwd=scratch),
+                ghdl.run("synth", *work, "--out=verilog", *options, top, cwd=scratch),
             )
         except subprocess.CalledProcessError as error:
             first_lines = "\n".join(error.stderr.strip().splitlines()[:_ERROR_LINES])
@@ -87,7 +87,7 @@ def to_verilog(
     warnings += re.findall(r"^ *assign \w+ = [^?\n]*'b[01X]*X[^?\n]*;.*$", steps[-1].stdout, re.MULTILINE)
     if warnings:
         raise ConversionError(f"{top} with {dict(generics or {})}: " + "\n".join(warnings[:_ERROR_LINES]))
-    write_file(result, cleaned(steps[-1].stdout).encode(), overwrite=True)
+    write_file(result, sealed(cleaned(steps[-1].stdout).encode()), overwrite=True)
     return result
 
 

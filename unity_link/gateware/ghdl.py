@@ -12,10 +12,10 @@ import os
 import re
 import shutil
 import subprocess
-import tempfile
 from pathlib import Path
 
 from unity_link.gateware.cache import ToolMissingError, cache_folder
+from unity_link.gateware.external import run, temporary_folder
 
 __all__ = ["Ghdl", "ToolMissingError", "converting_ghdl"]
 
@@ -35,26 +35,22 @@ class Ghdl:
     command: tuple[str, ...]
     environment: dict[str, str]
 
-    def run(self, *arguments: str, cwd: Path | None = None) -> subprocess.CompletedProcess[str]:
-        """Run it and return what it said.
+    def run(self, *arguments: str, cwd: Path) -> subprocess.CompletedProcess[str]:
+        """Run it in a `temporary_folder`, and return its output.
 
         Raises:
-            subprocess.CalledProcessError: if it fails; `stderr` holds what it said.
+            subprocess.CalledProcessError: if it fails; `stderr` holds what it printed.
         """
-        return subprocess.run(
-            [*self.command, *arguments],
-            env={**os.environ, **self.environment},
-            cwd=cwd,
-            check=True,
-            capture_output=True,
-            # It shows lines of the sources, whose bytes may be any.
-            encoding="utf-8",
-            errors="replace",
-        )
+        done = run([*self.command, *arguments], cwd, cwd=cwd, environment=self.environment)
+        done.check_returncode()
+        return done
 
     def version(self) -> str:
         """Return the version line, which is part of the name of what this GHDL made."""
-        return self.run("--version").stdout.splitlines()[0]
+        command = [*self.command, "--version"]
+        environment = {**os.environ, **self.environment}
+        done = subprocess.run(command, env=environment, check=True, capture_output=True, text=True)
+        return done.stdout.splitlines()[0]
 
 
 def converting_ghdl() -> Ghdl:
@@ -89,8 +85,7 @@ def _fetch(root: Path) -> None:
             f"GHDL {_LEAST_VERSION} or later converts the gateware, and there is none: install one from "
             "https://github.com/ghdl/ghdl (on Debian 12 it is fetched by apt-get, on Debian 13: apt install ghdl)"
         )
-    with tempfile.TemporaryDirectory(dir=root.parent, prefix="ghdl-") as scratch:
-        work = Path(scratch)
+    with temporary_folder(root.parent) as work:
         for folder in ("lists/partial", "cache/archives/partial", "root"):
             (work / folder).mkdir(parents=True)
         sources = work / "sources.list"
@@ -109,28 +104,34 @@ def _fetch(root: Path) -> None:
             "-oAcquire::Retries=3",
             "-oAPT::Update::Error-Mode=any",
         ]
-        try:
-            for command in ("update", "download"):
-                subprocess.run(
-                    [*apt, command, *(_PACKAGES if command == "download" else ())],
-                    cwd=work,
-                    check=True,
-                    capture_output=True,
-                    text=True,
-                )
-            for package in work.glob("*.deb"):
-                subprocess.run(["dpkg", "-x", str(package), str(work / "root")], check=True, capture_output=True)
-        except subprocess.CalledProcessError as error:
-            reason = (error.stderr or "").strip().splitlines()[-1:] or ["no reason given"]
-            raise ToolMissingError(
-                f"GHDL {_LEAST_VERSION} or later converts the gateware; fetching Debian {_SUITE}'s failed: {reason[0]}"
-            ) from error
+        for command in ([*apt, "update"], [*apt, "download", *_PACKAGES]):
+            _call(command, work)
+        for package in work.glob("*.deb"):
+            _call(["dpkg", "-x", str(package), str(work / "root")], work)
+        # A power failure would leave files without their contents behind the name that says that all is there.
+        os.sync()
         try:
             (work / "root").rename(root)
         except OSError:
-            # Somebody else was quicker.
+            # Another program was quicker.
             if not root.exists():
                 raise
+
+
+def _call(command: list[str], work: Path) -> None:
+    """Run a tool that fetches or unpacks.
+
+    Raises:
+        ToolMissingError: if it fails.
+    """
+    done = run(command, work, cwd=work, environment={"LC_ALL": "C"})
+    if done.returncode:
+        lines = [line.strip() for line in (done.stdout + done.stderr).splitlines() if line.strip()]
+        # apt-get ends with a line that says that something failed.
+        reason = next((line for line in lines if "No space left" in line), (lines or ["no reason given"])[-1])
+        raise ToolMissingError(
+            f"GHDL {_LEAST_VERSION} or later converts the gateware; fetching Debian {_SUITE}'s failed: {reason}"
+        )
 
 
 def _mirror() -> str:

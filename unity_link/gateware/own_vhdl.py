@@ -7,8 +7,6 @@ from __future__ import annotations
 
 import re
 import subprocess
-import tempfile
-from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 from xml.etree import ElementTree as ET
 
@@ -16,10 +14,12 @@ from unity_link.errors import ArgumentError
 from unity_link.files import digest_of
 from unity_link.gateware.cache import LIBRARY, vhdl_sources
 from unity_link.gateware.convert import STD, UNBOUND, ConversionError, as_options, cleaned
+from unity_link.gateware.external import temporary_folder
 from unity_link.gateware.ghdl import converting_ghdl
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
+    from pathlib import Path
 
     from unity_link.gateware.ghdl import Ghdl
     from unity_link.spec import Interface
@@ -99,9 +99,9 @@ def read_own(top: Path | None, others: Sequence[Path] = ()) -> Own:
     ghdl = converting_ghdl()
     units: dict[str, Path] = {}
     found: list[tuple[str, str]] = []
-    with tempfile.TemporaryDirectory() as scratch:
-        for file, copy in _copies(files, Path(scratch)).items():
-            found = _UNIT.findall(_run(ghdl, Path(scratch), files, "-f", STD, str(copy)))
+    with temporary_folder() as scratch:
+        for file, copy in _copies(files, scratch).items():
+            found = _UNIT.findall(_run(ghdl, scratch, files, "-f", STD, str(copy)))
             for kind, name in found:
                 if name.lower() in units:
                     raise ArgumentError(f"{file.path} has the {kind} {name}, and so has {units[name.lower()]}")
@@ -162,8 +162,7 @@ def convert_own(
         for name in own.units.keys() & {path.stem for path in paths}:
             raise ArgumentError(f"{own.units[name]} has {name}, which is {kind}: leave it out, or give it another name")
     ghdl = converting_ghdl()
-    with tempfile.TemporaryDirectory() as folder:
-        scratch = Path(folder)
+    with temporary_folder() as scratch:
         copies = [*_copies(own.files, scratch).values()]
         anywhere = [STD, UNBOUND, f"--workdir={scratch}"]
 

@@ -15,6 +15,7 @@ from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from unity_link.gateware import external
 from unity_link.gateware.cache import ToolMissingError
 from unity_link.gateware.convert import ConversionError
 
@@ -75,7 +76,7 @@ def run(work: Path, tool: str, *arguments: str, explained: str = "(?!)") -> str:
         ConversionError: if it warns of something that is not explained.
         ToolMissingError: if it is not installed.
     """
-    done = subprocess.run([script(tool), *arguments], cwd=work, check=False, capture_output=True, text=True)
+    done = external.run([script(tool), *arguments], work, cwd=work)
     last_words = done.stderr.strip().splitlines()[-1:]
     _judge(tool, done.returncode, (done.stdout + done.stderr).splitlines(), last_words, explained)
     return done.stdout
@@ -98,13 +99,9 @@ def place(work: Path, tool: str, *arguments: str, explained: str = "(?!)") -> No
     with (
         path.open("w") as out,
         path.open(errors="replace") as printed,
-        subprocess.Popen([script(tool), *arguments], cwd=work, stdout=out, stderr=subprocess.STDOUT) as process,
+        external.running([script(tool), *arguments], work, cwd=work, stdout=out, stderr=subprocess.STDOUT) as process,
     ):
-        try:
-            _watch(tool, process, printed)
-        except BaseException:
-            process.kill()
-            raise
+        _watch(tool, process, printed)
     lines = path.read_text(errors="replace").splitlines()
     _judge(tool, process.returncode, lines, lines[-1:], explained)
 

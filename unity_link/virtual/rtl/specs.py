@@ -13,7 +13,6 @@ import json
 import logging
 import os
 import sys
-import tempfile
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -21,6 +20,8 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from unity_link.errors import ArgumentError, ConnectError
+from unity_link.gateware.cache import is_whole
+from unity_link.gateware.external import FolderError, running, temporary_folder
 from unity_link.gateware.limits import check_generics
 from unity_link.generate import Templates
 from unity_link.generate.verilog import flat_design
@@ -32,7 +33,7 @@ from unity_link.protocol.crc import USUAL_POLYNOMIALS
 from unity_link.spec.model import Way
 from unity_link.spec.rates import base_millihertz
 from unity_link.virtual.generics import FEATURES, generics_of, info_of
-from unity_link.virtual.rtl.compiling import cache_folder, compiler, running
+from unity_link.virtual.rtl.compiling import cache_folder, compiler
 from unity_link.virtual.rtl.configurations import Configuration, Design
 
 if TYPE_CHECKING:
@@ -201,7 +202,7 @@ def made(configuration: Configuration) -> Configuration:
     path = _path_of(configuration)
     if path is None:
         return configuration
-    if not path.exists():
+    if not is_whole(path):
         with _making(configuration, path) as process:
             _check(configuration, process, process.communicate()[1])
     return configuration.made(path)
@@ -216,7 +217,7 @@ async def make_beside(configuration: Configuration) -> Configuration:
     path = _path_of(configuration)
     if path is None:
         return configuration
-    if not path.exists():
+    if not is_whole(path):
         with _making(configuration, path) as process:
             # A thread waits, for processes of asyncio need a loop that watches children.
             _check(configuration, process, (await asyncio.to_thread(process.communicate))[1])
@@ -247,13 +248,16 @@ def _making(configuration: Configuration, path: Path) -> Iterator[subprocess.Pop
             f"the gateware of {configuration.name} can't be kept in {path.parent} ({error.strerror}): name another "
             "folder in XDG_CACHE_HOME"
         ) from error
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
-    with tempfile.TemporaryDirectory() as scratch:
-        wanted = Path(scratch, "configuration.json")
-        wanted.write_bytes(msgspec.json.encode(configuration))
-        command = [sys.executable, "-m", "unity_link.virtual.rtl.making", str(wanted), str(path)]
-        with running(command, environment) as process:
-            yield process
+    environment = {"PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
+    try:
+        with temporary_folder() as scratch:
+            wanted = scratch / "configuration.json"
+            wanted.write_bytes(msgspec.json.encode(configuration))
+            command = [sys.executable, "-m", "unity_link.virtual.rtl.making", str(wanted), str(path)]
+            with running(command, scratch, environment=environment) as process:
+                yield process
+    except FolderError as error:
+        raise ConnectError(f"the gateware of {configuration.name} cannot be built: {error}") from error
     log.warning("the gateware of %s was built in %.0f s", configuration.name, time.monotonic() - began)
 
 
