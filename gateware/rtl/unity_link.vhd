@@ -638,7 +638,7 @@ begin
 
     ethernet_inst : entity work.ul_ethernet
       generic map (
-        interface      => physical,
+        physical       => physical,
         clock_hz       => clock_hz,
         mac_address    => mac_address,
         ip_address     => ip_address,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import builtins
 import keyword
+import re
 import shutil
 import subprocess
 import sys
@@ -19,6 +20,7 @@ from generate.octave import Octave, why_not
 from generate.programs import generated
 from support.searching import examples
 from unity_link.errors import UnityLinkError
+from unity_link.gateware.words import SYSTEMVERILOG
 from unity_link.generate import TARGETS, generate
 from unity_link.generate.matlab.names import KEYWORDS, MEMBERS
 from unity_link.generate.vhdl.names import RESERVED
@@ -110,6 +112,14 @@ def test_any_names_make_vhdl_that_can_be_analysed(text: str, tmp_path_factory: p
             check=False,
         )
         assert (done.returncode, done.stderr) == (0, ""), path.name
+
+
+@given(text=awkward_specs(sorted(SYSTEMVERILOG)))
+def test_no_name_of_a_spec_is_a_word_of_systemverilog_in_its_vhdl(text: str) -> None:
+    for file in generate("vhdl", compile_text(text)):
+        if file.name.endswith(".vhd") and not file.name.endswith("_bench.vhd"):
+            code = re.sub(r'--.*|"[^"\n]*"', "", file.text).lower()
+            assert set(re.findall(r"[a-z]\w*", code)) & SYSTEMVERILOG <= {*RESERVED, "bit", "string"}, file.name
 
 
 @pytest.mark.skipif(bool(why_not()), reason=why_not())

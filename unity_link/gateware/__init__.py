@@ -6,6 +6,7 @@
 - `ghdl`: a GHDL that converts correctly, found or fetched
 - `convert`: an entity as Verilog
 - `release`: the same as a file for those who have no VHDL
+- `words`: names that Verilog takes and SystemVerilog does not
 - `yowasp`: what reads that Verilog
 """
 

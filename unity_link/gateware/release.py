@@ -14,6 +14,7 @@ from unity_link.gateware import LICENCE
 from unity_link.gateware.cache import vhdl_sources
 from unity_link.gateware.convert import to_verilog
 from unity_link.gateware.registers import SETTINGS, with_names
+from unity_link.gateware.words import SYSTEMVERILOG
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -25,6 +26,8 @@ _MODULE = re.compile(r"^module (\w+)$", re.MULTILINE)
 _MENTION = re.compile(r"^(module |  )(\w+)(?=$| \w+ \()", re.MULTILINE)
 # What is a word of Verilog is written so that it ends at a space.
 _PORT = re.compile(r"^ +\(?(input|output)(?: reg)? +(?:\[(\d+):0\] )?(\w+|\\\w+ )[,)]", re.MULTILINE)
+# Comments, texts and names behind a backslash are passed over.
+_WORD = re.compile(rf'//.*|"[^"\n]*"|\\\S+|\b({"|".join(sorted(SYSTEMVERILOG))})\b')
 _DEFAULT = re.compile(r"^\s*(\w+)\s*:\s*in\s[^:;]*:=\s*('[01]'|\(others => '[01]'\))", re.MULTILINE)
 
 
@@ -60,7 +63,7 @@ def release(
         ToolMissingError: if there is no GHDL that can be used.
     """
     sources = [*extra_sources, *vhdl_sources()]
-    text = with_names(to_verilog(top, generics, extra_sources).read_text(), sources)
+    text = _without_words(with_names(to_verilog(top, generics, extra_sources).read_text(), sources))
     found = ports(text, top, top, sources)
     lines = [
         *([] if LICENCE in about else [LICENCE, ""]),
@@ -113,6 +116,17 @@ def _constant(default: str, width: int) -> str:
         return ""
     bit = "1" if "'1'" in default else "0"
     return f"1'b{bit}" if width == 1 else f"{{{width}{{1'b{bit}}}}}"
+
+
+def _without_words(text: str) -> str:
+    """Return Verilog in which no name is a word of SystemVerilog: such a name gets ``_x``, as in generated VHDL.
+
+    By the standard a backslash would do, but Verilator 5.006 refuses ``super`` behind one.
+    """
+    ending = "_x"
+    while re.search(rf"\b({'|'.join(SYSTEMVERILOG)}){ending}\b", text):
+        ending += "_x"
+    return _WORD.sub(lambda found: f"{found[1]}{ending}" if found[1] else found[0], text)
 
 
 def _named(text: str, top: str, name: str) -> str:

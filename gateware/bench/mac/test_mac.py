@@ -25,11 +25,11 @@ def test_mac(interface: str, period_ns: float) -> None:
     run_bench(
         "ul_mac",
         _BENCH,
-        generics={"interface": interface},
+        generics={"physical": interface},
         extra_env={"INTERFACE": interface, "PERIOD_NS": str(period_ns)},
     )
 
 
 def test_an_interface_that_there_is_not_is_refused() -> None:
-    with pytest.raises(BenchError, match='interface is "sgmii", expected "rmii", "mii" or "rgmii"'):
-        run_bench("ul_mac", _BENCH, generics={"interface": "sgmii"}, extra_env={"INTERFACE": "mii", "PERIOD_NS": "20"})
+    with pytest.raises(BenchError, match='physical is "sgmii", expected "rmii", "mii" or "rgmii"'):
+        run_bench("ul_mac", _BENCH, generics={"physical": "sgmii"}, extra_env={"INTERFACE": "mii", "PERIOD_NS": "20"})

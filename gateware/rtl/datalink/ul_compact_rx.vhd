@@ -65,7 +65,7 @@ architecture rtl of ul_compact_rx is
   signal rest    : rest_t;
   signal place   : place_t;
   signal value   : std_logic_vector(7 downto 0);
-  signal inside  : std_logic;
+  signal framed  : std_logic;
   signal escaped : std_logic;
   -- Characters of text have come without their line end.
   signal in_line : std_logic;
@@ -145,15 +145,15 @@ begin
               lost     <= '0';
               out_lost <= lost or in_lost;
               if in_data = compact_start then
-                if (inside or in_line) = '1' then
+                if (framed or in_line) = '1' then
                   cut;
                 else
                   lost <= lost or in_lost;
                 end if;
-                inside  <= '1';
+                framed  <= '1';
                 in_line <= '0';
                 place   <= first_place;
-              elsif inside = '0' then
+              elsif framed = '0' then
                 give(in_data);
                 in_line <= to_std_logic(not is_end);
                 if in_data = compact_end then
@@ -162,10 +162,10 @@ begin
                 end if;
               elsif is_end or (in_data = compact_end and escaped = '1') then
                 cut;
-                inside <= '0';
+                framed <= '0';
               elsif in_data = compact_end then
                 give(lf);
-                inside <= '0';
+                framed <= '0';
               elsif in_data = compact_escape and escaped = '0' then
                 escaped <= '1';
                 lost    <= lost or in_lost;
@@ -204,7 +204,7 @@ begin
         rest     <= nothing;
         place    <= first_place;
         value    <= (others => '0');
-        inside   <= '0';
+        framed   <= '0';
         escaped  <= '0';
         in_line  <= '0';
         lost     <= '0';

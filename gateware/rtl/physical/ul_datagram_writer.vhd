@@ -75,12 +75,12 @@ architecture rtl of ul_datagram_writer is
   constant port_bits : std_logic_vector(15 downto 0) := std_logic_vector(to_unsigned(udp_port, 16));
 
   -- The words of an IP header that are always the same, in ones' complement: version, flags, time to live.
-  function always (protocol : natural) return unsigned is
+  function fixed_words (protocol : natural) return unsigned is
   begin
 
     return to_unsigned(16#4500# + 16#4000# + 16#4000# + protocol, 16);
 
-  end function always;
+  end function fixed_words;
 
   -- The end of the answer to a question who is there, by the lower half of a byte's place: features, and the name.
   function named return std_logic_vector is
@@ -126,13 +126,13 @@ architecture rtl of ul_datagram_writer is
   signal carry    : std_logic;
   signal free     : std_logic;
   signal valid    : std_logic;
-  signal byte     : std_logic_vector(7 downto 0);
+  signal out_byte : std_logic_vector(7 downto 0);
   signal produced : std_logic;
   signal finishes : std_logic;
 
 begin
 
-  out_data  <= byte;
+  out_data  <= out_byte;
   out_valid <= valid;
   -- The register of the byte that is sent next can be written.
   free       <= not valid or out_ready;
@@ -220,7 +220,7 @@ begin
         place <= place + 1;
       end if;
       if covered = '1' then
-        crc <= crc_after(crc, byte, crc_polynomial);
+        crc <= crc_after(crc, out_byte, crc_polynomial);
       end if;
 
       case state is
@@ -230,9 +230,9 @@ begin
           phase   <= '0';
           refusal <= '0';
           carry   <= '0';
-          sum     <= always(17);
+          sum     <= fixed_words(17);
           if job = job_echo then
-            sum <= always(1);
+            sum <= fixed_words(1);
           end if;
           if job /= job_none and job_done = '0' then
             kind    <= job;
@@ -285,15 +285,15 @@ begin
             end if;
           end if;
 
-          byte <= x"00";
+          out_byte <= x"00";
 
           case index is
 
             when 0 to 11 =>
-              byte <= read_data;
+              out_byte <= read_data;
 
             when 12 =>
-              byte <= x"08";
+              out_byte <= x"08";
 
             when others =>
               if kind = job_arp then
@@ -301,25 +301,25 @@ begin
                 case index is
 
                   when 13 =>
-                    byte <= x"06";
+                    out_byte <= x"06";
 
                   when 15 =>
-                    byte <= x"01";
+                    out_byte <= x"01";
 
                   when 16 =>
-                    byte <= x"08";
+                    out_byte <= x"08";
 
                   when 18 =>
-                    byte <= x"06";
+                    out_byte <= x"06";
 
                   when 19 =>
-                    byte <= x"04";
+                    out_byte <= x"04";
 
                   when 21 =>
-                    byte <= x"02";
+                    out_byte <= x"02";
 
                   when 22 to 41 =>
-                    byte <= read_data;
+                    out_byte <= read_data;
 
                   when others =>
                     null;
@@ -331,55 +331,55 @@ begin
                 case index is
 
                   when 14 =>
-                    byte <= x"45";
+                    out_byte <= x"45";
 
                   when 16 | 38 =>
-                    byte(2 downto 0) <= std_logic_vector(total(10 downto 8));
+                    out_byte(2 downto 0) <= std_logic_vector(total(10 downto 8));
                     if index = 38 and kind = job_echo then
-                      byte <= read_data;
+                      out_byte <= read_data;
                     end if;
 
                   when 17 | 39 =>
-                    byte <= std_logic_vector(total(7 downto 0));
+                    out_byte <= std_logic_vector(total(7 downto 0));
                     if index = 39 and kind = job_echo then
-                      byte <= read_data;
+                      out_byte <= read_data;
                     end if;
 
                   when 20 | 22 =>
-                    byte <= x"40";
+                    out_byte <= x"40";
 
                   when 23 =>
-                    byte <= x"11";
+                    out_byte <= x"11";
                     if kind = job_echo then
-                      byte <= x"01";
+                      out_byte <= x"01";
                     end if;
 
                   when 24 =>
-                    byte <= not std_logic_vector(sum(15 downto 8));
+                    out_byte <= not std_logic_vector(sum(15 downto 8));
 
                   when 25 =>
-                    byte <= not std_logic_vector(sum(7 downto 0));
+                    out_byte <= not std_logic_vector(sum(7 downto 0));
 
                   when 26 to 33 =>
-                    byte <= read_data;
+                    out_byte <= read_data;
 
                   when 34 | 35 =>
                     if kind /= job_echo then
-                      byte <= octet(port_bits, index - 34);
+                      out_byte <= octet(port_bits, index - 34);
                     end if;
 
                   when 36 =>
-                    byte <= read_data;
+                    out_byte <= read_data;
                     if kind = job_echo then
-                      byte <= std_logic_vector(unsigned(read_data) + unsigned'(0 => job_carry));
+                      out_byte <= std_logic_vector(unsigned(read_data) + unsigned'(0 => job_carry));
                     end if;
 
                   when 37 =>
-                    byte <= read_data;
+                    out_byte <= read_data;
 
                   when 40 | 41 =>
                     if kind = job_echo then
-                      byte <= read_data;
+                      out_byte <= read_data;
                     end if;
 
                   when others =>
@@ -403,28 +403,28 @@ begin
 
         when text =>
           if kind = job_find then
-            byte <= read_data;
+            out_byte <= read_data;
             if place(4) = '1' then
-              byte <= octet(facts, to_integer(place(3 downto 0)));
+              out_byte <= octet(facts, to_integer(place(3 downto 0)));
               if place = 16 then
-                byte(1) <= has_session;
+                out_byte(1) <= has_session;
               end if;
             end if;
           elsif refusal = '1' then
-            byte <= x"30";
+            out_byte <= x"30";
             if place = 0 then
-              byte <= x"58";
+              out_byte <= x"58";
             elsif place = 2 then
-              byte <= x"41";
+              out_byte <= x"41";
             end if;
           elsif place = 0 then
-            byte <= x"55";
+            out_byte <= x"55";
           elsif place <= 8 then
-            byte <= hex_character(read_data(3 downto 0));
+            out_byte <= hex_character(read_data(3 downto 0));
           elsif offered = '1' or refuses = '1' then
-            byte <= x"30";
+            out_byte <= x"30";
           else
-            byte <= hex_character(std_logic_vector(count(31 downto 28)));
+            out_byte <= hex_character(std_logic_vector(count(31 downto 28)));
           end if;
           if produced = '1' and kind = job_find then
             last := to_std_logic(place = find_bytes - 1);
@@ -441,11 +441,11 @@ begin
 
         when ends =>
           if plain = '1' and place = 0 then
-            byte <= character_cr;
+            out_byte <= character_cr;
           elsif plain = '1' or place = check_digits then
-            byte <= character_lf;
+            out_byte <= character_lf;
           else
-            byte <= hex_character(crc(crc'high downto crc'high - 3));
+            out_byte <= hex_character(crc(crc'high downto crc'high - 3));
           end if;
           if produced = '1' then
             crc <= crc(crc'high - 4 downto 0) & "0000";
@@ -463,10 +463,10 @@ begin
 
         when payload =>
           if free = '1' and (kind = job_none or echo_valid = '1') then
-            valid <= '1';
-            byte  <= answer_data;
+            valid    <= '1';
+            out_byte <= answer_data;
             if kind = job_echo then
-              byte <= echo_data;
+              out_byte <= echo_data;
             end if;
             left <= left - 1;
             last := to_std_logic(left = 1);
@@ -490,7 +490,7 @@ begin
       end if;
       -- No byte changes before it is taken.
       if free = '0' then
-        byte <= byte;
+        out_byte <= out_byte;
       end if;
 
       if opened = '1' then
@@ -514,7 +514,7 @@ begin
         sum      <= (others => '0');
         carry    <= '0';
         valid    <= '0';
-        byte     <= (others => '0');
+        out_byte <= (others => '0');
         job_done <= '0';
         out_last <= '0';
       end if;

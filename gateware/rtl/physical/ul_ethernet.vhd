@@ -18,7 +18,7 @@ library work;
 entity ul_ethernet is
   generic (
     -- "rmii", "mii", "rgmii": the pins of the PHY; "w5500": the SPI of that chip.
-    interface : string := "rmii";
+    physical : string := "rmii";
     -- At least 25,000,000, for "w5500": frequency of clk in Hz.
     clock_hz : positive := 50_000_000;
     -- 48 bits, an address of one station: this gateway's.
@@ -174,11 +174,11 @@ begin
     report "ul_ethernet: gateway_name has " & integer'image(gateway_name'length) & " characters, expected at most 15"
     severity failure;
 
-  with_phy : if interface /= "w5500" generate
+  with_phy : if physical /= "w5500" generate
 
     mac_inst : entity work.ul_mac
       generic map (
-        interface => interface
+        physical => physical
       )
       port map (
         clk        => clk,
@@ -208,7 +208,7 @@ begin
 
   end generate with_phy;
 
-  with_w5500 : if interface = "w5500" generate
+  with_w5500 : if physical = "w5500" generate
 
     w5500_inst : entity work.ul_w5500
       generic map (

@@ -20,7 +20,7 @@ library ieee;
 entity ul_mac is
   generic (
     -- "rmii", "mii", "rgmii": the pins of the PHY.
-    interface : string := "rmii"
+    physical : string := "rmii"
   );
   port (
     -- The core's clock, at least 25 MHz: rising edges count.
@@ -74,7 +74,7 @@ architecture rtl of ul_mac is
 
   end function lanes_of;
 
-  constant lanes : positive := lanes_of(interface);
+  constant lanes : positive := lanes_of(physical);
   constant depth : positive := 8;
 
   subtype symbol_t is std_logic_vector(lanes - 1 downto 0);
@@ -115,8 +115,8 @@ architecture rtl of ul_mac is
 
 begin
 
-  assert interface = "rmii" or interface = "mii" or interface = "rgmii"
-    report "ul_mac: interface is """ & interface & """, expected ""rmii"", ""mii"" or ""rgmii"""
+  assert physical = "rmii" or physical = "mii" or physical = "rgmii"
+    report "ul_mac: physical is """ & physical & """, expected ""rmii"", ""mii"" or ""rgmii"""
     severity failure;
 
   core_reset : process (clk) is
@@ -205,7 +205,7 @@ begin
 
   end process rx_pins;
 
-  rmii_in : if interface = "rmii" generate
+  rmii_in : if physical = "rmii" generate
 
     -- Comes up with the carrier, at any instant.
     carrier_crossing : entity work.ul_synchroniser
@@ -236,7 +236,7 @@ begin
 
   end generate rmii_in;
 
-  mii_in : if interface /= "rmii" generate
+  mii_in : if physical /= "rmii" generate
 
     dv_pin : process (phy_rx_clk) is
     begin
@@ -257,13 +257,13 @@ begin
 
   end generate mii_in;
 
-  mii_error : if interface = "mii" generate
+  mii_error : if physical = "mii" generate
 
     er_now <= er_first;
 
   end generate mii_error;
 
-  rgmii_error : if interface = "rgmii" generate
+  rgmii_error : if physical = "rgmii" generate
 
     half_way : process (phy_rx_clk) is
     begin
@@ -358,7 +358,7 @@ begin
       enable   => enable
     );
 
-  one_edge : if interface /= "rgmii" generate
+  one_edge : if physical /= "rgmii" generate
 
     tick      <= '1';
     phy_tx_en <= enable;
@@ -374,7 +374,7 @@ begin
 
   end generate one_edge;
 
-  rgmii_out : if interface = "rgmii" generate
+  rgmii_out : if physical = "rgmii" generate
 
     half : process (phy_tx_clk) is
     begin

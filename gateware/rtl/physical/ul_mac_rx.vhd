@@ -70,7 +70,7 @@ architecture rtl of ul_mac_rx is
   constant preamble  : std_logic_vector(lanes - 1 downto 0) := repeated;
   constant delimiter : std_logic_vector(lanes - 1 downto 0) := "11" & preamble(lanes - 3 downto 0);
 
-  type state_t is (passing_over, hunting, inside, ending);
+  type state_t is (passing_over, hunting, in_frame, ending);
 
   signal state     : state_t;
   signal begun     : std_logic;
@@ -93,12 +93,12 @@ begin
 
   main : process (clk) is
 
-    variable byte : std_logic_vector(7 downto 0);
+    variable in_byte : std_logic_vector(7 downto 0);
 
   begin
 
     if rising_edge(clk) then
-      byte := data & gathered(7 downto lanes);
+      in_byte := data & gathered(7 downto lanes);
 
       if out_ready = '1' or out_end = '0' then
         out_valid <= '0';
@@ -124,14 +124,14 @@ begin
           elsif error = '1' then
             state <= passing_over;
           elsif data = delimiter and begun = '1' then
-            state <= inside;
+            state <= in_frame;
           elsif data = preamble then
             begun <= '1';
           elsif begun = '1' or unsigned(data) /= 0 then
             state <= passing_over;
           end if;
 
-        when inside =>
+        when in_frame =>
           if place = 0 then
             right <= right_now;
           end if;
@@ -141,14 +141,14 @@ begin
           if valid = '0' or length > longest then
             state <= ending;
           else
-            gathered <= byte;
+            gathered <= in_byte;
             crc      <= crc32_after(crc, data);
             bad      <= bad or error or (out_valid and not out_ready);
             if place = symbols - 1 then
               place     <= 0;
               length    <= length + 1;
               out_valid <= '1';
-              out_data  <= byte;
+              out_data  <= in_byte;
             else
               place <= place + 1;
             end if;

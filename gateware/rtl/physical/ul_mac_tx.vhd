@@ -49,12 +49,12 @@ architecture rtl of ul_mac_tx is
 
   type state_t is (idle, preamble, payload, padding, check, dropping, resting);
 
-  -- What `byte` is, and how many bytes of that have begun; those of payload and padding together, up to `shortest`.
-  signal state : state_t;
-  signal count : unsigned(5 downto 0);
-  signal place : natural range 0 to symbols - 1;
-  signal byte  : std_logic_vector(7 downto 0);
-  signal crc   : std_logic_vector(31 downto 0);
+  -- What `out_byte` is, and how many bytes of that have begun; those of payload and padding together, up to `shortest`.
+  signal state    : state_t;
+  signal count    : unsigned(5 downto 0);
+  signal place    : natural range 0 to symbols - 1;
+  signal out_byte : std_logic_vector(7 downto 0);
+  signal crc      : std_logic_vector(31 downto 0);
   -- The byte is the last one that came with its frame; the frame is to have a wrong CRC.
   signal last   : std_logic;
   signal spoilt : std_logic;
@@ -81,7 +81,7 @@ begin
     if rising_edge(clk) then
       if tick = '1' then
         enable <= to_std_logic(state = preamble or state = payload or state = padding or state = check);
-        data   <= byte(lanes - 1 downto 0);
+        data   <= out_byte(lanes - 1 downto 0);
         if state = preamble then
           crc <= (others => '1');
         elsif state = check then
@@ -91,7 +91,7 @@ begin
             data <= not crc(lanes - 1 downto 0);
           end if;
         elsif state = payload or state = padding then
-          crc <= crc32_after(crc, byte(lanes - 1 downto 0));
+          crc <= crc32_after(crc, out_byte(lanes - 1 downto 0));
         end if;
       end if;
 
@@ -109,12 +109,12 @@ begin
 
     if rising_edge(clk) then
       if tick = '1' then
-        byte <= std_logic_vector(shift_right(unsigned(byte), lanes));
+        out_byte <= std_logic_vector(shift_right(unsigned(out_byte), lanes));
       end if;
       if step = '1' then
-        place <= 0;
-        count <= count + 1;
-        byte  <= (others => '0');
+        place    <= 0;
+        count    <= count + 1;
+        out_byte <= (others => '0');
       elsif tick = '1' then
         place <= place + 1;
       end if;
@@ -122,19 +122,19 @@ begin
       case state is
 
         when idle =>
-          place  <= 0;
-          count  <= to_unsigned(1, count'length);
-          byte   <= x"55";
-          spoilt <= '0';
+          place    <= 0;
+          count    <= to_unsigned(1, count'length);
+          out_byte <= x"55";
+          spoilt   <= '0';
           if (tick and in_valid) = '1' then
             state <= preamble;
           end if;
 
         when preamble =>
           if step = '1' then
-            byte <= x"55";
+            out_byte <= x"55";
             if count = delimiter - 1 then
-              byte <= x"D5";
+              out_byte <= x"D5";
             end if;
           end if;
           last <= '0';
@@ -176,9 +176,9 @@ begin
       end case;
 
       if take = '1' then
-        state <= payload;
-        byte  <= in_data;
-        last  <= in_last;
+        state    <= payload;
+        out_byte <= in_data;
+        last     <= in_last;
         if state = preamble then
           count <= to_unsigned(1, count'length);
         end if;
@@ -190,12 +190,12 @@ begin
       end if;
 
       if rst = '1' then
-        state  <= idle;
-        count  <= (others => '0');
-        place  <= 0;
-        byte   <= (others => '0');
-        last   <= '0';
-        spoilt <= '0';
+        state    <= idle;
+        count    <= (others => '0');
+        place    <= 0;
+        out_byte <= (others => '0');
+        last     <= '0';
+        spoilt   <= '0';
       end if;
     end if;
 

@@ -83,14 +83,14 @@ begin
     variable is_udp : std_logic;
     variable total  : unsigned(8 downto 0);
 
-    procedure expect (condition : boolean) is
+    procedure demand (condition : boolean) is
     begin
 
       if not condition then
         wanted <= '0';
       end if;
 
-    end procedure expect;
+    end procedure demand;
 
   begin
 
@@ -117,47 +117,47 @@ begin
 
           when 6 to 11 =>
             keep := '1';
-            expect((to_me or to_all) = '1');
+            demand((to_me or to_all) = '1');
 
           when 12 =>
-            expect(in_data = x"08");
+            demand(in_data = x"08");
 
           when 13 =>
             is_arp <= in_data(1);
-            expect(in_data = x"06" or in_data = x"00");
+            demand(in_data = x"06" or in_data = x"00");
 
           when 14 =>
-            expect((is_arp = '1' and in_data = x"00") or (is_arp = '0' and in_data = x"45"));
+            demand((is_arp = '1' and in_data = x"00") or (is_arp = '0' and in_data = x"45"));
 
           when 15 =>
-            expect(is_arp = '0' or in_data = x"01");
+            demand(is_arp = '0' or in_data = x"01");
 
           when 16 =>
             keep                   := '1';
             remaining(10 downto 8) <= unsigned(in_data(2 downto 0));
-            expect((is_arp = '1' and in_data = x"08") or (is_arp = '0' and unsigned(in_data(7 downto 3)) = 0));
+            demand((is_arp = '1' and in_data = x"08") or (is_arp = '0' and unsigned(in_data(7 downto 3)) = 0));
 
           when 17 =>
             keep                  := '1';
             remaining(7 downto 0) <= unsigned(in_data);
-            expect(is_arp = '0' or in_data = x"00");
+            demand(is_arp = '0' or in_data = x"00");
 
           when 18 =>
             udp_bytes <= remaining - 20;
-            expect(is_arp = '0' or in_data = x"06");
+            demand(is_arp = '0' or in_data = x"06");
 
           when 19 =>
-            expect(is_arp = '0' or in_data = x"04");
+            demand(is_arp = '0' or in_data = x"04");
 
           when 20 =>
-            expect(unsigned(in_data(5 downto 0)) = 0);
+            demand(unsigned(in_data(5 downto 0)) = 0);
 
           when 21 =>
-            expect((is_arp = '1' and in_data = x"01") or (is_arp = '0' and in_data = x"00"));
+            demand((is_arp = '1' and in_data = x"01") or (is_arp = '0' and in_data = x"00"));
 
           when 23 =>
             is_icmp <= not is_arp and in_data(0) and not in_data(4);
-            expect(is_arp = '1' or (in_data = x"01" and to_me = '1') or in_data = x"11");
+            demand(is_arp = '1' or (in_data = x"01" and to_me = '1') or in_data = x"11");
 
           when 25 =>
             keep       := '1';
@@ -174,24 +174,24 @@ begin
 
           when 34 =>
             keep := not is_arp;
-            expect(is_icmp = '0' or in_data = x"08");
-            expect(is_arp = '1' or (sum_last = x"FF" and ((sum = x"FF" and carry = '0') or (sum = x"FE" and carry = '1'))));
+            demand(is_icmp = '0' or in_data = x"08");
+            demand(is_arp = '1' or (sum_last = x"FF" and ((sum = x"FF" and carry = '0') or (sum = x"FE" and carry = '1'))));
 
           when 35 =>
             keep := not is_arp;
-            expect(is_icmp = '0' or in_data = x"00");
+            demand(is_icmp = '0' or in_data = x"00");
 
           when 36 | 37 =>
             keep := not is_arp;
-            expect(is_udp = '0' or in_data = octet(port_bits, index - 36));
+            demand(is_udp = '0' or in_data = octet(port_bits, index - 36));
 
           when 38 =>
             keep := '1';
-            expect(is_udp = '0' or unsigned(in_data) = udp_bytes(10 downto 8));
+            demand(is_udp = '0' or unsigned(in_data) = udp_bytes(10 downto 8));
 
           when 39 =>
             keep := '1';
-            expect(is_udp = '0' or unsigned(in_data) = udp_bytes(7 downto 0));
+            demand(is_udp = '0' or unsigned(in_data) = udp_bytes(7 downto 0));
 
           when 40 | 41 =>
             keep := '1';
@@ -209,7 +209,7 @@ begin
           remaining <= remaining - 1;
           if remaining = 5 then
             complete <= '1';
-            expect(index = 41 or index = header);
+            demand(index = 41 or index = header);
           end if;
         end if;
         if index = 41 and is_arp = '1' then

@@ -1,8 +1,13 @@
-"""Names of a spec as VHDL takes them: of any case, never a reserved word, each once in its scope."""
+"""Names of a spec as VHDL takes them: of any case, never a reserved word, each once in its scope.
+
+A word of SystemVerilog is none either: the names of ports become names in Verilog.
+"""
 
 from __future__ import annotations
 
 import re
+
+from unity_link.gateware.words import SYSTEMVERILOG
 
 RESERVED = frozenset(
     """abs access after alias all and architecture array assert assume assume_guarantee attribute begin block body
@@ -21,10 +26,10 @@ TYPES = frozenset({"std_logic", "std_logic_vector", "unsigned", "signed"})
 def identifier(text: str) -> str:
     """Write a name or a path of a spec in small letters, as VHDL allows: ``legs[2].__Pos`` is ``legs_2_pos``.
 
-    What is a word of VHDL or the name of a type gets ``_x`` behind it.
+    A word of VHDL or of SystemVerilog, or the name of a type, gets ``_x`` behind it.
     """
     name = _letters(text)
-    return f"{name}_x" if name in RESERVED | TYPES or name.endswith("_t") else name
+    return f"{name}_x" if name in RESERVED | SYSTEMVERILOG | TYPES or name.endswith("_t") else name
 
 
 def _letters(text: str) -> str:
