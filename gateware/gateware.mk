@@ -14,7 +14,7 @@ datasheets: $(ALL) ## tables and pictures of docs/reference/gateware and of the 
 verilog: $(ALL) ## the gateway as Verilog-2005 into build/verilog, one file for each configuration
 	@$(BIN)/python -m gateware.tools.verilog
 
-synth: $(ALL) ## logic cells, RAM and Fmax into gateware/RESULTS.md, checked against gateware/budget.toml; mapped.json
+synth: $(ALL) ## sizes and Fmax of what has changed into gateware/RESULTS.md, checked against gateware/budget.toml; mapped.json
 	@$(BIN)/python -m gateware.tools.synth
 	@$(BIN)/python -m gateware.tools.mapped
 

@@ -10,10 +10,30 @@ import dataclasses
 import re
 from typing import TYPE_CHECKING
 
+import msgspec
 import pytest
 
+from gateware.tools import origins
 from gateware.tools.cores import cores
-from gateware.tools.synth import CONFIGURATIONS, DEVICES, RESULTS, Result, budget, check, over_budget, synthesise
+from gateware.tools.synth import (
+    CONFIGURATIONS,
+    DEVICES,
+    RESULTS,
+    Configuration,
+    Result,
+    Row,
+    budget,
+    check,
+    origin_of,
+    over_budget,
+    placed_today,
+    rows,
+    synthesise,
+    table,
+    tools_of,
+    unchanged,
+    verilog_of,
+)
 from unity_link.gateware.convert import ConversionError, to_verilog
 
 if TYPE_CHECKING:
@@ -44,6 +64,72 @@ def of_cores() -> Iterator[object]:
 def test_a_configuration_fits_its_budget(name: str, device: str) -> None:
     result = synthesise(name, device)
     assert over_budget(name, device, result, LIMITS) == []
+
+
+PLACED = [(name, device) for name, configuration in CONFIGURATIONS.items() for device in configuration.devices]
+
+
+@pytest.mark.parametrize(("name", "device"), PLACED)
+def test_figures_are_those_of_the_gateware_of_today(name: str, device: str) -> None:
+    assert unchanged(rows()[name, device].origin, name, tools_of(name, device)), "run make synth"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", CONFIGURATIONS)
+def test_figures_name_the_verilog_that_ghdl_makes_today(name: str) -> None:
+    named = {rows()[name, device].origin.verilog for device in CONFIGURATIONS[name].devices}
+    assert named == {verilog_of(name)}, "run make synth"
+
+
+def test_the_table_is_that_of_the_figures() -> None:
+    assert list(rows()) == sorted(PLACED, key=lambda place: list(DEVICES).index(place[1]))
+    assert RESULTS.read_text() == table(rows(), LIMITS)
+
+
+@pytest.mark.slow
+def test_only_what_has_changed_is_placed_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(CONFIGURATIONS, "tried", Configuration("ul_synchroniser"))
+    tools = tools_of("tried", "ice40")
+    origin, made_up = origin_of("tried", tools), Result(123_456, 0, {"clk": 1.0})
+    for same in (origin, msgspec.structs.replace(origin, sources="before a remark was changed")):
+        assert placed_today("tried", "ice40", Row(same, made_up)) == Row(origin, made_up)
+    for other in ({"tools": "others"}, {"sources": "other", "verilog": "other"}):
+        row = Row(msgspec.structs.replace(origin, **other), made_up)
+        anew = placed_today("tried", "ice40", row)
+        assert anew.origin == origin
+        assert anew.result.logic < 100
+    assert placed_today("tried", "ice40", None) == anew
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "is_changed"),
+    [
+        ("-- A remark.", "-- Another.", False),
+        ("  a <= b;", "a   <=  b;", False),
+        ("  a <= b;", "a <= c;", True),
+    ],
+    ids=["a remark", "spaces", "code"],
+)
+def test_the_name_of_sources_is_that_of_their_code(
+    tmp_path: Path, before: str, after: str, *, is_changed: bool
+) -> None:
+    top = "entity top is\nend entity;\nlower : entity work.below;\n  use unity_link.of_it.all;\n"
+    names = []
+    for text in (before, after):
+        (tmp_path / "top.vhd").write_text(top)
+        (tmp_path / "below.vhd").write_text("entity below is\nend entity;\n" + text)
+        (tmp_path / "of_it.vhd").write_text("package of_it is\n" + text)
+        # An entity that is not below the top does not count.
+        (tmp_path / "other.vhd").write_text(f"entity other is\n-- {len(names)}\nx <= {len(names)};")
+        names.append(origins.sources_of("top", {"depth": 3}, sorted(tmp_path.glob("*.vhd"))))
+    assert (names[0] != names[1]) == is_changed
+    assert origins.sources_of("top", {"depth": 4}, sorted(tmp_path.glob("*.vhd"))) != names[1]
+
+
+def test_the_name_of_verilog_is_that_of_its_code() -> None:
+    name = origins.verilog_of('module a; // one\n  /* two\n lines */ wire b;\n  $write("// no remark");\nendmodule\n')
+    assert origins.verilog_of('module a;\nwire b; // three\n\n$write("// no remark");\nendmodule') == name
+    assert origins.verilog_of('module a;\nwire b;\n$write("// another");\nendmodule') != name
 
 
 def test_the_budget_holds_what_the_project_promises() -> None:

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING
 from gateware.tools import generated, mapped, parser_of
 from gateware.tools.cores import cores
 from gateware.tools.entity import Entity, Group, read_entity
-from gateware.tools.synth import CONFIGURATIONS, DEVICES, RESULTS
+from gateware.tools.synth import CONFIGURATIONS, DEVICES, rows
 from unity_link.gateware.cache import GATEWARE, board_sources, vhdl_sources
 
 if TYPE_CHECKING:
@@ -124,17 +124,13 @@ def _marked(text: str) -> str:
 
 
 def _resources(_: str, configurations: Sequence[str]) -> list[str]:
-    text = RESULTS.read_text()
-    lines: list[tuple[str, ...]] = []
-    for device in DEVICES.values():
-        section = text.split(f"\n## {device.title}\n")[1].split("\n#")[0]
+    placed, lines = rows(), []
+    for name, device in DEVICES.items():
         for configuration in configurations:
-            found = re.search(
-                rf"^\| {configuration} \| (\d+) \(.*?\) \| (\d+) \(.*?\) \| ([\d.]+) ", section, re.MULTILINE
-            )
-            if found is not None:
-                logic = f"{found[1]} {device.logic_title}"
-                lines.append((f"`{configuration}`", device.title, logic, found[2], f"{found[3]} MHz"))
+            if (row := placed.get((configuration, name))) is not None:
+                logic = f"{row.result.logic} {device.logic_title}"
+                figures = logic, str(row.result.memory), f"{row.result.slowest:.1f} MHz"
+                lines.append((f"`{configuration}`", device.title, *figures))
     lines += _mapped(configurations)
     chosen = [
         f"- `{name}`: {', '.join(f'`{generic}` {_plain(value)}' for generic, value in generics.items())}"
@@ -149,8 +145,8 @@ def _mapped(configurations: Sequence[str]) -> Iterator[tuple[str, ...]]:
     found = mapped.results()
     for name, target in mapped.TARGETS.items():
         for configuration in configurations:
-            if configuration in found[name]:
-                cells = dict(found[name][configuration])
+            if configuration in found:
+                cells = dict(found[configuration].cells[name])
                 blocks = cells.pop(mapped.RAM_BLOCKS)
                 logic = ", ".join(f"{count} {kind}" for kind, count in cells.items() if count)
                 yield f"`{configuration}`", target.title, logic, str(blocks), "mapped, not placed"

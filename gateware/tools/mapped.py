@@ -1,7 +1,7 @@
 """Cells of the gateware on families that nothing is placed for: what `make synth` writes into `gateware/mapped.json`.
 
 Yosys maps each design by the passes of `unity-link build` and counts. That takes seconds, where placing takes minutes;
-so there is no Fmax, and no word on whether it fits. A result is kept as those of `gateware.tools.synth` are.
+so there is no Fmax, and no word on whether it fits. Each result has its origin, as those of `gateware.tools.synth`.
 
     python -m gateware.tools.mapped
 """
@@ -14,10 +14,13 @@ import json
 import re
 import shutil
 import sys
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+import msgspec
 
 from gateware.tools import parser_of
-from gateware.tools.synth import CONFIGURATIONS, checked, converted
+from gateware.tools.origins import Origin  # noqa: TC001  (msgspec reads it)
+from gateware.tools.synth import CONFIGURATIONS, checked, converted, origin_of, unchanged
 from unity_link.boards.families import FAMILIES
 from unity_link.boards.loading import load_board
 from unity_link.errors import UnityLinkError
@@ -87,14 +90,22 @@ def cells_of(name: str, target_name: str) -> dict[str, int]:
         ToolMissingError: if a tool is not there.
         ValueError: for a cell that is not known.
     """
-    configuration, target = CONFIGURATIONS[name], TARGETS[target_name]
-    _, board = load_board(target.board)
-    synthesis = f"{FAMILIES[board.family].synthesis(board)} -top {configuration.top}"
-    verilog = converted(configuration)
-    passes = f"{checked(configuration.top)} {synthesis}; tee -q -o cells.json stat -json"
+    target, passes = TARGETS[target_name], _passes(name, target_name)
+    verilog = converted(CONFIGURATIONS[name])
     key = hash_of([version(_YOSYS), passes, verilog.read_bytes()])
     text = kept(cache_folder("synth") / f"{name}-{target_name}-mapped-{key}.json", lambda: _map(passes, verilog))
     return counted(json.loads(text)["design"]["num_cells_by_type"], target)
+
+
+def _passes(name: str, target_name: str) -> str:
+    _, board = load_board(TARGETS[target_name].board)
+    top = CONFIGURATIONS[name].top
+    return f"{checked(top)} {FAMILIES[board.family].synthesis(board)} -top {top}; tee -q -o cells.json stat -json"
+
+
+def tools_of(name: str) -> str:
+    """Return the name of the tool that maps one of `MAPPED` to all targets, with its version and passes."""
+    return hash_of([version(_YOSYS), *(_passes(name, target) for target in TARGETS)])
 
 
 def _map(passes: str, verilog: Path) -> str:
@@ -121,26 +132,36 @@ def counted(cells: Mapping[str, int], target: Target) -> dict[str, int]:
     return dict(found)
 
 
-def results() -> dict[str, Any]:
-    """Return what was written: by target, by configuration, how much of what."""
-    found: dict[str, Any] = json.loads(RESULTS.read_text())
-    return found
+class Written(msgspec.Struct, frozen=True):
+    """Figures of one of `MAPPED`, and their origin."""
+
+    origin: Origin
+    cells: dict[str, dict[str, int]]
+    """Number of cells by target, and by what they count as."""
+
+
+def results() -> dict[str, Written]:
+    """Return what was written, by configuration."""
+    return msgspec.json.decode(RESULTS.read_bytes(), type=dict[str, Written])
 
 
 def main() -> int:
     """Map all; returns the exit status."""
     parser_of(__doc__).parse_args()
-    found: dict[str, dict[str, dict[str, int]]] = {target: {} for target in TARGETS}
+    before, found = results(), {}
     try:
         for name in MAPPED:
-            for target in TARGETS:
-                found[target][name] = cells_of(name, target)
-                sys.stdout.write(f"{name} {target} {found[target][name]}\n")
-                sys.stdout.flush()
+            tools, written = tools_of(name), before.get(name)
+            if written is not None and (origin := unchanged(written.origin, name, tools)):
+                found[name] = Written(origin, written.cells)
+                continue
+            found[name] = Written(origin_of(name, tools), {target: cells_of(name, target) for target in TARGETS})
+            sys.stdout.write(f"{name} {found[name].cells}\n")
+            sys.stdout.flush()
     except (UnityLinkError, ValueError) as error:
         sys.stderr.write(f"{error}\n")
         return 1
-    RESULTS.write_text(json.dumps(found, indent=2) + "\n")
+    RESULTS.write_bytes(msgspec.json.format(msgspec.json.encode(found), indent=1) + b"\n")
     return 0
 
 

