@@ -150,7 +150,7 @@ architecture rtl of ul_datagram_reader is
   signal line_start : std_logic;
   signal ended      : std_logic;
   signal is_end     : std_logic;
-  signal matches    : std_logic;
+  signal is_match   : std_logic;
   signal is_bare    : std_logic;
   signal take       : std_logic;
   signal passes     : std_logic;
@@ -183,9 +183,9 @@ begin
   last_one    <= '1' when left = 1 else
                  '0';
   is_end      <= to_std_logic(in_data = character_lf or in_data = character_cr);
-  matches     <= is_hex(in_data) and to_std_logic(hex_value(in_data) = crc(crc'high downto crc'high - 3));
+  is_match    <= is_hex(in_data) and to_std_logic(hex_value(in_data) = crc(crc'high downto crc'high - 3));
   -- Place 0 has the letter.
-  is_bare <= to_std_logic(place = 0) or (matches and to_std_logic(place <= check_digits));
+  is_bare <= to_std_logic(place = 0) or (is_match and to_std_logic(place <= check_digits));
 
   passes    <= in_valid and not none_left when state = pass else
                in_valid and not none_left and not is_end and is_bare when state = weigh else
@@ -421,7 +421,7 @@ begin
             if in_data = character_cr and place = 0 then
               is_plain <= '1';
               state    <= decide;
-            elsif matches = '0' then
+            elsif is_match = '0' then
               spoil;
             elsif place = check_digits - 1 then
               state <= line_end;
