@@ -321,7 +321,7 @@ def _behind_links(path: Path) -> Path:
 
 @contextlib.contextmanager
 def _without_signals() -> Iterator[None]:
-    """Have signals that end the program wait for the end of the block: no file stays that nobody removes."""
+    """Delay signals that end the program until the block ends, so that no temporary file stays."""
     if not hasattr(signal, "pthread_sigmask"):
         yield
         return
