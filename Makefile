@@ -26,7 +26,7 @@ PYTEST_ARGS ?=
 # Tests run in so many processes side by side; 0 for none beside pytest's own.
 PYTEST_PROCESSES ?= auto
 
-.PHONY: help venv demo test test-all coverage campaign fuzz mutants lint check format bench bench-peers bench-beside bench-noise bench-ros bench-live ros-packages table1 release docs docs-images lock upgrade clean
+.PHONY: help venv demo test test-all test-next coverage campaign fuzz mutants lint check format bench bench-peers bench-beside bench-noise bench-ros bench-live ros-packages table1 release docs docs-images lock upgrade clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -46,6 +46,19 @@ test: $(ALL) ## the quick tests: every command, core, language and URL scheme; a
 
 test-all: $(ALL) ## every test but those of `make campaign`: proofs, simulations and compilations too; half an hour
 	@$(PYTEST) $(PYTEST_ARGS)
+
+# A later Python, of which the suite has no environment; installed by the system or by pyenv.
+NEXT_PYTHON ?= $(firstword $(wildcard \
+	$(patsubst %,%/python3.13,$(filter-out %/shims,$(subst :, ,$(PATH))) $(HOME)/.pyenv/versions/3.13.*/bin)))
+NEXT_VENV := $(VENV)/next
+NEXT := $(NEXT_VENV)/.installed
+ifeq ($(NEXT_PYTHON),)
+test-next:
+	@echo "No python3.13 is installed: tests/protocol, tests/link and tests/spec did not run on it."
+else
+test-next: $(NEXT) ## quick tests of protocol, link and spec on Python 3.13, if it is installed
+	@$(NEXT_VENV)/bin/python -m pytest --numprocesses $(PYTEST_PROCESSES) -m "$(QUICK)" tests/protocol tests/link tests/spec $(PYTEST_ARGS)
+endif
 
 # Measuring takes about as long again as the tests do.
 coverage: $(ALL) ## all tests of `make test-all`, and the lines that none of them runs
@@ -180,6 +193,11 @@ $(ALL): requirements/all.lock pyproject.toml | $(BIN)/python
 $(PEERS): requirements/peers.lock pyproject.toml | $(BIN)/python
 	@$(BIN)/python -m venv $(PEERS_VENV)
 	$(call install,requirements/peers.lock,$(PEERS_VENV))
+	@touch $@
+
+$(NEXT): requirements/all.lock pyproject.toml
+	@$(NEXT_PYTHON) -m venv $(NEXT_VENV)
+	$(call install,requirements/all.lock,$(NEXT_VENV))
 	@touch $@
 
 $(FUZZ): requirements/fuzz.lock pyproject.toml | $(BIN)/python
