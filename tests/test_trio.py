@@ -15,6 +15,7 @@ from anyio.from_thread import start_blocking_portal
 import unity_link
 from unity_link import UnsupportedError
 from unity_link.data import Group
+from unity_link.errors import first_error
 from unity_link.protocol.messages import ErrorCode
 from unity_link.spec import compile_text
 from unity_link.virtual import VirtualGateway
@@ -227,6 +228,20 @@ def test_each_task_hears_of_its_own_posted_writes_and_any_of_those_of_tasks_that
                 heard.set()
             with pytest.raises(unity_link.BusError, match="0x05"):
                 await link.fence()
+            await link.fence()
+
+    run(program)
+
+
+def test_a_fence_that_a_nursery_runs_belongs_to_the_task_that_starts_it() -> None:
+    async def program() -> None:
+        gateway = VirtualGateway()
+        gateway.attach(Failing(ErrorCode.BUS_ERROR), [5])
+        async with unity_link.connect(gateway) as link:
+            await link.post(5, 1)
+            with pytest.raises(unity_link.BusError, match="0x05"), first_error():
+                async with trio.open_nursery() as nursery:
+                    nursery.start_soon(link.fence)
             await link.fence()
 
     run(program)

@@ -16,10 +16,11 @@ from typing import TYPE_CHECKING, Any, ClassVar, Protocol, cast
 import numpy as np
 
 from unity_link.errors import ArgumentError, Sealed
+from unity_link.link.calls import returns_coroutine
 from unity_link.protocol.numbers import whole_number
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Coroutine, Sequence
 
     from numpy.typing import ArrayLike
 
@@ -54,6 +55,23 @@ def link_under(bus: Bus) -> Link:
     # A link has no such attribute, and its error would be made for each signal, with names that are like `link`.
     has_link = "link" in getattr(bus, "__dict__", ()) or hasattr(type(bus), "link")
     return cast("Link", getattr(bus, "link") if has_link else bus)  # noqa: B009  (of a class that is not known)
+
+
+def caller_on(link: Link) -> Any:
+    """Return the task or thread that calls, to be given to `post_for`."""
+    return link._caller()  # noqa: SLF001  (a call of the link that is made later)
+
+
+def post_for(poster: Any, bus: Bus, address: int, value: int) -> Coroutine[Any, Any, None]:
+    """Post a write for a task or thread, whose `fence` raises its error; a bus of a program's own is not given it."""
+    post = getattr(bus, "_post_for", None)
+    return bus.post(address, value) if post is None else post(poster, address, value)
+
+
+def post_many_for(poster: Any, bus: Bus, addresses: ArrayLike, values: ArrayLike) -> Coroutine[Any, Any, None]:
+    """Post many writes for a task or thread, as `post_for` does."""
+    post = getattr(bus, "_post_many_for", None)
+    return bus.post_many(addresses, values) if post is None else post(poster, addresses, values)
 
 
 class Module(Sealed):
@@ -124,9 +142,13 @@ class Module(Sealed):
         """Replace the bits that are 1 in `mask`, atomically, and return the word as it was before."""
         return await self.bus.write_masked(self.address(offset), value, mask)
 
-    async def post(self, offset: int, value: int) -> None:
+    @returns_coroutine
+    def post(self, offset: int, value: int) -> Coroutine[Any, Any, None]:
         """Send a write without waiting for its execution."""
-        await self.bus.post(self.address(offset), value)
+        return self._post(caller_on(self.link), offset, value)
+
+    async def _post(self, poster: Any, offset: int, value: int) -> None:
+        await post_for(poster, self.bus, self.address(offset), value)
 
     async def read_block(self, offset: int, count: int) -> Words:
         """Read `count` words from `offset` on; shape (count,)."""

@@ -140,6 +140,54 @@ async def test_each_task_hears_of_its_own_late_writes_and_any_of_those_of_tasks_
         await link.fence()
 
 
+@pytest.mark.parametrize("by", ["fence", "set"])
+@on_simulated_time
+async def test_a_write_at_an_instant_belongs_to_the_task_that_calls_set(by: str) -> None:
+    written, fenced = asyncio.Event(), asyncio.Event()
+
+    async def fence(robot: Any) -> None:
+        await written.wait()
+        await robot.link.fence()
+        fenced.set()
+
+    async with unity_link.connect(gateway_of()) as link:
+        robot = Robot(link)
+        other = asyncio.create_task(fence(robot))
+        clock = await robot.free.clock()
+        # Each runs in a task of its own, which is over when the other task calls `fence`.
+        await asyncio.gather(robot.lamp.set(30, at=clock.now().after(-0.001)))
+        await asyncio.sleep(0.001)
+        written.set()
+        await fenced.wait()
+        asks = link.fence() if by == "fence" else robot.lamp.set(31, at=clock.now().after(0.1))
+        if by == "set":
+            # It looks at what is known; the fence of the other task has read the registers.
+            await asyncio.sleep(0)
+        with pytest.raises(LateError):
+            await asyncio.wait_for(asks, 10)
+        await other
+
+
+@on_simulated_time
+async def test_a_set_of_a_timeline_raises_the_errors_of_the_task_that_calls_it() -> None:
+    async with unity_link.connect(gateway_of()) as link:
+        robot = Robot(link)
+
+        async def feed() -> None:
+            async with robot.free.timeline(lead=0.01) as line:
+                line.delay(-1)
+                await asyncio.wait_for(line.set({robot.lamp: 1}), 10)
+                line.delay(2)
+                # It reads what became of the first one, as it waits for room.
+                for _ in range(40):
+                    line.delay(0.1)
+                    await asyncio.wait_for(line.set({robot.lamp: 2}), 60)
+                pytest.fail("the late write was not raised by a later set")
+
+        with pytest.raises(LateError):
+            await feed()
+
+
 @on_simulated_time
 async def test_a_fence_leaves_to_a_task_what_it_awaits_and_to_a_timeline_what_it_writes() -> None:
     async with unity_link.connect(gateway_of()) as link:

@@ -8,7 +8,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import pytest
 from hypothesis import given
@@ -18,6 +18,7 @@ import unity_link
 from support.simulated_time import on_simulated_time
 from unity_link import ArgumentError, ConnectError, LinkClosedError, LinkLostError, UnsupportedError, blocking
 from unity_link.data import Group
+from unity_link.spec import compile_text
 from unity_link.transport.mmio import uio_place
 
 if TYPE_CHECKING:
@@ -94,6 +95,24 @@ async def test_a_task_that_does_nothing_but_read_leaves_the_others_their_turn(fi
             # It would wait for ever.
             while not await link.read(3):
                 pass
+
+
+@on_simulated_time
+async def test_the_block_and_a_fence_end_after_a_write_at_an_instant(file: Path) -> None:
+    spec = compile_text("""
+    public robot() {
+      GATEWAY(ADDRESS_BITS=12);
+      plan: SCHEDULE(DEPTH=64) @(0x40);
+      @lamp = 0x10: unsigned 8 READWRITE(TIMED(plan));
+    }
+    """)
+    async with asyncio.timeout(60), unity_link.connect(f"mmio:{file}?map=any") as link:
+        robot: Any = unity_link.load(spec)(link)
+        room = robot["plan.room"].signal
+        await link.write_block(room.address, room.encode(64))
+        clock = await robot.plan.clock()
+        await robot.lamp.set(1, at=clock.now().after(3600))
+        await link.fence()
 
 
 @pytest.mark.asyncio

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import threading
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
@@ -17,14 +18,18 @@ from support.scripted import Scripted
 from support.simulated_time import on_simulated_time
 from support.valve import Uncounting, Valve, as_gateway, cut
 from unity_link import ArgumentError, BusError, BusTimeoutError, LinkLostError, UnityLinkError, UnsupportedError
+from unity_link.data import Group
+from unity_link.errors import first_error
 from unity_link.link.connection import Reconnect
+from unity_link.modules import Memory
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.crc import Crc, seed_of
+from unity_link.spec import compile_text
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
 
 if TYPE_CHECKING:
-    from collections.abc import Awaitable, Callable
+    from collections.abc import Awaitable, Callable, Coroutine
 
     from unity_link import Link, Sample
 
@@ -163,6 +168,91 @@ async def test_each_task_hears_of_its_own_posted_writes_at_its_own_fence(make_ba
     async with unity_link.connect(with_failing(make_bare(**SLOW))) as link:
         await asyncio.gather(run(link, BUS_ERROR, BusError), run(link, BUS_TIMEOUT, BusTimeoutError))
         await link.fence()
+
+
+async def in_a_task_group(call: Coroutine[Any, Any, None]) -> None:
+    with first_error():
+        async with asyncio.TaskGroup() as tasks:
+            tasks.create_task(call)
+
+
+WRAPPED: dict[str, Callable[[Coroutine[Any, Any, None]], Awaitable[object]]] = {
+    "wait_for": lambda call: asyncio.wait_for(call, 10),
+    "gather": asyncio.gather,
+    "create_task": asyncio.create_task,
+    "TaskGroup": in_a_task_group,
+    "shield": asyncio.shield,
+}
+"""Ways to await a coroutine in another task than the one that made it."""
+
+
+@pytest.mark.parametrize("wrap", WRAPPED.values(), ids=WRAPPED)
+@on_simulated_time
+async def test_a_fence_belongs_to_the_task_that_calls_it(
+    make_bare: Maker, wrap: Callable[[Coroutine[Any, Any, None]], Awaitable[object]]
+) -> None:
+    async with unity_link.connect(with_failing(make_bare(**SLOW))) as link:
+        await link.post(BUS_ERROR, 1)
+        with pytest.raises(BusError):
+            await wrap(link.fence())
+        await link.fence()
+
+
+@pytest.mark.parametrize("kind", ["post", "post_many", "a module's post", "a signal's post", "a group's post"])
+@on_simulated_time
+async def test_a_post_belongs_to_the_task_that_calls_it(make_bare: Maker, kind: str) -> None:
+    posted, fenced = asyncio.Event(), asyncio.Event()
+
+    async def fence(link: Link) -> None:
+        await posted.wait()
+        await link.fence()
+        fenced.set()
+
+    async with unity_link.connect(with_failing(make_bare(**SLOW))) as link:
+        robot: Any = unity_link.load(compile_text(f"public robot() {{ @failing = {BUS_ERROR:#x}: READWRITE(); }}"))(link)
+        posts: dict[str, Callable[[], Coroutine[Any, Any, None]]] = {
+            "post": lambda: link.post(BUS_ERROR, 1),
+            "post_many": lambda: link.post_many([BUS_ERROR], [1]),
+            "a module's post": lambda: Memory(link).post(BUS_ERROR, 1),
+            "a signal's post": lambda: robot["failing"].post(1),
+            "a group's post": lambda: Group(robot["failing"]).post([1]),
+        }
+        other = asyncio.create_task(fence(link))
+        # Each runs in a task of its own, which is over when the other task calls `fence`.
+        await asyncio.gather(posts[kind](), posts[kind]())
+        posted.set()
+        await fenced.wait()
+        with pytest.raises(BusError) as caught:
+            await link.fence()
+        assert caught.value.__notes__ == ["1 more posted writes failed as well"]
+        await other
+
+
+@on_simulated_time
+async def test_a_fence_called_in_another_thread_is_not_of_the_task_that_runs(make_bare: Maker) -> None:
+    async with unity_link.connect(with_failing(make_bare(**SLOW))) as link:
+        await link.post(BUS_ERROR, 1)
+        made: list[Coroutine[Any, Any, None]] = []
+        thread = threading.Thread(target=lambda: made.append(link.fence()))
+        thread.start()
+        # This task runs meanwhile.
+        thread.join()
+        await made[0]
+        with pytest.raises(BusError):
+            await link.fence()
+
+
+@on_simulated_time
+async def test_methods_that_return_a_coroutine_are_refused_as_callbacks(make_bare: Maker) -> None:
+    async with unity_link.connect(make_bare(**SLOW)) as link:
+        robot = unity_link.load(compile_text("public robot() { @word = 0x10: READWRITE(); }"))(link)
+        word: Any = robot["word"]
+        for function in (link.post, link.fence, word.set, word.post, Group(word).post):
+            with pytest.raises(ArgumentError, match="async"):
+                word.on_change(function)
+        callback: Any = link.post_many
+        with pytest.raises(ArgumentError, match="async"):
+            link.subscribe([1], callback=callback)
 
 
 @on_simulated_time

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from unity_link.data.writing import write_values
+from unity_link.data.writing import NOT_POSTED, write_values
 from unity_link.errors import UnityLinkError
 
 if TYPE_CHECKING:
@@ -59,7 +59,8 @@ async def write_in_order(objects: Objects, *, posted: bool) -> list[UnityLinkErr
                 errors.append(error)
             continue
         # They get into the line in the order in which they begin.
-        writing = [write_values({proxy: value for proxy, value, _ in one}, posted=posted) for one in run]
+        posted_by = asyncio.current_task() if posted else NOT_POSTED
+        writing = [write_values({proxy: value for proxy, value, _ in one}, posted_by=posted_by) for one in run]
         for outcome in await asyncio.gather(*writing, return_exceptions=True):
             if isinstance(outcome, UnityLinkError):
                 errors.append(outcome)

@@ -13,6 +13,7 @@ from unity_link.cores import Model, Verbs
 from unity_link.cores.batches import FATES, FRAME, cycles_to, values_of
 from unity_link.cores.timeline import ScheduleRegisters, Timeline, feed_of, seconds_of
 from unity_link.errors import ArgumentError
+from unity_link.modules import caller_on
 from unity_link.spec.model import STAGE_BITS
 
 if TYPE_CHECKING:
@@ -85,9 +86,10 @@ class ScheduleVerbs(Verbs):
         for proxy, column in values.items():
             columns |= _columns(registers, proxy, column, len(instants))
         async with self.timeline(lead=lead, lease=lease) as line:
-            start = line.instant
+            start, poster = line.instant, caller_on(registers.link)
             for row, seconds in enumerate(instants):
-                await line.put({place: int(column[row]) for place, column in columns.items()}, start.after(seconds))
+                words = {place: int(column[row]) for place, column in columns.items()}
+                await line.put(words, start.after(seconds), poster)
             acted = await line.flush()
         if then == "safe":
             await registers.robot[f"{registers.lease}.disarm"].set(1)

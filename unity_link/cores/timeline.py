@@ -28,13 +28,15 @@ from unity_link.errors import (
     refusing,
 )
 from unity_link.link.asked import Asked
+from unity_link.link.calls import returns_coroutine
 from unity_link.link.runtime import told_now
 from unity_link.link.synchronisation import Lock, running
+from unity_link.modules import caller_on
 from unity_link.protocol.numbers import real_number
 from unity_link.spec.model import STAGE_BITS
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Generator, Mapping, Sequence
+    from collections.abc import Callable, Coroutine, Generator, Mapping, Sequence
     from types import TracebackType
 
     from unity_link.cores.lease import Lease
@@ -125,7 +127,7 @@ class _Look(NamedTuple):
 class Done(OfLink):
     """A write at an instant, whose end can be awaited: the instant in which it acted."""
 
-    def __init__(self, feed: ScheduleFeed, instant: Instant, size: int) -> None:
+    def __init__(self, feed: ScheduleFeed, instant: Instant, size: int, poster: object) -> None:
         self.instant = instant
         self.size = size
         """Words that it takes in the queue."""
@@ -135,7 +137,7 @@ class Done(OfLink):
         """Error that says why it has not, where the gateway does not."""
         self.is_awaited = False
         """True if its error is raised there."""
-        self.poster = running().caller()
+        self.poster = poster
         """Task or thread that has written it."""
         self._feed = feed
 
@@ -293,8 +295,8 @@ class ScheduleFeed:
 
     # Feeding
 
-    async def check(self, instant: Instant) -> None:
-        """Raise what there is to say before a write at an instant.
+    async def check(self, instant: Instant, poster: object) -> None:
+        """Raise what there is to say before a write at an instant, to the task or thread that writes it.
 
         Raises:
             LateError: for an earlier write that has not acted, and whose error was not raised.
@@ -302,7 +304,7 @@ class ScheduleFeed:
             GatewayResetError: where the gateway was reset since the last write, and its clock with it.
         """
         was_reset = await self._see_session()
-        await self.raise_failures(told_now(running()))
+        await self.raise_failures(told_now(running(), poster))
         if was_reset:
             reason = f"the gateway was reset, and its clock with it: {instant} is an instant of before"
             raise GatewayResetError(reason, Outcome.NOT_EXECUTED)
@@ -314,12 +316,15 @@ class ScheduleFeed:
         elif self._bounds.is_old(running().steady()):
             await self._read_clock()
 
-    async def send(self, instant: Instant, words: Mapping[int, int], lease: Lease | None = None) -> Done:
+    async def send(
+        self, instant: Instant, words: Mapping[int, int], poster: object, lease: Lease | None = None
+    ) -> Done:
         """Send a batch; wait until there is room for it.
 
         Args:
             instant: at which it acts.
             words: by their places on the stage.
+            poster: task or thread that writes it.
             lease: to be kicked while there is no room.
 
         Raises:
@@ -327,11 +332,11 @@ class ScheduleFeed:
         """
         batch = batch_of(instant.ticks, words)
         self._check(instant, batch)
-        await self._wait_for_room(instant, len(batch), lease)
+        await self._wait_for_room(instant, len(batch), poster, lease)
         self._last = instant
         self._room -= len(batch)
         self._sent += len(batch)
-        done = Done(self, instant, len(batch))
+        done = Done(self, instant, len(batch), poster)
         self._pending.append(done)
         most = self._link.gateway.block_words
         for start in range(0, len(batch), most):
@@ -341,7 +346,7 @@ class ScheduleFeed:
             await self._take_answer()
         return done
 
-    async def _wait_for_room(self, instant: Instant, size: int, lease: Lease | None) -> None:
+    async def _wait_for_room(self, instant: Instant, size: int, poster: object, lease: Lease | None) -> None:
         if self._is_passed(LOOK_BEHIND):
             # The ends of those that are far behind can no longer be told apart.
             await self._look(lease)
@@ -350,7 +355,7 @@ class ScheduleFeed:
             if self._room < size:
                 await self._pause(max(size - self._room, self.registers.depth // PARTS), lease)
         if not self.has_begun:
-            await self.raise_failures(told_now(running()))
+            await self.raise_failures(told_now(running(), poster))
             raise LateError(f"{self.registers.name} was cancelled before the write at {instant}", instant.ticks)
 
     def _is_passed(self, place: int) -> bool:
@@ -541,8 +546,8 @@ class ScheduleFeed:
             self._failed.append(done)
 
 
-async def set_at(proxy: Proxy[Any], value: Any, at: Instant) -> Done:
-    """Write one signal at an instant.
+async def set_at(poster: object, proxy: Proxy[Any], value: Any, at: Instant) -> Done:
+    """Write one signal at an instant, for a task or thread, which gets the errors of its earlier writes.
 
     Raises:
         ArgumentError: for a signal that no schedule times, a value that it does not take, what is no instant, and while
@@ -558,9 +563,9 @@ async def set_at(proxy: Proxy[Any], value: Any, at: Instant) -> Done:
     if feed.line is not None:
         raise ArgumentError(f"{schedule} is fed by a timeline of this link: its `set` takes {proxy.path} as well")
     instant, words = check_instant(at, feed.time), registers.words_of({proxy: value})
-    await feed.check(instant)
+    await feed.check(instant, poster)
     await feed.ready()
-    return await feed.send(instant, words)
+    return await feed.send(instant, words, poster)
 
 
 def feed_of(registers: ScheduleRegisters) -> ScheduleFeed:
@@ -650,7 +655,8 @@ class Timeline(Sealed):
             self._is_on = False
             self._feed.line = None
 
-    async def set(self, values: Mapping[Any, Any], *, at: Instant | None = None) -> Done:
+    @returns_coroutine
+    def set(self, values: Mapping[Any, Any], *, at: Instant | None = None) -> Coroutine[Any, Any, Done]:
         """Write values to signals at an instant, all of them in one clock cycle.
 
         Args:
@@ -669,18 +675,21 @@ class Timeline(Sealed):
             GatewayResetError: where the gateway was reset, which voids what was set and ends the line.
             LinkLostError: when the link has ended.
         """
+        return self._set(caller_on(self._registers.link), values, at)
+
+    async def _set(self, poster: object, values: Mapping[Any, Any], at: Instant | None) -> Done:
         self._check_on()
         instant = self.instant if at is None else check_instant(at, self._feed.time)
-        done = await self.put(self._registers.words_of(values), instant)
+        done = await self.put(self._registers.words_of(values), instant, poster)
         if at is not None:
             self._at = Fraction(at.ticks)
         return done
 
-    async def put(self, words: Mapping[int, int], at: Instant) -> Done:
-        """Write words to places of the stage at an instant; like `set` otherwise."""
+    async def put(self, words: Mapping[int, int], at: Instant, poster: object) -> Done:
+        """Write words to places of the stage at an instant, for a task or thread; like `set` otherwise."""
         await self._kick()
-        await self._feed.check(at)
-        return await self._feed.send(at, words, self._lease)
+        await self._feed.check(at, poster)
+        return await self._feed.send(at, words, poster, self._lease)
 
     def delay(self, seconds: float) -> None:
         """Move the line on; below 0, back.

@@ -6,6 +6,7 @@ import inspect
 from typing import TYPE_CHECKING, Generic, Self, TypeVar
 
 from unity_link.errors import ANY_ERROR, ArgumentError
+from unity_link.link.calls import is_asynchronous
 from unity_link.link.runtime import report
 
 if TYPE_CHECKING:
@@ -34,7 +35,7 @@ class Callback(Generic[T]):
         """
         if not callable(function):
             raise ArgumentError(f"{what} is {function!r}: a function was expected")
-        if inspect.iscoroutinefunction(function) or inspect.iscoroutinefunction(type(function).__call__):
+        if is_asynchronous(function) or is_asynchronous(type(function).__call__):
             raise _asynchronous(what)
         self._function = function
         self._what = what

@@ -18,13 +18,15 @@ from unity_link.data.proxies import BUFFER, Proxy, nothing_publishes, signals_ta
 from unity_link.data.sampling import GroupSubscription, Poll
 from unity_link.data.writing import write_values
 from unity_link.errors import ArgumentError, Sealed, UnsupportedError
+from unity_link.link.calls import returns_coroutine
 from unity_link.link.subscription import LARGEST_DIVISOR, asked_rate, check_buffer
 from unity_link.link.synchronisation import gather
+from unity_link.modules import caller_on
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.numbers import real_number
 
 if TYPE_CHECKING:
-    from collections.abc import AsyncIterator, Callable, Sequence
+    from collections.abc import AsyncIterator, Callable, Coroutine, Sequence
 
     from numpy.typing import NDArray
 
@@ -207,15 +209,21 @@ class Group(Sealed):
         """
         await write_values(self._by_proxy(values))
 
-    async def post(self, values: Mapping[Proxy[Any], Any] | Sequence[Any] | NDArray[Any]) -> None:
-        """Write many signals without waiting for the execution; errors are raised by the link's next `fence`.
+    @returns_coroutine
+    def post(self, values: Mapping[Proxy[Any], Any] | Sequence[Any] | NDArray[Any]) -> Coroutine[Any, Any, None]:
+        """Write many signals without waiting for the execution.
+
+        Errors are raised by the next `fence` of the task that calls it, on the link of the signal.
 
         Fields, and values of several words, need an answer and are written as by `set`.
 
         Raises:
             ArgumentError: as by `set`.
         """
-        await write_values(self._by_proxy(values), posted=True)
+        return self._post(caller_on(self.proxies[0].link), values)
+
+    async def _post(self, poster: object, values: Mapping[Proxy[Any], Any] | Sequence[Any] | NDArray[Any]) -> None:
+        await write_values(self._by_proxy(values), posted_by=poster)
 
     def _by_proxy(self, values: Mapping[Proxy[Any], Any] | Sequence[Any] | NDArray[Any]) -> Mapping[Proxy[Any], Any]:
         if not isinstance(values, Mapping):

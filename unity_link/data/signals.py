@@ -6,12 +6,14 @@ from typing import TYPE_CHECKING, Generic, Protocol, overload
 
 from unity_link.data.proxies import BUFFER, Owner, Proxy, S, T, nothing_publishes, refusal
 from unity_link.errors import BusError, UnsupportedError, refusing
+from unity_link.link.calls import returns_coroutine
 from unity_link.link.subscription import check_buffer
+from unity_link.modules import caller_on, post_for
 from unity_link.protocol.configuration import Feature
 from unity_link.spec import Effect
 
 if TYPE_CHECKING:
-    from collections.abc import AsyncIterator, Callable
+    from collections.abc import AsyncIterator, Callable, Coroutine
     from typing import Any
 
     from unity_link.cores.clock import Instant
@@ -109,10 +111,11 @@ class Writable(Proxy[T], Generic[T, S]):
     __slots__ = ()
 
     @overload
-    async def set(self, value: S) -> None: ...
+    def set(self, value: S) -> Coroutine[Any, Any, None]: ...
     @overload
-    async def set(self, value: S, *, at: Instant) -> Done: ...
-    async def set(self, value: S, *, at: Instant | None = None) -> Done | None:
+    def set(self, value: S, *, at: Instant) -> Coroutine[Any, Any, Done]: ...
+    @returns_coroutine
+    def set(self, value: S, *, at: Instant | None = None) -> Coroutine[Any, Any, Done | None]:
         """Write it; when this returns it is on the bus. With `at`, it is scheduled for an instant.
 
         One of several words is written in one bus transaction, and a field leaves the other bits of its word alone. Of
@@ -125,7 +128,7 @@ class Writable(Proxy[T], Generic[T, S]):
 
         Returns:
             With `at`, what can be awaited until it has acted: it gives the instant, or raises `LateError`. Where that
-            is not awaited, the next such `set` raises it, or the link's next `fence`.
+            is not awaited, the next such `set` of the task that calls this one raises it, or its next `fence`.
 
         Raises:
             ArgumentError: for a value outside of the limits, or that the kind cannot say. Nothing was sent. With `at`,
@@ -136,14 +139,16 @@ class Writable(Proxy[T], Generic[T, S]):
         if at is not None:
             from unity_link.cores.timeline import set_at
 
-            return await set_at(self, value, at)
+            return set_at(caller_on(self.link), self, value, at)
+        return self._set(value)
+
+    async def _set(self, value: S) -> None:
         words = self.encode(value)
         try:
             await self._write(words)
         except BusError as error:
             raise await refusal(error, [self]) from None
         self.see_written(words)
-        return None
 
     async def _write(self, words: tuple[int, ...]) -> None:
         signal = self.signal
@@ -156,8 +161,9 @@ class Writable(Proxy[T], Generic[T, S]):
         else:
             await self.bus.write_block(signal.address, words)
 
-    async def post(self, value: S) -> None:
-        """Write it without waiting for the execution; errors are raised by the link's next `fence`.
+    @returns_coroutine
+    def post(self, value: S) -> Coroutine[Any, Any, None]:
+        """Write it without waiting for the execution; errors are raised by the next `fence` of the task that calls it.
 
         A field, and a value of several words, need an answer and are written as by `set`.
 
@@ -165,11 +171,11 @@ class Writable(Proxy[T], Generic[T, S]):
             ArgumentError: as by `set`.
         """
         signal = self.signal
-        if signal.is_field or signal.words > 1:
-            await self.set(value)
-            return
+        return self._set(value) if signal.is_field or signal.words > 1 else self._post(caller_on(self.link), value)
+
+    async def _post(self, poster: object, value: S) -> None:
         (word,) = self.encode(value)
-        await self.bus.post(signal.address, word)
+        await post_for(poster, self.bus, self.signal.address, word)
         self.see_written((word,))
 
     @property

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from unity_link.data.proxies import refusal
 from unity_link.errors import ArgumentError, BusError
 from unity_link.link.synchronisation import gather
+from unity_link.modules import post_many_for
 
 if TYPE_CHECKING:
     from collections.abc import Coroutine, Mapping
@@ -20,12 +21,15 @@ if TYPE_CHECKING:
     from unity_link.modules import Bus
 
 
-async def write_values(values: Mapping[Proxy[Any], Any], *, posted: bool = False) -> None:
+NOT_POSTED = object()
+
+
+async def write_values(values: Mapping[Proxy[Any], Any], *, posted_by: object = NOT_POSTED) -> None:
     """Write values, each to its signal.
 
     Args:
         values: by their proxies.
-        posted: whether whole words are not to be waited for.
+        posted_by: task or thread that posts whole words, and does not wait for their execution.
 
     Raises:
         ArgumentError: for a value that its signal does not take. Nothing was sent.
@@ -36,7 +40,7 @@ async def write_values(values: Mapping[Proxy[Any], Any], *, posted: bool = False
     by_bus: dict[int, tuple[Bus, list[tuple[Proxy[Any], tuple[int, ...]]]]] = {}
     for proxy, words in encoded:
         by_bus.setdefault(id(proxy.bus), (proxy.bus, []))[1].append((proxy, words))
-    work = [writing for bus, items in by_bus.values() for writing in _writings(bus, items, posted=posted)]
+    work = [writing for bus, items in by_bus.values() for writing in _writings(bus, items, posted_by)]
     try:
         if len(work) == 1:
             await work[0]
@@ -57,7 +61,7 @@ def _encode(proxy: Proxy[Any], value: Any) -> tuple[int, ...]:
 
 
 def _writings(
-    bus: Bus, items: list[tuple[Proxy[Any], tuple[int, ...]]], *, posted: bool
+    bus: Bus, items: list[tuple[Proxy[Any], tuple[int, ...]]], posted_by: object
 ) -> list[Coroutine[Any, Any, object]]:
     """Return what is to be done on one bus, as coroutines that have not begun."""
     whole: dict[int, int] = {}
@@ -86,6 +90,8 @@ def _writings(
             whole[address] = word
         else:
             masked.append(bus.write_masked(address, word, mask))
-    send = bus.post_many if posted else bus.write_many
-    many = [send(list(whole), list(whole.values()))] if whole else []
-    return [*many, *masked, *blocks]
+    if not whole:
+        return [*masked, *blocks]
+    columns = list(whole), list(whole.values())
+    many = bus.write_many(*columns) if posted_by is NOT_POSTED else post_many_for(posted_by, bus, *columns)
+    return [many, *masked, *blocks]

@@ -25,6 +25,7 @@ from unity_link.errors import (
     missing_attribute,
     refusing,
 )
+from unity_link.link.calls import returns_coroutine
 from unity_link.link.connection import Connection, Reconnect
 from unity_link.link.runtime import told_now
 from unity_link.link.subscription import (
@@ -52,7 +53,7 @@ from unity_link.protocol.requests import (
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Callable, Coroutine, Mapping, Sequence
     from types import TracebackType
 
     from numpy.typing import ArrayLike, NDArray
@@ -279,13 +280,17 @@ class Link(OfLink, Connection):
         word: int = await self._flow.answer(DestructiveRead(codec, "WK", fields, 1))
         return word
 
-    async def post(self, address: int, value: int) -> None:
+    @returns_coroutine
+    def post(self, address: int, value: int) -> Coroutine[Any, Any, None]:
         """Send a write without waiting for its execution; waits only while too many requests are under way.
 
-        It is executed exactly once and in order all the same. Its errors are raised by the next `fence` of this task,
-        or where the ``async with`` block of the link ends. On a half-duplex medium each write is answered, and this
-        returns then.
+        It is executed exactly once and in order all the same. Its errors are raised by the next `fence` of the task
+        that calls `post`, or where the ``async with`` block of the link ends. On a half-duplex medium each write is
+        answered, and this returns then.
         """
+        return self._post_for(self._caller(), address, value)
+
+    async def _post_for(self, poster: Any, address: int, value: int) -> None:
         flow = self._flow
         codec = flow.session.codec
         if type(address) is not int or not 0 <= address <= codec.highest_address:
@@ -295,27 +300,32 @@ class Link(OfLink, Connection):
         fields = codec.write_fields(address, value)
         self._posted = True
         if self._takes_turns:
-            await self._post_answered(Request(codec, "W", fields, 0))
+            await self._post_answered(Request(codec, "W", fields, 0), poster)
             return
         request = Request(codec, "WS", fields, None)
-        request.poster = self._caller()
+        request.poster = poster
         flow.submit(request)
         if not request.sent:
             await self._sent(request)
 
-    async def fence(self) -> None:
+    @returns_coroutine
+    def fence(self) -> Coroutine[Any, Any, None]:
         """Wait until everything that was asked for before has been executed.
 
-        It tells its own task (on blocking links: its own thread) of the writes that this has posted, and of those of
-        tasks that are over. What other tasks have posted is left to their fences, and to the end of the block.
+        It raises the errors of writes that the task which calls `fence` has posted (on blocking links: the thread), and
+        those of tasks that are over; under `asyncio.wait_for` and `asyncio.gather`, too, which run the coroutine in a
+        task of its own. What other tasks have posted is left to their fences, and to the end of the block.
 
         Raises:
             UnityLinkError: the first error of these writes that nobody was told of; or, of their writes at instants
                 that are not awaited, the one of the first that is known not to have acted. Those to come are not waited
                 for.
         """
+        return self._fence_for(self._caller())
+
+    async def _fence_for(self, caller: Any) -> None:
         self._posted = False
-        is_told = told_now(self._runtime)
+        is_told = told_now(self._runtime, caller)
         try:
             await self._fence(leaving=False)
         except LinkLostError:
@@ -447,20 +457,24 @@ class Link(OfLink, Connection):
         info = self.gateway
         await self._batch("W", (where, info.address_digits), (what, info.data_digits))
 
-    async def post_many(self, addresses: ArrayLike, values: ArrayLike) -> None:
+    @returns_coroutine
+    def post_many(self, addresses: ArrayLike, values: ArrayLike) -> Coroutine[Any, Any, None]:
         """Send many writes as `post` does; returns when the last one is sent.
 
         The quickest way to write words that lie apart: nothing but the requests is on the line.
         """
+        return self._post_many_for(self._caller(), addresses, values)
+
+    async def _post_many_for(self, poster: Any, addresses: ArrayLike, values: ArrayLike) -> None:
         where, what = self._write_arguments(addresses, values)
         self._whole_count(len(where))
         fields = [(where, self.gateway.address_digits), (what, self.gateway.data_digits)]
         self._posted = True
         if self._takes_turns:
-            await self._post_answered(WordBatch(self._session.codec, "W", fields))
+            await self._post_answered(WordBatch(self._session.codec, "W", fields), poster)
         else:
             batch = WordBatch(self._session.codec, "WS", fields)
-            batch.poster = self._caller()
+            batch.poster = poster
             self._flow.submit(batch)
             if batch.sent != batch.count:
                 await self._sent(batch)
@@ -578,12 +592,12 @@ class Link(OfLink, Connection):
             posted.cancel()
             raise
 
-    async def _post_answered(self, posted: Request | WordBatch) -> None:
+    async def _post_answered(self, posted: Request | WordBatch, poster: Any) -> None:
         """Execute writes that are answered, and keep their errors as those of posted ones."""
         try:
             await self._flow.answer(posted)
         except UnityLinkError as error:
-            self._note_posted(PostedFailure(error, 1, self._caller()))
+            self._note_posted(PostedFailure(error, 1, poster))
 
     async def _read_words(self, command: str, address: int, count: int, step: int) -> Words:
         # Imported here, not in the callback that takes the answer.

@@ -130,12 +130,10 @@ class MappedLink(Link):
         await self._done(2)
         return before
 
-    async def post(self, address: int, value: int) -> None:
-        """Write, as `write` does: there is nothing to wait for."""
+    async def _post_for(self, poster: Any, address: int, value: int) -> None:  # noqa: ARG002  (no post can fail later)
         await self.write(address, value)
 
-    async def fence(self) -> None:
-        """Return: everything that was asked for before has been executed."""
+    async def _fence(self, *, leaving: bool) -> None:  # noqa: ARG002  (a bus has no sessions)
         self._check_open()
 
     async def _ping(self) -> None:
@@ -177,8 +175,7 @@ class MappedLink(Link):
         self._whole_count(len(where))
         await self._write_each(where.tolist(), what)
 
-    async def post_many(self, addresses: ArrayLike, values: ArrayLike) -> None:
-        """Write, as `write_many` does."""
+    async def _post_many_for(self, poster: Any, addresses: ArrayLike, values: ArrayLike) -> None:  # noqa: ARG002
         await self.write_many(addresses, values)
 
     def _begin_block(

@@ -7,7 +7,6 @@ Their coroutines are the same in every kind of program. `AsyncioRuntime` is the 
 from __future__ import annotations
 
 import asyncio
-import functools
 import logging
 import sys
 import time
@@ -101,7 +100,7 @@ class Runtime(Protocol):
         """Return the time in seconds of an unadjusted clock: `unadjusted_time`, in models of time the modelled one."""
 
     def caller(self) -> Any:
-        """Return the task or thread that runs now."""
+        """Return the task or thread that runs now; None where neither does."""
 
     def is_over(self, caller: Any, /) -> bool:
         """Return whether a task or thread has ended, so that it will never call again."""
@@ -149,12 +148,12 @@ class Runtime(Protocol):
         """End what one call of `attend` has begun."""
 
 
-def told_now(runtime: Runtime) -> Callable[[Any], bool]:
-    """Return a function that returns whether the task that runs now is told of the lost writes of a task, or of None.
+def told_now(runtime: Runtime, caller: Any) -> Callable[[Any], bool]:
+    """Return a function that returns whether the errors of a task's writes are raised now, where `caller` asks.
 
-    A task is told of its own, and of those of tasks that are over: they never ask.
+    A task gets the errors of its own writes, and those of tasks that are over, which the function gets as None too.
     """
-    caller, is_over = runtime.caller(), runtime.is_over
+    is_over = runtime.is_over
     return lambda poster: poster is None or poster is caller or is_over(poster)
 
 
@@ -309,11 +308,17 @@ class _LoopSpinner:
 
 
 def _caller_of(loop: asyncio.AbstractEventLoop) -> Callable[[], asyncio.Task[Any] | None]:
-    """Return what returns the task that runs in a loop."""
-    if sys.version_info >= (3, 12):
-        return functools.partial(asyncio.current_task, loop)
-    # `current_task` is written in Python there, and takes a tenth of the time of a post.
-    return functools.partial(asyncio.tasks._current_tasks.get, loop)  # type: ignore[attr-defined]  # noqa: SLF001
+    """Return a function that returns the task of a loop that calls it; None in another thread, and outside of tasks.
+
+    A program may call a link's method in another thread, for `asyncio.run_coroutine_threadsafe`. The task that the loop
+    runs at that moment is not the caller.
+    """
+    current: Any = asyncio.current_task
+    if sys.version_info < (3, 12):
+        # `current_task` is written in Python there, and takes a tenth of the time of a post.
+        current = asyncio.tasks._current_tasks.get  # type: ignore[attr-defined]  # noqa: SLF001
+    running = asyncio._get_running_loop  # noqa: SLF001
+    return lambda: current(loop) if running() is loop else None
 
 
 def _time_of(loop: asyncio.AbstractEventLoop) -> float:

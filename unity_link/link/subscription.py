@@ -7,7 +7,6 @@ stated size; a reader that is too slow loses the oldest, and is told how many, o
 from __future__ import annotations
 
 import contextlib
-import inspect
 import math
 import time
 import warnings
@@ -33,6 +32,7 @@ from unity_link.errors import (
     missing_attribute,
     refusing,
 )
+from unity_link.link.calls import is_asynchronous
 from unity_link.link.freshness import MOST_DRIFT, Freshness
 from unity_link.link.runtime import report
 from unity_link.protocol.events import (
@@ -766,7 +766,7 @@ class Subscription(OfLink):
         size = check_buffer(1 if latest else buffer, overflow)
         if callback is not None and not callable(callback):
             raise ArgumentError(f"a callback is a function, not {callback!r:.80}")
-        if inspect.iscoroutinefunction(callback):
+        if is_asynchronous(callback):
             raise ArgumentError("a callback is a plain function, which may start a task: an async one is never awaited")
         self.schedule = schedule
         """Addresses and conditions of sampling, as the gateway has them."""
