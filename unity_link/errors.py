@@ -10,6 +10,7 @@ from __future__ import annotations
 import contextlib
 import enum
 from asyncio import CancelledError
+from numbers import Number
 from typing import TYPE_CHECKING, Any, Never, Self, TypeVar
 
 if TYPE_CHECKING:
@@ -193,6 +194,15 @@ def first_error() -> Iterator[None]:
     except BaseExceptionGroup as group:
         first = group.exceptions[0]
         raise first from first.__cause__
+
+
+def shown(value: object) -> str:
+    """Return what a program has given, for a message: a number as text, else its `repr`; cut to 80 characters."""
+    try:
+        return f"{value!s:.80}" if isinstance(value, Number) else f"{value!r:.80}"
+    except ValueError:
+        # Python writes no whole number of more than 4,300 digits.
+        return f"a number of {value.bit_length()} bits" if isinstance(value, int) else f"a {type(value).__name__}"
 
 
 def did_you_mean(name: object, known: Iterable[str]) -> str:

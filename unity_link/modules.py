@@ -97,8 +97,8 @@ class Module(Sealed):
         self.outer = bus
         """Bus below the module."""
         self.link = link_under(bus)
-        self.base = base
-        self.size = self.SIZE if size is None else size
+        self.base = whole_number(base, "the base of a module")
+        self.size = self.SIZE if size is None else whole_number(size, "the number of words of a module")
         if self.size is not None and self.size < 1:
             raise ArgumentError(f"a module of {self.size} words was asked for, at least 1 is needed")
 
@@ -198,7 +198,8 @@ class Memory(Module):
 
     async def fill(self, value: int = 0) -> None:
         """Write the same word everywhere."""
-        await self.write_block(0, np.full(self._known_size(), value, np.uint64))
+        word, size = whole_number(value, "a word"), self._known_size()
+        await self.write_block(0, [word] * size)
 
     def _known_size(self) -> int:
         if self.size is None:

@@ -29,7 +29,7 @@ def test_help_names_the_extra_to_install(command: str, extra: str) -> None:
         (["live", "sim:", "--watch", "0", "--poll", "often"], "error: --poll is 'often': a number of Hz was expected"),
         (
             ["record", "sim:", "x.ul", "-o", "x", "--duration", "-1"],
-            "error: --duration is '-1': a number of seconds from 0 on was expected",
+            "error: --duration is '-1': a number of seconds from 0 to 1e+09 was expected",
         ),
         (
             ["generate", "ros3", "x.ul"],

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import random
 from typing import TYPE_CHECKING, Any
 
@@ -16,7 +17,7 @@ from support.simulated_time import on_simulated_time, run_simulated
 from unity_link import ArgumentError, UnsupportedError, blocking
 from unity_link.data import Group
 from unity_link.data.blocking import put
-from unity_link.data.writing import write_values
+from unity_link.data.writing import NOT_POSTED, write_values
 from unity_link.protocol.configuration import Feature
 from unity_link.virtual.faults import Noise, NoisyLine
 
@@ -99,7 +100,8 @@ def test_several_of_one_word_are_written_together_and_clear_what_each_would(
         async with unity_link.connect(effects_gateway()) as link:
             robot = Robot(link)
             await robot.make.set(events(alarm=made & 3, lost=made >> 2))
-            await write_values({robot[path]: value for path, value in cleared.items()}, posted=posted)
+            values = {robot[path]: value for path, value in cleared.items()}
+            await write_values(values, posted_by=asyncio.current_task() if posted else NOT_POSTED)
             await link.fence()
             left = [bool(made >> bit & 1) and not cleared.get(f"alarm[{bit}]") for bit in range(2)]
             assert await flags(robot) == (*left, made >> 2 & ~cleared.get("lost", 0))

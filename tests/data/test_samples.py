@@ -412,8 +412,8 @@ def test_what_no_subscription_of_a_group_can_have_is_refused_whoever_reads(info:
     wrong: list[tuple[dict[str, Any], str]] = [
         ({"rate_hz": "5"}, "a rate is a number of Hz, not '5'"),
         ({"rate_hz": 0}, "a rate of 0 Hz was asked for, expected"),
-        ({"rate_hz": math.nan}, "a rate of nan Hz was asked for, expected"),
-        ({"rate_hz": 10**400}, "a rate of inf Hz was asked for, expected"),
+        ({"rate_hz": math.nan}, "a rate is a number of Hz, not nan"),
+        ({"rate_hz": 10**400}, "a rate is a number of Hz, not 1000000000"),
         ({"rate_hz": 5, "divisor": 2}, "a rate and a divisor were given, expected one of them"),
         ({"divisor": "2"}, "a divisor is a whole number, not '2'"),
         ({"divisor": 0}, "a divisor of 0 was asked for, expected 1 to 65535"),
@@ -430,8 +430,8 @@ def test_what_no_subscription_of_a_group_can_have_is_refused_whoever_reads(info:
                     group.subscribe(**options)
             with pytest.raises(ArgumentError, match=r"^a group: a rate is a number of Hz above 0, not 1000"):
                 Group(*group.proxies, rate_hz=10**400)
-        async with unity_link.connect(counting(info), timeout=10**400):
-            pass
+        with pytest.raises(ArgumentError, match="timeout is a number of seconds above 0, not 1000"):
+            unity_link.connect(counting(info), timeout=10**400)
 
     check()
 

@@ -65,12 +65,14 @@ def test_pauses_that_cannot_be_are_refused_before_a_connection_is_lost() -> None
         ({"longest_pause": math.inf}, "longest_pause is a number of seconds above 0, not inf"),
         ({"give_up_after": "x"}, "give_up_after is a number of seconds from 0 on, or None, not 'x'"),
         ({"give_up_after": -5}, "give_up_after is a number of seconds from 0 on, or None, not -5"),
+        ({"give_up_after": math.inf}, "give_up_after is a number of seconds from 0 on, or None, not inf"),
+        ({"longest_pause": 1e10}, "longest_pause is a number of seconds above 0, 1e+09 at most, not 10000000000.0"),
     ]
     for options, message in wrong:
         with pytest.raises(ArgumentError) as caught:
             Reconnect(**options)
         assert str(caught.value) == message
-    assert Reconnect(first_pause=0.5, give_up_after=math.inf).longest_pause == 5
+    assert Reconnect(first_pause=0.5, give_up_after=1e9).longest_pause == 5
 
 
 def now() -> float:

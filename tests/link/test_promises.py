@@ -209,7 +209,9 @@ async def test_a_post_belongs_to_the_task_that_calls_it(make_bare: Maker, kind: 
         fenced.set()
 
     async with unity_link.connect(with_failing(make_bare(**SLOW))) as link:
-        robot: Any = unity_link.load(compile_text(f"public robot() {{ @failing = {BUS_ERROR:#x}: READWRITE(); }}"))(link)
+        robot: Any = unity_link.load(compile_text(f"public robot() {{ @failing = {BUS_ERROR:#x}: READWRITE(); }}"))(
+            link
+        )
         posts: dict[str, Callable[[], Coroutine[Any, Any, None]]] = {
             "post": lambda: link.post(BUS_ERROR, 1),
             "post_many": lambda: link.post_many([BUS_ERROR], [1]),

@@ -205,7 +205,7 @@ async def test_a_reused_group_starts_anew(link: Link) -> None:
         ({"addresses": [[1], [2, 3]]}, "whole numbers"),
         ({"addresses": 0, "rate_hz": 0.1}, r"0\.1 Hz was asked for, expected {lowest:.3g} to {highest:g} Hz"),
         ({"addresses": 0, "rate_hz": 100_001}, "expected {lowest:.3g} to {highest:g}"),
-        ({"addresses": 0, "rate_hz": float("nan")}, "nan Hz"),
+        ({"addresses": 0, "rate_hz": float("nan")}, "a rate is a number of Hz, not nan"),
         ({"addresses": 0, "rate_hz": -5}, "-5 Hz"),
         ({"addresses": 0, "divisor": 0}, "divisor of 0"),
         ({"addresses": 0, "divisor": 65536}, "expected 1 to 65535"),

@@ -10,6 +10,7 @@ import typer
 from unity_link.cli.completion import complete_url, note
 from unity_link.cli.words import parse_number
 from unity_link.errors import ArgumentError
+from unity_link.protocol.numbers import MOST_SECONDS
 
 
 def number(text: str) -> int:
@@ -34,7 +35,10 @@ Address = Annotated[
     int, typer.Argument(metavar="ADDRESS", parser=number, help="Word address, such as 0x88.", show_default=False)
 ]
 Timeout = Annotated[
-    float, typer.Option("--timeout", metavar="SECONDS", min=0.001, help="How long the gateway may take to connect.")
+    float,
+    typer.Option(
+        "--timeout", metavar="SECONDS", min=0.001, max=MOST_SECONDS, help="How long the gateway may take to connect."
+    ),
 ]
 Json = Annotated[bool, typer.Option("--json", help="Print JSON for programs, one object a line.")]
 Overwrite = Annotated[bool, typer.Option("--overwrite", help="Replace what Unity-Link did not make.")]

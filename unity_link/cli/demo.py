@@ -16,6 +16,7 @@ from unity_link.cli.output import is_live, out, print_json, print_line
 from unity_link.cli.running import run
 from unity_link.cli.words import signed_words
 from unity_link.errors import ArgumentError, GatewayError, UnsupportedError
+from unity_link.protocol.numbers import MOST_SECONDS
 
 if TYPE_CHECKING:
     from unity_link.link.link import Link
@@ -30,7 +31,8 @@ def demo(
     url: Annotated[str, typer.Argument(metavar="[URL]", help="A gateway with the SCARA behind it.")] = "sim:scara",
     *,
     duration: Annotated[
-        float, typer.Option("--duration", metavar="SECONDS", min=1.0, help="How long the robot moves.")
+        float,
+        typer.Option("--duration", metavar="SECONDS", min=1.0, max=MOST_SECONDS, help="How long the robot moves."),
     ] = 10.0,
     json: Json = False,
 ) -> None:

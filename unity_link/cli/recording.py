@@ -16,6 +16,7 @@ from unity_link.cli.output import console_on, may_overwrite, print_json, print_n
 from unity_link.cli.running import run
 from unity_link.cli.spec import Given, Name, SpecOrBoard, compile_or_exit, spec_behind
 from unity_link.errors import ArgumentError
+from unity_link.protocol.numbers import MOST_SECONDS
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -48,7 +49,8 @@ def record(  # noqa: PLR0913  (each is an option)
         float | None, typer.Option(metavar="HZ", help="Also record what nothing publishes, by reading it so often.")
     ] = None,
     duration: Annotated[
-        float | None, typer.Option("--duration", metavar="SECONDS", min=0.0, help="End after so long.")
+        float | None,
+        typer.Option("--duration", metavar="SECONDS", min=0.0, max=MOST_SECONDS, help="End after so long."),
     ] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a file of that name.")] = False,
     interface: Name = None,

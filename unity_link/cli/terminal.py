@@ -22,6 +22,7 @@ from unity_link.cli.running import INTERRUPTED, run
 from unity_link.errors import ConnectError, UnsupportedError
 from unity_link.protocol.crc import NO_SESSION, seed_of
 from unity_link.protocol.frames import LONGEST_FRAME
+from unity_link.protocol.numbers import MOST_SECONDS
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable, Coroutine
@@ -66,7 +67,8 @@ def terminal(
         bool, typer.Option("--plain", help="Send plain frames, which end with CR and have no CRC.")
     ] = False,
     timeout: Annotated[
-        float, typer.Option("--timeout", metavar="SECONDS", min=0.001, help="How long an answer may take.")
+        float,
+        typer.Option("--timeout", metavar="SECONDS", min=0.001, max=MOST_SECONDS, help="How long an answer may take."),
     ] = 1.0,
 ) -> None:
     """Type frames by hand: the CRC is added, and answers are explained.

@@ -22,7 +22,7 @@ from unity_link.cli.signals import is_spec, robot_of, split
 from unity_link.cli.spec import Name  # noqa: TC001  (typer reads it)
 from unity_link.cli.watched import WatchedSignals, Words
 from unity_link.errors import ArgumentError, UnityLinkError, first_error
-from unity_link.protocol.numbers import Format
+from unity_link.protocol.numbers import MOST_SECONDS, Format
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable
@@ -56,7 +56,8 @@ def watch(  # noqa: PLR0913  (each is an option)
         int | None, typer.Option("--count", metavar="SAMPLES", min=1, help="End after so many samples.")
     ] = None,
     duration: Annotated[
-        float | None, typer.Option("--duration", metavar="SECONDS", min=0.0, help="End after so long.")
+        float | None,
+        typer.Option("--duration", metavar="SECONDS", min=0.0, max=MOST_SECONDS, help="End after so long."),
     ] = None,
     form: Annotated[
         Format | None, typer.Option("--format", help="How the words at addresses are written: signed without.")

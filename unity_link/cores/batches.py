@@ -9,6 +9,10 @@ if TYPE_CHECKING:
 
 TIME = 1 << 40
 """Instants are modulo this."""
+AHEAD = TIME // 2
+"""Ticks that are more than an instant can be ahead of the clock: the gateway takes one further ahead for a past one."""
+BEHIND = TIME // 4
+"""Ticks by which an instant can have passed when its words are made; they may be under way for as long again."""
 FRAME = 2
 """Words of a batch beside its runs: a header, and the lower part of the instant."""
 MOST_WORDS = 255

@@ -7,13 +7,15 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
-from unity_link.errors import ArgumentError
+from unity_link.errors import ArgumentError, shown
 from unity_link.link.freshness import MOST_DRIFT
 from unity_link.link.synchronisation import running
-from unity_link.protocol.numbers import real_number
+from unity_link.protocol.numbers import real_number, seconds_from, whole_number
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+
+    from unity_link.link.link import Link
 
 READ_AGAIN = 10.0
 """Seconds after which the gateway's clock is read anew: the estimate is off by what quartzes drift apart meanwhile,
@@ -22,13 +24,29 @@ _LEAST_APART = 0.1
 """Seconds between two readings that tell how fast the gateway's clock is."""
 TURN = 1 << 32
 """Ticks after which a timestamp comes again."""
+_MOST_TICKS = 1 << 64
+"""Ticks of the gateway's clock after which it begins again; no instant is further from 0."""
 
 
 class Instant(msgspec.Struct, frozen=True, order=True):
-    """An instant of a gateway's clock: whole cycles since its reset."""
+    """An instant of a gateway's clock: whole cycles since its reset.
+
+    Raises:
+        ArgumentError: for ticks that are no whole number, or are 2 ** 64 or more from 0, and for no frequency.
+    """
 
     ticks: int
     clock_hz: int
+
+    def __post_init__(self) -> None:
+        """Check the numbers, and keep those of other types, as numpy's, as `int`."""
+        ticks = whole_number(self.ticks, "the ticks of an instant")
+        hertz = whole_number(self.clock_hz, "the clock of an instant in Hz")
+        if hertz < 1:
+            raise ArgumentError(f"the clock of an instant has 1 Hz at least, not {hertz}")
+        if type(self.ticks) is not int or type(self.clock_hz) is not int:
+            msgspec.structs.force_setattr(self, "ticks", ticks)
+            msgspec.structs.force_setattr(self, "clock_hz", hertz)
 
     @property
     def ns(self) -> int:
@@ -39,14 +57,26 @@ class Instant(msgspec.Struct, frozen=True, order=True):
         """Return the instant so much later, in the nearest cycle; earlier, for a number below 0.
 
         Raises:
-            ArgumentError: for what is no number of seconds.
+            ArgumentError: for what is no finite number of seconds, and an instant 2 ** 64 ticks or more from 0.
         """
-        passed = real_number(seconds, "instants are a number of seconds apart")
-        return Instant(self.ticks + round(Fraction(passed) * self.clock_hz), self.clock_hz)
+        return Instant(round(ticks_after(self.ticks, seconds, self.clock_hz)), self.clock_hz)
 
     def __str__(self) -> str:
         """Return the seconds since the reset."""
         return f"{self.ticks / self.clock_hz:.9f} s of the gateway's clock"
+
+
+def ticks_after(ticks: int | Fraction, seconds: float, hertz: int) -> Fraction:
+    """Return the ticks of a clock so many seconds after some ticks, before them for a number below 0.
+
+    Raises:
+        ArgumentError: for what is no finite number of seconds, and ticks that no clock counts.
+    """
+    passed = real_number(seconds, "instants are a finite number of seconds apart")
+    after = ticks + Fraction(passed) * hertz
+    if abs(after) >= _MOST_TICKS:
+        raise ArgumentError(f"no clock of a gateway counts the ticks of {shown(seconds)} s")
+    return after
 
 
 class TickBounds:
@@ -125,9 +155,9 @@ class TickClock:
     nothing adjusts it. Where a system has none it is `time.perf_counter`, and in models of time the modelled one.
     """
 
-    def __init__(self, bounds: TickBounds, timestamp_of: Callable[[float], int]) -> None:
+    def __init__(self, bounds: TickBounds, link: Link) -> None:
         self._bounds = bounds
-        self._timestamp_of = timestamp_of
+        self._link = link
         self.time: Callable[[], float] = running().steady
         """Returns this machine's clock."""
 
@@ -141,32 +171,51 @@ class TickClock:
         return self.at(self.time())
 
     def at(self, time: float) -> Instant:
-        """Return the instant at a time of this machine's clock (seconds), as near as is known."""
+        """Return the instant at a time of this machine's clock (seconds), as near as is known.
+
+        Raises:
+            ArgumentError: for what is no time of that clock: a number of seconds up to 1e9.
+        """
         bounds = self._bounds
+        time = seconds_from(time, "a time of this machine's clock is a number of seconds from 0 on", zero=True)
         return Instant((bounds.least(time) + bounds.most(time)) // 2, bounds.hertz)
 
     def sampled(self, time: float) -> Instant:
         """Return the instant at which a sample was taken.
 
         Args:
-            time: of the sample, which has a timestamp and is no older than half a turn of 32 bits: 42 s at 50 MHz.
+            time: of the sample, which has a timestamp.
 
         Raises:
-            ArgumentError: for a sample without a timestamp, whose time is None.
+            ArgumentError: for a sample without a timestamp, whose time is None, and one of before the last reset.
         """
-        seconds = real_number(time, "the time of a sample with a timestamp is a number of seconds")
-        return Instant(self._bounds.nearest(self._timestamp_of(seconds), self.time()), self.clock_hz)
+        timestamp, link = self._link.timestamp_of(time), self._link
+        return Instant(self._bounds.nearest(timestamp, self.time() - link.age_of(time)), self.clock_hz)
 
     def time_of(self, instant: Instant) -> float:
         """Return when an instant is by this machine's clock (seconds).
 
         Raises:
-            ArgumentError: for an instant of a clock with another frequency.
+            ArgumentError: for what is no instant, and one of a clock with another frequency.
         """
-        if instant.clock_hz != self.clock_hz:
-            raise ArgumentError(f"{instant!r} is of another clock: this one has {self.clock_hz} Hz")
+        self.check(instant)
         now = self.time()
         return now + (instant.ticks - self.at(now).ticks) / self.clock_hz
+
+    def check(self, instant: Instant) -> Instant:
+        """Return an instant of this clock.
+
+        Raises:
+            ArgumentError: for what is none, or one of a clock with another frequency.
+        """
+        given: object = instant
+        if not isinstance(given, Instant):
+            raise ArgumentError(
+                f"an instant of the gateway's clock was expected, as of `clock.now()`, not {shown(instant)}"
+            )
+        if given.clock_hz != self.clock_hz:
+            raise ArgumentError(f"{given!r} is of another clock: this one has {self.clock_hz} Hz")
+        return given
 
     @property
     def offset(self) -> float:

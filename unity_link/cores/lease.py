@@ -24,6 +24,7 @@ from unity_link.errors import (
     Sealed,
     UnityLinkError,
     refusing,
+    shown,
 )
 from unity_link.link.asked import Asked
 from unity_link.link.synchronisation import gather, running
@@ -175,7 +176,7 @@ class LeaseVerbs(Verbs):
         what = f"the time-out of {name} is a number of seconds above 0, and {most:g} s at most as its spec says"
         seconds = most if timeout is None else real_number(timeout, what)
         if not 0 < seconds <= most:
-            raise ArgumentError(f"{what}, not {timeout!r:.80}")
+            raise ArgumentError(f"{what}, not {shown(timeout)}")
         if on_silence not in {"safe", "finish"}:
             raise ArgumentError(f"on_silence={on_silence!r:.40}: 'safe' or 'finish' was expected")
         finishes = on_silence == "finish"

@@ -10,10 +10,12 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from unity_link.cores import Model, Verbs
-from unity_link.cores.batches import FATES, FRAME, cycles_to, values_of
-from unity_link.cores.timeline import ScheduleRegisters, Timeline, feed_of, seconds_of
-from unity_link.errors import ArgumentError
+from unity_link.cores.batches import FATES, FRAME, TIME, cycles_to, values_of
+from unity_link.cores.clock import ticks_after
+from unity_link.cores.timeline import ScheduleRegisters, Timeline, feed_of
+from unity_link.errors import ArgumentError, shown
 from unity_link.modules import caller_on
+from unity_link.protocol.numbers import seconds_from
 from unity_link.spec.model import STAGE_BITS
 
 if TYPE_CHECKING:
@@ -44,11 +46,15 @@ class ScheduleVerbs(Verbs):
             lease: that guards what is written; it is kicked as the line is fed.
 
         Raises:
-            ArgumentError: for a lead that is no number of seconds from 0 on.
+            ArgumentError: for a lead that is no number of seconds from 0 on, or that takes half of what the schedule's
+                clock counts: 10995 s at 50 MHz.
         """
         registers = ScheduleRegisters.of(self)
-        what = f"the lead of {registers.name} is a number of seconds from 0 on"
-        return Timeline(registers, seconds_of(lead, what), lease)
+        what, most = f"the lead of {registers.name} is a number of seconds", registers.reach_seconds
+        seconds = seconds_from(lead, f"{what} from 0 on", zero=True)
+        if seconds >= most:
+            raise ArgumentError(f"{what} below {most:.0f}, half of what its clock counts, not {shown(lead)}")
+        return Timeline(registers, seconds, lease)
 
     async def play(
         self,
@@ -82,14 +88,17 @@ class ScheduleVerbs(Verbs):
         if then == "safe" and registers.lease is None:
             raise ArgumentError(f"no lease guards what {registers.name} writes, so that nothing is safe: then='hold'")
         instants = _rising(times)
+        # Nothing is sent before: the last one is the first that no clock could count.
+        ticks_after(TIME, instants[-1], registers.link.gateway.clock_hz)
         columns: dict[int, NDArray[np.uint64]] = {}
         for proxy, column in values.items():
             columns |= _columns(registers, proxy, column, len(instants))
         async with self.timeline(lead=lead, lease=lease) as line:
             start, poster = line.instant, caller_on(registers.link)
             for row, seconds in enumerate(instants):
-                words = {place: int(column[row]) for place, column in columns.items()}
-                await line.put(words, start.after(seconds), poster)
+                words, at = {place: int(column[row]) for place, column in columns.items()}, start.after(seconds)
+                await line.approach(at)
+                await line.put(words, at, poster)
             acted = await line.flush()
         if then == "safe":
             await registers.robot[f"{registers.lease}.disarm"].set(1)
@@ -103,12 +112,13 @@ def _rising(times: ArrayLike) -> list[float]:
         ArgumentError: for what does not rise from 0 on.
     """
     try:
-        seconds = np.asarray(times, np.float64)
-    except (TypeError, ValueError):
-        raise ArgumentError(f"times are numbers of seconds, not {times!r:.80}") from None
+        given = np.asarray(times)
+        seconds = given.astype(np.float64) if given.dtype.kind in "iufO" else np.empty(0)
+    except (TypeError, ValueError, OverflowError):
+        raise ArgumentError(f"times are numbers of seconds, not {shown(times)}") from None
     rises = seconds.ndim == 1 and len(seconds) and np.isfinite(seconds).all() and seconds[0] >= 0
     if not rises or not (np.diff(seconds) > 0).all():
-        raise ArgumentError(f"times are numbers of seconds from 0 on that rise, in one dimension, not {times!r:.80}")
+        raise ArgumentError(f"times are numbers of seconds from 0 on that rise, in one dimension, not {shown(times)}")
     numbers: list[float] = seconds.tolist()
     return numbers
 

@@ -12,8 +12,8 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 from unity_link.cores import CoreRegisters
-from unity_link.cores.batches import FATES, FRAME, MOST_WORDS, batch_of
-from unity_link.cores.clock import Instant, TickBounds, TickClock
+from unity_link.cores.batches import AHEAD, BEHIND, FATES, FRAME, MOST_WORDS, batch_of
+from unity_link.cores.clock import Instant, TickBounds, TickClock, ticks_after
 from unity_link.errors import (
     ArgumentError,
     GatewayResetError,
@@ -32,7 +32,6 @@ from unity_link.link.calls import returns_coroutine
 from unity_link.link.runtime import told_now
 from unity_link.link.synchronisation import Lock, running
 from unity_link.modules import caller_on
-from unity_link.protocol.numbers import real_number
 from unity_link.spec.model import STAGE_BITS
 
 if TYPE_CHECKING:
@@ -78,6 +77,8 @@ class ScheduleRegisters(CoreRegisters):
         """Places on its stage, by the paths of the signals that it can write."""
         self.lease = next((signal.safe.lease for signal in timed.values() if signal.safe is not None), None)
         """Path of the lease that guards what it writes."""
+        self.reach_seconds = AHEAD / self.link.gateway.clock_hz
+        """Seconds by which an instant can be ahead of the gateway's clock, less than half of what that counts."""
 
     def timed(self, proxy: Proxy[Any]) -> Signal:
         """Return the declaration of a signal that it can write.
@@ -185,7 +186,7 @@ class ScheduleFeed:
         self._link = registers.link
         self._session = self._link.interruptions
         self._bounds = TickBounds(self._link.gateway.clock_hz)
-        self.time = TickClock(self._bounds, self._link.timestamp_of)
+        self.time = TickClock(self._bounds, self._link)
         self.line: object | None = None
         """The timeline that is open."""
         self.has_begun = False
@@ -328,7 +329,8 @@ class ScheduleFeed:
             lease: to be kicked while there is no room.
 
         Raises:
-            ArgumentError: for an instant that is not behind the one before, or a batch that never fits.
+            ArgumentError: for an instant that is not after the one before, or too far from the gateway's clock, and
+                for a batch that never fits.
         """
         batch = batch_of(instant.ticks, words)
         self._check(instant, batch)
@@ -379,6 +381,18 @@ class ScheduleFeed:
             )
         if self._last is not None and instant.ticks <= self._last.ticks:
             raise ArgumentError(f"{name} writes in the order of the instants: {instant} is not behind {self._last}")
+        # The words of a batch have the instant modulo 2 ** 40: the gateway takes one that is further away for another.
+        ahead, hertz = self.ahead(instant), instant.clock_hz
+        if not -BEHIND <= ahead < AHEAD:
+            side = "after" if ahead > 0 else "before"
+            raise ArgumentError(
+                f"{name} takes instants from {BEHIND / hertz:.0f} s before the gateway's clock to "
+                f"{AHEAD / hertz:.0f} s after it: {instant} is {abs(ahead) / hertz:.0f} s {side} it"
+            )
+
+    def ahead(self, instant: Instant) -> int:
+        """Return by how many ticks an instant is ahead of the gateway's clock; negative for one that has passed."""
+        return instant.ticks - self._bounds.least(running().steady())
 
     async def _pause(self, size: int, lease: Lease | None) -> None:
         """Wait until batches of so many words have ended, or all, but no longer than a lease lasts."""
@@ -562,7 +576,7 @@ async def set_at(poster: object, proxy: Proxy[Any], value: Any, at: Instant) -> 
     feed = feed_of(registers)
     if feed.line is not None:
         raise ArgumentError(f"{schedule} is fed by a timeline of this link: its `set` takes {proxy.path} as well")
-    instant, words = check_instant(at, feed.time), registers.words_of({proxy: value})
+    instant, words = feed.time.check(at), registers.words_of({proxy: value})
     await feed.check(instant, poster)
     await feed.ready()
     return await feed.send(instant, words, poster)
@@ -627,10 +641,10 @@ class Timeline(Sealed):
         self._feed.line, self._was_on = self, True
         try:
             await self._feed.begin()
+            self._at = Fraction(self._feed.time.now().after(self.lead).ticks)
         except BaseException:
             self._feed.line = None
             raise
-        self._at = Fraction(self._feed.time.now().after(self.lead).ticks)
         self._is_on = True
         return self
 
@@ -679,11 +693,17 @@ class Timeline(Sealed):
 
     async def _set(self, poster: object, values: Mapping[Any, Any], at: Instant | None) -> Done:
         self._check_on()
-        instant = self.instant if at is None else check_instant(at, self._feed.time)
+        instant = self.instant if at is None else self._feed.time.check(at)
         done = await self.put(self._registers.words_of(values), instant, poster)
         if at is not None:
             self._at = Fraction(at.ticks)
         return done
+
+    async def approach(self, at: Instant) -> None:
+        """Wait until an instant is near enough for the schedule to take it."""
+        while (beyond := (self._feed.ahead(at) - AHEAD // 2) / at.clock_hz) > 0:
+            await self._kick()
+            await running().sleep(beyond if self._lease is None else min(beyond, self._lease.timeout / KICKS))
 
     async def put(self, words: Mapping[int, int], at: Instant, poster: object) -> Done:
         """Write words to places of the stage at an instant, for a task or thread; like `set` otherwise."""
@@ -695,10 +715,11 @@ class Timeline(Sealed):
         """Move the line on; below 0, back.
 
         Raises:
-            ArgumentError: for what is no number of seconds, and outside of the block.
+            ArgumentError: for what is no finite number of seconds, an instant that no clock counts, and outside of the
+                block.
         """
         self._check_on()
-        self._at += Fraction(real_number(seconds, "a delay is a number of seconds")) * self._feed.time.clock_hz
+        self._at = ticks_after(self._at, seconds, self._feed.time.clock_hz)
 
     async def flush(self) -> int:
         """Wait until everything that was set has acted.
@@ -726,29 +747,3 @@ class Timeline(Sealed):
         if not self._is_on:
             name = self._feed.registers.name
             raise ArgumentError(f"a timeline is used in its block: async with {name}.timeline() as line")
-
-
-def check_instant(instant: Instant, time: TickClock) -> Instant:
-    """Return an instant of a clock.
-
-    Raises:
-        ArgumentError: for what is none.
-    """
-    given: object = instant
-    if not isinstance(given, Instant):
-        raise ArgumentError(f"an instant of the gateway's clock was expected, as of `clock.now()`, not {instant!r:.80}")
-    if given.clock_hz != time.clock_hz:
-        raise ArgumentError(f"{given!r} is of another clock: this one has {time.clock_hz} Hz")
-    return given
-
-
-def seconds_of(value: float, what: str) -> float:
-    """Return a number of seconds from 0 on.
-
-    Raises:
-        ArgumentError: for what is none.
-    """
-    seconds = real_number(value, what)
-    if seconds < 0:
-        raise ArgumentError(f"{what}, not {value!r:.80}")
-    return seconds

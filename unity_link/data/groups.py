@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import time
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Protocol, Self
@@ -17,13 +16,13 @@ from unity_link.data.layout import GroupLayout
 from unity_link.data.proxies import BUFFER, Proxy, nothing_publishes, signals_table
 from unity_link.data.sampling import GroupSubscription, Poll
 from unity_link.data.writing import write_values
-from unity_link.errors import ArgumentError, Sealed, UnsupportedError
+from unity_link.errors import ArgumentError, Sealed, UnsupportedError, shown
 from unity_link.link.calls import returns_coroutine
 from unity_link.link.subscription import LARGEST_DIVISOR, asked_rate, check_buffer
 from unity_link.link.synchronisation import gather
 from unity_link.modules import caller_on
 from unity_link.protocol.configuration import Feature
-from unity_link.protocol.numbers import real_number
+from unity_link.protocol.numbers import RATE, real_number
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable, Coroutine, Sequence
@@ -118,10 +117,7 @@ class Group(Sealed):
         for member in wrong:
             hint = ": write `Group(*signals)`" if isinstance(member, (list, tuple)) else ""
             raise ArgumentError(f"{name}: signals or parts of a robot were expected, not {member!r:.80}{hint}")
-        what = f"{name}: a rate is a number of Hz above 0"
-        rate = None if rate_hz is None else real_number(rate_hz, what)
-        if rate is not None and not 0 < rate < math.inf:
-            raise ArgumentError(f"{what}, not {rate_hz!r:.80}")
+        rate = None if rate_hz is None else _host_rate(rate_hz, name)
         proxies = [
             proxy for member in members for proxy in ((member,) if isinstance(member, Proxy) else member.signals)
         ]
@@ -150,9 +146,14 @@ class Group(Sealed):
 
     @classmethod
     def polled(cls, rate_hz: float, proxies: Sequence[Proxy[Any]]) -> Group:
-        """Make a group that the host reads by itself."""
-        made = cls(*proxies, name=f"what is polled at {rate_hz:g} Hz")
-        made._plan = Plan(rate_hz=rate_hz, polled=True)
+        """Make a group that the host reads by itself.
+
+        Raises:
+            ArgumentError: for what is no rate.
+        """
+        rate = _host_rate(rate_hz, "what is polled")
+        made = cls(*proxies, name=f"what is polled at {rate:g} Hz")
+        made._plan = Plan(rate_hz=rate, polled=True)
         return made
 
     @property
@@ -361,6 +362,19 @@ class Group(Sealed):
         if self.model is None and len(plans) == 1 and (plan := plans.pop()) is not None:
             return plan
         raise nothing_publishes(self._read or self.proxies)
+
+
+def _host_rate(rate_hz: float, name: str) -> float:
+    """Return a rate that a program asks for, in Hz, as a float.
+
+    Raises:
+        ArgumentError: where it is none, or outside of `RATE`.
+    """
+    what = f"{name}: a rate is a number of Hz above 0"
+    rate = real_number(rate_hz, what)
+    if not RATE[0] <= rate <= RATE[1]:
+        raise ArgumentError(f"{what}, {RATE[0]:g} to {RATE[1]:g}, not {shown(rate_hz)}")
+    return rate
 
 
 def _readable(members: Sequence[Proxy[Any] | Part]) -> tuple[Proxy[Any], ...]:

@@ -6,7 +6,6 @@ Both give lists of `Sample` by `take`. A group of several gateways has one sourc
 from __future__ import annotations
 
 import asyncio
-import math
 import time
 from collections import deque
 from contextlib import AsyncExitStack
@@ -28,6 +27,7 @@ from unity_link.errors import (
 from unity_link.link.runtime import AsyncioRuntime
 from unity_link.link.subscription import INSTEAD, NOT_OPEN, Sample, so_many
 from unity_link.link.synchronisation import Event, gather, running
+from unity_link.protocol.numbers import RATE
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -74,8 +74,9 @@ class Poll:
     """Reads that the host repeats at a rate, each when it is asked for; what comes too late for its turn is lost."""
 
     def __init__(self, layout: GroupLayout, rate_hz: float, *, on_change: bool, overflow: Overflow) -> None:
-        if not 0 < rate_hz < math.inf:
-            raise ArgumentError(f"a rate of {rate_hz:g} Hz was asked for, expected more than 0")
+        low, high = RATE
+        if not low <= rate_hz <= high:
+            raise ArgumentError(f"a rate of {rate_hz:g} Hz was asked for, expected {low:g} to {high:g} Hz")
         self.lost = 0
         self.received = 0
         self._layout = layout

@@ -7,6 +7,7 @@ for the current task inside its coroutine would find that task, and not the one 
 from __future__ import annotations
 
 import asyncio
+import functools
 import inspect
 import sys
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -35,4 +36,6 @@ else:
 
     def is_asynchronous(function: object) -> bool:
         """Return whether a call of a function returns a coroutine."""
+        while isinstance(function, functools.partial):
+            function = function.func
         return asyncio.iscoroutinefunction(function)

@@ -9,7 +9,7 @@ from unity_link.errors import ArgumentError, refusing
 from unity_link.link.connection import CONNECT_TIMEOUT, Reconnect
 from unity_link.link.link import NOT_CONNECTED, Link
 from unity_link.link.runtime import AsyncioRuntime
-from unity_link.protocol.numbers import real_number
+from unity_link.protocol.numbers import seconds_from
 from unity_link.transport import DriverUrl, check_target, has_bus, parse_url
 
 if TYPE_CHECKING:
@@ -117,10 +117,7 @@ def connect(
     if not isinstance(reconnect, bool | Reconnect):
         raise ArgumentError(f"reconnect is True, False or a Reconnect, not {reconnect!r:.80}")
     check_target(target)
-    what = "timeout is a number of seconds above 0"
-    seconds = real_number(timeout, what)
-    if not seconds > 0:
-        raise ArgumentError(f"{what}, not {timeout!r:.80}")
+    seconds = seconds_from(timeout, "timeout is a number of seconds above 0")
     if isinstance(reconnect, bool):
         return Connecting(target, seconds, Reconnect() if reconnect else None)
     return Connecting(target, seconds, reconnect)

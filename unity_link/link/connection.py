@@ -17,7 +17,6 @@ from weakref import WeakSet
 import msgspec
 
 from unity_link.errors import (
-    ArgumentError,
     ConnectError,
     GatewayError,
     LinkClosedError,
@@ -32,7 +31,7 @@ from unity_link.link.flow import Flow
 from unity_link.link.runtime import AsyncioRuntime, report
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.events import GroupsRestored, Interrupted, Opened, Taken, Unusable
-from unity_link.protocol.numbers import real_number
+from unity_link.protocol.numbers import seconds_from
 from unity_link.protocol.session import Session
 from unity_link.transport import DriverUrl, has_echo, name_of, node_of, takes_compact_form
 from unity_link.transport.stream import Stream
@@ -70,12 +69,9 @@ class Reconnect(msgspec.Struct, frozen=True, kw_only=True):
     def __post_init__(self) -> None:
         """Refuse what would fail, or never rest, when a connection is lost."""
         for name, seconds in (("first_pause", self.first_pause), ("longest_pause", self.longest_pause)):
-            what = f"{name} is a number of seconds above 0"
-            if not 0 < real_number(seconds, what) < math.inf:
-                raise ArgumentError(f"{what}, not {seconds!r:.80}")
-        what = "give_up_after is a number of seconds from 0 on, or None"
-        if self.give_up_after is not None and not real_number(self.give_up_after, what) >= 0:
-            raise ArgumentError(f"{what}, not {self.give_up_after!r:.80}")
+            seconds_from(seconds, f"{name} is a number of seconds above 0")
+        if self.give_up_after is not None:
+            seconds_from(self.give_up_after, "give_up_after is a number of seconds from 0 on, or None", zero=True)
 
     def pause_after(self, failures: int) -> float:
         """Return the seconds from the last of so many failed attempts, 1 at least, to the next attempt.

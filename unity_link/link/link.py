@@ -41,7 +41,7 @@ from unity_link.link.subscription import (
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.events import GroupEvent, Happening, PostedFailure
 from unity_link.protocol.messages import GroupFlag
-from unity_link.protocol.numbers import whole_number
+from unity_link.protocol.numbers import seconds_from, whole_number
 from unity_link.protocol.requests import (
     Confirmation,
     DestructiveRead,
@@ -64,6 +64,8 @@ if TYPE_CHECKING:
     from unity_link.transport import DriverUrl, Medium
 
 NOT_CONNECTED = "write `async with unity_link.connect(...) as link:`, or `link = await unity_link.connect(...)`"
+MOST_QUEUE_WORDS = 1 << 24
+"""Words that one call reads from a queue, whose length no address bounds."""
 SendImmediate = Literal["off", "always", "adaptive"]
 _SEND_IMMEDIATE: dict[str, int] = {"off": 0, "always": 1, "adaptive": 2}
 
@@ -414,9 +416,11 @@ class Link(OfLink, Connection):
         return await self._read_words("RM", where, size, step=1)
 
     async def read_queue(self, address: int, count: int) -> Words:
-        """Read the same address `count` times: a FIFO port. Like `read_block` otherwise."""
+        """Read the same address `count` times, 2 ** 24 at most: a FIFO port. Like `read_block` otherwise."""
         self._require(Feature.QUEUE_COMMANDS)
         where, size = self._whole_address(address), self._whole_count(count)
+        if size > MOST_QUEUE_WORDS:
+            raise ArgumentError(f"{size} words of a queue were asked for, one call reads {MOST_QUEUE_WORDS} at most")
         return await self._read_words("RQ", where, size, step=0)
 
     async def write_block(self, address: int, values: ArrayLike) -> None:
@@ -482,8 +486,20 @@ class Link(OfLink, Connection):
     # Publishing
 
     def timestamp_of(self, time: float) -> int:
-        """Return the gateway's own timestamp of a sample's time, in ticks of ``gateway.clock_hz`` modulo 2 ** 32."""
-        return self._publishing.clock.timestamp(time)
+        """Return the gateway's own timestamp of a sample's time, in ticks of ``gateway.clock_hz`` modulo 2 ** 32.
+
+        Raises:
+            ArgumentError: for what is no finite number of seconds, or a time of before the last reset of the gateway.
+        """
+        return self._publishing.clock.timestamp(_sample_time(time))
+
+    def age_of(self, time: float) -> float:
+        """Return how long ago a sample's time was, in seconds, from 0 on; exact to the jitter of the line.
+
+        Raises:
+            ArgumentError: for what is no finite number of seconds.
+        """
+        return self._publishing.clock.age(_sample_time(time), self._runtime.time())
 
     def subscribe(  # noqa: PLR0913  (each is a choice of its own, by keyword)
         self,
@@ -717,6 +733,11 @@ class Link(OfLink, Connection):
         arrays = protocol.arrays
         words = arrays.in_range(values, self._session.codec.highest_word, "value")
         return words.astype(arrays.word_type(self._session.codec.info.data_digits))
+
+
+def _sample_time(time: float) -> float:
+    what = "the time of a sample with a timestamp is a number of seconds"
+    return seconds_from(time, what, zero=True)
 
 
 def check_mode(mode: SendImmediate) -> None:

@@ -31,6 +31,7 @@ from unity_link.errors import (
     UnityLinkError,
     missing_attribute,
     refusing,
+    shown,
 )
 from unity_link.link.calls import is_asynchronous
 from unity_link.link.freshness import MOST_DRIFT, Freshness
@@ -124,6 +125,8 @@ class GatewayClock:
         """
         self._offset = 0
         """Ticks that are added to timestamps since a reset of the gateway."""
+        self._began = -math.inf
+        """Time of the first sample since that reset."""
         self._resumed = False
 
     def resume(self) -> None:
@@ -146,15 +149,27 @@ class GatewayClock:
         return seconds
 
     def timestamp(self, seconds: float) -> int:
-        """Return the 32 bits that the gateway sent for a time."""
+        """Return the 32 bits that the gateway sent for a time.
+
+        Raises:
+            ArgumentError: for a time of before the last reset of the gateway, whose clock has begun again since.
+        """
+        if seconds < self._began:
+            raise ArgumentError(f"the sample of {seconds:.6f} s was taken before the gateway was reset")
         return (round(seconds * self._frequency) - self._offset) % _TURN
+
+    def age(self, seconds: float, now: float) -> float:
+        """Return how long ago a time was, in seconds; 0 before the first sample."""
+        return max(0.0, now - self._earliest - seconds) if self._earliest < math.inf else 0.0
 
     def _first_of_session(self, timestamp: int, estimate: int) -> int:
         ticks, last = self._nearest(timestamp, estimate), self._ticks or 0
         if last < ticks and abs(ticks - estimate) < RESET_TOLERANCE * self._frequency:
             return ticks
-        self._offset += max(estimate, last + 1) - ticks
-        return max(estimate, last + 1)
+        first = max(estimate, last + 1)
+        self._offset += first - ticks
+        self._began = first / self._frequency
+        return first
 
     def _nearest(self, timestamp: int, estimate: int) -> int:
         return estimate + ((timestamp + self._offset - estimate + _TURN // 2) % _TURN) - _TURN // 2
@@ -919,9 +934,9 @@ def check_count(count: int) -> int:
         ArgumentError: where it is none.
     """
     given: object = count
-    if not (isinstance(given, Integral) and count > 0):
-        raise ArgumentError(f"a number of samples from 1 on was expected, not {count!r:.80}")
-    return int(count)
+    if isinstance(given, bool) or not isinstance(given, Integral) or count < 1:
+        raise ArgumentError(f"a number of samples from 1 on was expected, not {shown(count)}")
+    return whole_number(count, "a number of samples")
 
 
 def check_buffer(buffer: int, overflow: Overflow) -> int:
@@ -932,12 +947,13 @@ def check_buffer(buffer: int, overflow: Overflow) -> int:
     """
     given: object = buffer
     if isinstance(given, bool) or not isinstance(given, Integral):
-        raise ArgumentError(f"a buffer is a number of samples, not {buffer!r:.80}")
-    if buffer < 1:
-        raise ArgumentError(f"a buffer of {buffer} samples was asked for, at least 1 is needed")
+        raise ArgumentError(f"a buffer is a number of samples, not {shown(buffer)}")
+    size = whole_number(buffer, "a buffer")
+    if size < 1:
+        raise ArgumentError(f"a buffer of {size} samples was asked for, at least 1 is needed")
     if overflow not in ("drop_oldest", "fail"):
         raise ArgumentError(f'overflow is "drop_oldest" or "fail", not {overflow!r}')
-    return int(buffer)
+    return size
 
 
 def asked_rate(rate_hz: float | None, divisor: int | None, base_hz: float) -> float:

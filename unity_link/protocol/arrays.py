@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeAlias, cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from unity_link.errors import ArgumentError
+from unity_link.errors import ArgumentError, shown
 from unity_link.protocol.crc import Crc, byte_table
 from unity_link.protocol.frames import LF
 from unity_link.protocol.numbers import whole_number
@@ -79,10 +79,10 @@ def in_range(values: ArrayLike, highest: int, what: str) -> NDArray[Any]:
         if array.dtype.kind == "O" or (array.dtype.kind not in "iu" and isinstance(values, Sequence)):
             # numpy makes fractions of words from 2**63 on that stand beside smaller ones.
             array = np.array([whole_number(value, what) for value in cast("Sequence[int]", values)], object)
-    except (ArgumentError, ValueError):
+    except (ArgumentError, TypeError, ValueError):
         array = np.array(None)
     if array.ndim != 1 or (array.size and array.dtype.kind not in "iuO"):
-        raise ArgumentError(f"a sequence of whole numbers was expected for each {what}, not {values!r:.80}")
+        raise ArgumentError(f"a sequence of whole numbers was expected for each {what}, not {shown(values)}")
     if array.size:
         low, high = int(array.min()), int(array.max())
         if low < 0 or high > highest:

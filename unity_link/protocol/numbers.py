@@ -8,10 +8,19 @@ from numbers import Real
 from operator import index
 from typing import TYPE_CHECKING
 
-from unity_link.errors import ArgumentError
+from unity_link.errors import ArgumentError, shown
 
 if TYPE_CHECKING:
     from unity_link.protocol.configuration import GatewayInfo
+
+
+MOST_BITS = 64
+"""Bits of the longest number that a gateway has: a value of 64 bits, or two words of 32."""
+MOST_SECONDS = 1e9
+"""Seconds of the longest time that a program can ask for, some thirty years."""
+
+RATE = (1e-6, 1e9)
+"""Lowest and highest rate of samples in Hz that a spec can say, and a host can be asked for."""
 
 
 class Format(enum.StrEnum):
@@ -27,30 +36,48 @@ def whole_number(value: int, what: str) -> int:
     """Return a whole number of whatever type as an `int`: one of numpy wraps where it is reckoned with.
 
     Raises:
-        ArgumentError: where it is none; a bool is none, though Python counts with it.
+        ArgumentError: where it is none, or takes more than 64 bits; a bool is none, though Python counts with it.
     """
     try:
         whole = index(value)
     except TypeError:
-        raise ArgumentError(f"{what} is a whole number, not {value!r:.80}") from None
+        raise ArgumentError(f"{what} is a whole number, not {shown(value)}") from None
     if value is True or value is False:
         raise ArgumentError(f"{what} is a whole number, not {value}")
+    if whole.bit_length() > MOST_BITS:
+        raise ArgumentError(f"{what} is a whole number of up to {MOST_BITS} bits, not {shown(value)}")
     return whole
 
 
 def real_number(value: float, what: str) -> float:
-    """Return a number of whatever type as a `float`; one beyond all of them is infinite.
+    """Return a number of whatever type as a finite `float`.
 
     Raises:
-        ArgumentError: where it is none; a bool is none, though Python counts with it.
+        ArgumentError: where it is none, NaN, an infinity, or beyond all floats; a bool is none, though Python counts
+            with it.
     """
     given: object = value
-    if isinstance(given, bool) or not isinstance(given, Real):
-        raise ArgumentError(f"{what}, not {value!r:.80}")
-    try:
-        return float(value)
-    except OverflowError:
-        return math.copysign(math.inf, 1 if value > 0 else -1)
+    if not isinstance(given, bool) and isinstance(given, Real):
+        try:
+            number = float(value)
+        except OverflowError:
+            number = math.inf
+        if math.isfinite(number):
+            return number
+    raise ArgumentError(f"{what}, not {shown(value)}")
+
+
+def seconds_from(value: float, what: str, *, zero: bool = False) -> float:
+    """Return a number of seconds from above 0 to `MOST_SECONDS`, or from 0 on.
+
+    Raises:
+        ArgumentError: where it is none.
+    """
+    seconds = real_number(value, what)
+    if seconds < 0 or (seconds == 0 and not zero) or seconds > MOST_SECONDS:
+        more = f", {MOST_SECONDS:g} at most" if seconds > MOST_SECONDS else ""
+        raise ArgumentError(f"{what}{more}, not {shown(value)}")
+    return seconds
 
 
 def to_signed(word: int, bits: int) -> int:

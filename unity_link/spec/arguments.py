@@ -9,6 +9,7 @@ from __future__ import annotations
 import enum
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
+from unity_link.protocol.numbers import RATE
 from unity_link.spec.diagnostics import did_you_mean, listed
 from unity_link.spec.expressions import (
     LEFT_OUT,
@@ -61,7 +62,6 @@ _EFFORT_OF_AN_ARGUMENT = 4
 ADDRESS = (0, (1 << 32) - 1)
 DIVISOR = (1, 0xFFFF)
 GROUP_NUMBER = (0, 255)
-RATE = (1e-6, 1e9)
 ADDRESS_BITS, DATA_BITS = (8, 32), (8, 64)
 
 ACCESS = (

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import msgspec
 import numpy as np
 
-from unity_link.errors import ArgumentError
+from unity_link.errors import ArgumentError, shown
 from unity_link.spec.diagnostics import Span  # noqa: TC001  (msgspec reads the annotations)
 
 if TYPE_CHECKING:
@@ -314,7 +314,7 @@ class Kind(msgspec.Struct, frozen=True):
         low, high = self.raw_range
         if not low <= number <= high:
             first, last = self.range
-            raise ArgumentError(f"{value} is outside of {first:.12g} to {last:.12g}, the range of {self}")
+            raise ArgumentError(f"{shown(value)} is outside of {first:.12g} to {last:.12g}, the range of {self}")
         return number & ((1 << self.width) - 1)
 
     def _encode_name(self, name: str) -> int:
@@ -329,19 +329,20 @@ class Kind(msgspec.Struct, frozen=True):
     def _encode_float(self, value: float) -> int:
         try:
             packed = struct.pack(FLOAT_BITS[self.width], value)
-        except OverflowError:
-            raise ArgumentError(f"{value} is too large for {self}") from None
-        except struct.error:
-            raise ArgumentError(f"{value!r} is no value of {self}: a number was expected") from None
+        except (OverflowError, struct.error) as error:
+            # `struct` raises its own error for a whole number beyond all floats.
+            if isinstance(error, OverflowError) or isinstance(value, int):
+                raise ArgumentError(f"{shown(value)} is too large for {self}") from None
+            raise ArgumentError(f"{shown(value)} is no value of {self}: a number was expected") from None
         return int.from_bytes(packed, "little")
 
     def _nearest(self, value: float) -> int:
         try:
             number = float(value)
         except (TypeError, ValueError, OverflowError):
-            raise ArgumentError(f"{value!r} is no value of {self}: a number was expected") from None
+            raise ArgumentError(f"{shown(value)} is no value of {self}: a number was expected") from None
         if not math.isfinite(number):
-            raise ArgumentError(f"{value} is no value of {self}: a finite number was expected")
+            raise ArgumentError(f"{shown(value)} is no value of {self}: a finite number was expected")
         steps = (number - self.offset) / self.step
         return round(steps) if math.isfinite(steps) else 1 << MOST_BITS
 
@@ -354,7 +355,7 @@ class Kind(msgspec.Struct, frozen=True):
         try:
             return operator.index(whole)
         except TypeError:
-            raise ArgumentError(f"{value!r} is no value of {self}: a whole number was expected") from None
+            raise ArgumentError(f"{shown(value)} is no value of {self}: a whole number was expected") from None
 
     # Many values
 
@@ -386,11 +387,18 @@ class Kind(msgspec.Struct, frozen=True):
         return (raw.astype(np.uint64, copy=False) << np.uint64(unused)).view(np.int64) >> np.int64(unused)
 
     def array(self, values: ArrayLike) -> NDArray[Any]:
-        """Return values as an array that has them as they are."""
+        """Return values as an array that has them as they are.
+
+        Raises:
+            ArgumentError: for rows of several lengths.
+        """
         if self.name is not KindName.BOOL and isinstance(values, (list, tuple)) and bool in map(type, values):
             # numpy makes numbers of bools that stand beside numbers.
             return np.asarray(values, object)
-        made = np.asarray(values)
+        try:
+            made = np.asarray(values)
+        except ValueError:
+            raise ArgumentError(f"{shown(values)} are no values of {self}: one array of them was expected") from None
         if made.dtype.kind == "f" and not self.is_float and not hasattr(values, "dtype"):
             # numpy makes floats of a list of whole numbers where some are small and some from 2**63 on.
             return np.asarray(values, object)
@@ -428,7 +436,7 @@ class Kind(msgspec.Struct, frozen=True):
         if not good.all():
             first, last = self.range
             wrong = np.ravel(values)[np.flatnonzero(~np.ravel(good))[0]]
-            raise ArgumentError(f"{wrong} is outside of {first:.12g} to {last:.12g}, the range of {self}")
+            raise ArgumentError(f"{shown(wrong)} is outside of {first:.12g} to {last:.12g}, the range of {self}")
         whole = numbers.astype(np.int64) if self.is_signed else numbers.astype(np.uint64)
         mask = np.uint64((1 << self.width) - 1)
         return np.ascontiguousarray(whole).view(np.uint64) & mask

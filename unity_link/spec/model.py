@@ -21,7 +21,7 @@ from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Se
 
 import msgspec
 
-from unity_link.errors import ArgumentError
+from unity_link.errors import ArgumentError, shown
 from unity_link.protocol.description import MOST_PAGES, page_address, pages_of
 from unity_link.spec.diagnostics import NOWHERE, Diagnostic, Span
 from unity_link.spec.kinds import Enumeration, Kind, Value  # noqa: TC001
@@ -308,13 +308,18 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
         if isinstance(value, str) or (self.minimum is None and self.maximum is None):
             return None
         low, high = self.limits
-        return None if low <= value <= high else self.beyond_limits(value)
+        try:
+            is_within = low <= value <= high
+        except ArithmeticError:
+            # A `decimal.Decimal` that is no number is not compared.
+            is_within = False
+        return None if is_within else self.beyond_limits(value)
 
     def beyond_limits(self, value: Value) -> ArgumentError:
         """Return the error for a value outside of the limits."""
         low, high = self.limits
         unit = f" {self.unit}" if self.unit else ""
-        return ArgumentError(f"{self.path}: {value} is outside of its limits, {low:.12g} to {high:.12g}{unit}")
+        return ArgumentError(f"{self.path}: {shown(value)} is outside of its limits, {low:.12g} to {high:.12g}{unit}")
 
     def facts(self, place: int, module: str | None) -> dict[str, str]:
         """As `Interface.facts`.

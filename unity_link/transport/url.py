@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import msgspec
 
 from unity_link.errors import ArgumentError
@@ -41,9 +43,12 @@ class DriverUrl(msgspec.Struct, frozen=True):
         """
         text = self.options[option]
         try:
-            return float(text)
+            number = float(text)
         except ValueError:
-            raise ArgumentError(f"{option}={text} in {self.text} is not a number") from None
+            number = math.nan
+        if not math.isfinite(number):
+            raise ArgumentError(f"{option}={text} in {self.text} is not a number")
+        return number
 
     def flag(self, option: str, *, default: bool = False) -> bool:
         """Return an option that is 0 or 1, `default` where it is not given.

@@ -15,6 +15,7 @@ from unity_link.bridges.zenoh.signals import ZenohSignals
 from unity_link.bridges.zenoh.streams import Streams
 from unity_link.data.describing import robot_behind
 from unity_link.errors import ConnectError, LinkLostError, first_error
+from unity_link.protocol.numbers import seconds_from
 from unity_link.transport import DriverUrl, parse_url, prepare
 from unity_link.transport.zenoh_session import (
     Declaration,
@@ -72,7 +73,7 @@ class ZenohBridge:
         self._prefix = check_prefix(prefix)
         self._network = network or Network()
         self._poll_hz = poll_hz
-        self._every = every
+        self._every = seconds_from(every, "every is a number of seconds from 0 on", zero=True)
         self._report = report
         self._samples: list[Samples] = []
         self._signals: ZenohSignals | None = None
