@@ -309,6 +309,7 @@ def test_the_pins_are_the_ports_of_the_generated_design(medium: str) -> None:
             "io.lamp.io_type is '3.3 V', a name such as LVCMOS33",
         ),
         (("[clock]", "io = 'ulx3'\n[clock]"), "io is 'ulx3', a table or the name of a board was expected; did you"),
+        (("[clock]", "io = " + "[" * 100_000 + "\n[clock]"), "it is nested too deeply"),
         (("[clock]", "io = 3\n[clock]"), "io is 3, a table or the name of a board was expected"),
         (('"--board"', '"--dump-flash"'), "programmer has '--dump-flash', options that choose a board"),
         (('"ice40_generic"', '"--write-flash"'), "programmer has --board with '--write-flash', a name or a number was"),

@@ -384,6 +384,7 @@ def test_parameters_stand_in_a_file_as_ros_2_writes_them(tmp_path: Path) -> None
         ("node: {ros__parameters: {lnk: x}}", "unknown field `lnk`"),
         ("node: {ros__parameters: {quality: best}}", "Invalid enum value 'best'"),
         ("a: [", "while parsing"),
+        ("a: " + "[" * 100_000, "it is nested too deeply"),
         ("{}", "parameters of 0 nodes"),
     ],
 )

@@ -100,6 +100,7 @@ def test_each_axis_has_its_own_value(spec: Path) -> None:
         ('per_axis = ["by"]', "BY=true", "core.toml has by per axis, and that is true, no whole number"),
         ("per_axis = 3", "", "per_axis is 3, a list of generics was expected"),
         ("per_axis = ", "", "is no TOML"),
+        ("a = " + "[" * 100_000, "", r"core\.toml is nested too deeply"),
     ],
 )
 def test_a_generic_that_cannot_be_a_list_is_told(text: str, placed: str, message: str, spec: Path) -> None:

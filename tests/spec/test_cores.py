@@ -210,3 +210,33 @@ def test_a_register_that_no_lease_guards_begins_with_its_safe_value() -> None:
     signals = compile_text(text).interface().signals
     assert (signals["a.limit"].reset, signals["a.limit"].safe) == (40, None)
     assert (signals["a.place"].reset, signals["a.place"].safe) == (0, None)
+
+
+PLACES = "{0}(): @(BASE) {{ @a = BASE: READWRITE(); p: {1}() @(BASE + 1); }}"
+"""Map of a core {0} that places a core {1}."""
+
+
+def test_cores_that_place_each_other_are_one_fault(tmp_path: Path) -> None:
+    path = write_core(tmp_path, PLACES.format("BLINK", "PONG"))
+    pong = tmp_path / "cores" / "pong"
+    pong.mkdir()
+    (pong / "pong.ul").write_text(PLACES.format("PONG", "BLINK"))
+    assert faults(path, "public robot() { p: BLINK() @(1); }") == [
+        f"{pong / 'pong.ul'}: recursion: BLINK contains itself: BLINK -> PONG -> BLINK"
+    ]
+
+
+def test_a_core_may_have_the_word_of_a_component_around_it(tmp_path: Path) -> None:
+    path = write_core(tmp_path, PLACES.format("BLINK", "GPIO").replace("+ 1)", "+ 1, pin=none)"))
+    spec = compiled(path, "GPIO(): @(BASE) { b: BLINK() @(BASE); } public robot() { p: GPIO() @(1); }")
+    assert [signal for signal in spec.interface().signals if signal.startswith("p.b.p.")]
+
+
+def test_cores_in_a_long_row_of_levels_are_one_fault(tmp_path: Path) -> None:
+    path = write_core(tmp_path, PLACES.format("BLINK", "LEVEL0"))
+    for level in range(30):
+        folder = tmp_path / "cores" / f"level{level}"
+        folder.mkdir()
+        (folder / f"level{level}.ul").write_text(PLACES.format(f"LEVEL{level}", f"LEVEL{level + 1}"))
+    (found,) = faults(path, "public robot() { p: BLINK() @(1); }")
+    assert "too-deep: components stand in each other more than 24 levels deep" in found

@@ -248,3 +248,12 @@ def test_a_gateway_is_described_where_its_spec_leaves_the_highest_addresses_free
     members: str, *, is_described: bool
 ) -> None:
     assert compile_text(f"public a() {{ {members} }}").interface().is_described is is_described
+
+
+def test_maps_that_place_each_other_are_refused() -> None:
+    maps = "".join(
+        f"\f{one}\n{one}(): @(BASE) {{ @a = BASE: READ(); p: {other}() @(BASE + 1); }}"
+        for one, other in (("PING", "PONG"), ("PONG", "PING"))
+    )
+    with pytest.raises(SpecError, match="PING contains itself: PING -> PONG -> PING"):
+        compile_description(packed(f"public r() {{ p: PING() @(1); }}\n{maps}"))

@@ -44,7 +44,9 @@ def load_board(name: str) -> tuple[str, Board]:
         ) from None
     except OSError as error:
         raise ArgumentError(f"{path} cannot be read: {error.strerror}") from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError, RecursionError) as error:
+    except RecursionError:
+        raise ArgumentError(f"{path} describes no board: it is nested too deeply") from None
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise ArgumentError(f"{path} describes no board: {error}") from None
     if fault := name_fault(path.stem) or _fault_of_io(data) or misuse(data, Board):
         raise ArgumentError(f"{path} describes no board: {fault}")

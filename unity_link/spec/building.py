@@ -47,7 +47,7 @@ class Where(NamedTuple):
     scope: Mapping[str, Result]
     module: int | None
     base: int
-    chain: tuple[str, ...]
+    chain: tuple[ComponentDeclaration, ...]
     """The declarations that it is inside of."""
     pins: Mapping[str, str | LeftOut] = {}
     """Pins of the board by the names of the component's own; `none` for those that have none."""

@@ -77,6 +77,8 @@ class CoreFolder(NamedTuple):
             names = tomllib.loads(read_text(file)).get("per_axis", [])
         except tomllib.TOMLDecodeError as error:
             raise ValueError(f"{file} is no TOML: {error}") from None
+        except RecursionError:
+            raise ValueError(f"{file} is nested too deeply: per_axis was expected, a list of generics") from None
         if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
             raise ValueError(f'{file}: per_axis is {names!r}, a list of generics was expected, as in ["length"]')
         return tuple(name.lower() for name in names)

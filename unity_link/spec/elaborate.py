@@ -97,7 +97,7 @@ class Elaborator:
         draft = InterfaceDraft(self._context.reporter, address_bits, data_bits, clock_hz)
         builder = Builder(self._context, self._cores, draft)
         module, base = builder.module_of_all(source, node, scope)
-        where = Where("", {}, scope, module, base, (str(node.name),))
+        where = Where("", {}, scope, module, base, (node,))
         root = put_component(builder, declared, where, str(node.name))
         cores = [part for part in root.walk() if part.core is not None]
         draft.check_timed({part.path for part in cores if part.core is not None and part.core.stages})
@@ -157,5 +157,5 @@ class Elaborator:
         nowhere = SignalPlace(source, node.name.place)
         addresses = {str(item.name): Address(None, nowhere) for item in node.addresses or ()}
         scope |= dict.fromkeys(addresses)
-        where = Where("", addresses, scope, None, 0, (str(node.name),))
+        where = Where("", addresses, scope, None, 0, (node,))
         put_component(Builder(self._context, self._cores, draft), declared, where, str(node.name))

@@ -219,6 +219,8 @@ class Contents:
     def _place_component(self, member: Placement, module: int | None, base: int) -> None:
         core = self._core(member)
         declared = core.declared if core is not None else self._declared(member)
+        if declared is not None and not self._can_stand_here(member, declared):
+            declared = None
         if member.name is None and declared is not None:
             message = f"this {member.type} has no name"
             self._evaluator.fault(member.type.place, "no-name", message, f"as in first: {member.type}(...);")
@@ -277,20 +279,25 @@ class Contents:
             advice = advice or f"declare it: {member.type}() {{ ... }}"
             self._evaluator.fault(place, "unknown-component", f"there is no {what} '{member.type}'", advice)
             return None
-        if member.type in self._where.chain:
-            chain = [*self._where.chain[self._where.chain.index(member.type) :], str(member.type)]
-            message = f"{member.type} contains itself: {' -> '.join(chain)}"
-            self._evaluator.fault(place, "recursion", message)
-            return None
-        if declared.node.public:
+        return declared
+
+    def _can_stand_here(self, member: Placement, declared: Declared[ComponentDeclaration]) -> bool:
+        """Return whether a component or core may be part of this one; report why not."""
+        chain, place = self._where.chain, member.type.place
+        # Compare declarations: a core may have the word of a component of the spec.
+        around = next((chain[depth:] for depth, node in enumerate(chain) if node is declared.node), None)
+        if around is not None:
+            names = " -> ".join(str(node.name) for node in (*around, declared.node))
+            self._evaluator.fault(place, "recursion", f"{member.type} contains itself: {names}")
+        elif declared.node.public:
             message = f"{member.type} is a public interface, and cannot be part of another one"
             self._evaluator.fault(place, "public-part", message, "leave out 'public' where it is declared")
-            return None
-        if len(self._where.chain) >= MOST_LEVELS:
+        elif len(chain) >= MOST_LEVELS:
             message = f"components stand in each other more than {MOST_LEVELS} levels deep"
             self._evaluator.fault(place, "too-deep", message)
-            return None
-        return declared
+        else:
+            return True
+        return False
 
     def _component(
         self,
@@ -325,7 +332,7 @@ class Contents:
                 known[name] = given[name]
             addresses, pins = self._addresses(member, declared, places, scope, known)
             inner = known | {name: one.value for name, one in addresses.items()}
-            chain = (*self._where.chain, str(node.name))
+            chain = (*self._where.chain, node)
             folder = None if core is None else core.folder
             put = SignalPlace(self._source, member.type.place)
             where = Where(path, addresses, inner, module, base, chain, pins, folder, stands, put)

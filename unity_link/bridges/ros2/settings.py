@@ -77,11 +77,16 @@ def read_settings(path: Path) -> BridgeSettings:
     Raises:
         ArgumentError: where it cannot be read, or has something else in it.
     """
+    import yaml
+
     try:
-        nodes = msgspec.yaml.decode(path.read_bytes(), type=dict[str, _Node])
+        # libyaml, which msgspec prefers, overflows the stack of the process if a file is nested deeply.
+        nodes = msgspec.convert(yaml.load(path.read_bytes(), Loader=yaml.SafeLoader), dict[str, _Node])
     except OSError as error:
         raise ArgumentError(f"{path} cannot be read: {error.strerror or error}") from None
-    except msgspec.DecodeError as error:
+    except RecursionError:
+        raise ArgumentError(f"{path}: it is nested too deeply") from None
+    except (msgspec.ValidationError, yaml.YAMLError, ValueError) as error:
         raise ArgumentError(f"{path}: {error}") from None
     if len(nodes) != 1:
         raise ArgumentError(f"{path} has parameters of {len(nodes)} nodes: one was expected")
