@@ -93,7 +93,7 @@ class LeaseDiagnostics:
 
     def __init__(self, name: str, robot: Robot, hardware: str) -> None:
         paths = leases_of(robot) if isinstance(robot, LeasedRobot) else ()
-        self._leases = [LeaseRegisters(robot, path) for path in paths]
+        self._leases = [LeaseRegisters(robot, path) for path in paths if path not in robot.interface.misfits]
         self._name = name
         self._hardware = hardware
 

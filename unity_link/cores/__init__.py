@@ -19,7 +19,7 @@ import importlib.util
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Protocol, Self, TypeVar
 
-from unity_link.errors import ANY_ERROR, ArgumentError
+from unity_link.errors import ANY_ERROR, ArgumentError, UnsupportedError
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
@@ -47,22 +47,39 @@ class CoreRegisters:
     Args:
         robot: with the core.
         name: path of the placement in it.
+
+    Raises:
+        UnsupportedError: if the robot is that of a board whose core differs from the one that this version has.
     """
 
     def __init__(self, robot: Any, name: str) -> None:
+        if fault := robot.interface.misfits.get(name):
+            raise UnsupportedError(fault)
         self.robot = robot
         self.name = name
         self.core: Core = next(one.core for one in robot.interface.cores if one.path == name)
 
     @classmethod
     def of(cls, component: Any) -> Self:
-        """Return the registers of a component with verbs."""
-        first = component.signals[0]
-        return cls(first.robot, first.path.rpartition(".")[0])
+        """Return the registers of a component with verbs.
+
+        Raises:
+            UnsupportedError: as for the class, and if the component has no registers.
+        """
+        path = path_of(component)
+        if not component.signals:
+            raise UnsupportedError(f"{path} has no registers, so it is no core as this version of Unity-Link has it")
+        return cls(component.signals[0].robot, path)
 
     def find(self, register: str) -> Any:
         """Return a register by its name in the core."""
         return self.robot[f"{self.name}.{register}"]
+
+
+def path_of(component: Any) -> str:
+    """Return the path of a component with verbs in its robot."""
+    path: str = component._model.path  # noqa: SLF001  (verbs are bases of its class)
+    return path
 
 
 class Surroundings(Protocol):

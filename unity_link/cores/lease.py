@@ -13,7 +13,7 @@ from asyncio import CancelledError
 from collections import deque
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol, Self
 
-from unity_link.cores import AtPins, CoreRegisters, Model, RobotVerbs, Verbs
+from unity_link.cores import AtPins, CoreRegisters, Model, RobotVerbs, Verbs, path_of
 from unity_link.cores.clock import TURN, TickBounds
 from unity_link.errors import (
     ArgumentError,
@@ -142,7 +142,7 @@ async def refused(error: BusError, robot: Any, lease: str) -> BusError:
         robot: with the lease.
         lease: its path.
     """
-    if isinstance(error, NotArmedError):
+    if isinstance(error, NotArmedError) or lease in robot.interface.misfits:
         return error
     registers = LeaseRegisters(robot, lease)
     condition = await registers.condition()
@@ -170,6 +170,7 @@ class LeaseVerbs(Verbs):
         Raises:
             ArgumentError: for a time-out that is not above 0, or is above that of the spec; for ``"finish"`` where the
                 spec has no FINISH, or no schedule writes what the lease guards.
+            UnsupportedError: if the board's LEASE differs from the one of this version.
         """
         registers = LeaseRegisters.of(self)
         most, name = registers.most_seconds, registers.name
@@ -212,6 +213,7 @@ class LeasedRobot(RobotVerbs):
 
         Raises:
             ArgumentError: where it has several; and as `LeaseVerbs.armed`.
+            UnsupportedError: as `LeaseVerbs.armed`.
         """
         leases = leases_of(self)
         if len(leases) != 1:
@@ -230,7 +232,7 @@ def leases_of(robot: Any) -> dict[str, LeaseVerbs]:
     while waiting:
         member = waiting.pop(0)
         if isinstance(member, LeaseVerbs):
-            found[LeaseRegisters.of(member).name] = member
+            found[path_of(member)] = member
         waiting += getattr(member, "_members", ())
     return found
 

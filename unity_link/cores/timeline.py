@@ -478,7 +478,8 @@ class ScheduleFeed:
             return first.error
         more = f", and {others} more up to {failed[-1].instant}" if others else ""
         what = f"{self.registers.name} has not made the write at {first.instant}{more}"
-        if self.registers.lease is not None and self._refused:
+        misfits = self.registers.robot.interface.misfits
+        if self.registers.lease is not None and self.registers.lease not in misfits and self._refused:
             from unity_link.cores.lease import LeaseRegisters
 
             lease = LeaseRegisters(self.registers.robot, self.registers.lease)

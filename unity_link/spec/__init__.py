@@ -150,10 +150,16 @@ def compile_description(description: bytes, address_bits: int | None = None, dat
         SpecError: with the first error of its text, as of one of another version of this package.
     """
     from unity_link.spec.description import DescriptionReporter, unpack
+    from unity_link.spec.known import misfits
 
     text, maps = unpack(description)
     reporter = DescriptionReporter([text, *maps.values()])
-    return _compile(text, "<description>", None, maps, (address_bits, data_bits), reporter)
+    spec = _compile(text, "<description>", None, maps, (address_bits, data_bits), reporter)
+    for interface in spec.interfaces:
+        vars(interface)["misfits"] = misfits(
+            interface, lambda text, maps: _compile(text, "<core>", None, maps, (None, None), Reporter())
+        )
+    return spec
 
 
 def _compile(
@@ -164,6 +170,7 @@ def _compile(
     widths: tuple[int | None, int | None],
     reporter: Reporter,
 ) -> Spec:
+    """Compile the text of a spec, as `compile_text`; `maps` are those of all cores, if these come with the spec."""
     from unity_link.spec.cores import Cores
     from unity_link.spec.description import describe
     from unity_link.spec.elaborate import Elaborator

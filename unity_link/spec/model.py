@@ -608,8 +608,19 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
 
     @property
     def leases(self) -> tuple[str, ...]:
-        """Paths of the leases."""
-        return tuple(part.path for part in self.cores if part.core is not None and part.core.word == "LEASE")
+        """Paths of the leases that are as this version knows them: no core of the spec's own has this word."""
+        return tuple(
+            part.path
+            for part in self.cores
+            if part.core is not None
+            and (part.core.word == "LEASE" and part.core.library != "work")
+            and part.path not in self.misfits
+        )
+
+    @functools.cached_property
+    def misfits(self) -> dict[str, str]:
+        """Why the Python of a core cannot be used, by the paths of components from a board of another version."""
+        return {}
 
     @property
     def vhdl(self) -> tuple[str, ...]:

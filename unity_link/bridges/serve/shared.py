@@ -80,6 +80,7 @@ class SharedLink(Connection):
         """True if requests are refused because the gateway has been away too long."""
         self.turns = Turns(self._flow.submit)
         self.slots: Slots
+        self._report = report
         self.leases = self._leases_of(interface)
         """Leases of the gateway; None where its map is not known, or has none."""
         self._has_map = interface is not None
@@ -90,7 +91,6 @@ class SharedLink(Connection):
         """Raises when the link has ended for good."""
         self.tried = asyncio.Event()
         """True if the first attempt to reach the gateway is over."""
-        self._report = report
         self._mode = _ADAPTIVE
         """The gateway's send-immediate mode."""
         self._changing_mode: asyncio.Task[None] | None = None
@@ -132,7 +132,12 @@ class SharedLink(Connection):
     # Leases
 
     def _leases_of(self, interface: Interface | None) -> Leases | None:
-        return (Leases(interface, self) or None) if interface is not None else None
+        if interface is None:
+            return None
+        for part in interface.cores:
+            if part.type == "LEASE" and part.path in interface.misfits:
+                self._report(f"its leases are not those of clients, since {interface.misfits[part.path]}")
+        return Leases(interface, self) or None
 
     async def _read_leases(self) -> None:
         """Read the map that the gateway carries, where none was given; another gateway never comes behind it.
