@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 LEASE = (INSTALLED / "lease" / "lease.ul").read_text(encoding="utf-8")
 SCHEDULE = (INSTALLED / "schedule" / "schedule.ul").read_text(encoding="utf-8")
+STEPGEN = (INSTALLED / "stepgen" / "stepgen.ul").read_text(encoding="utf-8")
 NOT = "is no LEASE as this version of Unity-Link has it: "
 OTHERS = {
     "no generic": (LEASE.replace("most_us=", "longest_us="), f"drive {NOT}it has no generic most_us"),
@@ -107,6 +108,18 @@ async def test_api_of_a_schedule_with_another_map_is_refused(tmp_path: Path) -> 
         for call in (robot.line.timeline, lambda: robot.line.play([0], {robot.pen: [1]})):
             with pytest.raises(UnsupportedError, match=r"^line is no SCHEDULE .* it has no register slack$"):
                 await call()
+
+
+@pytest.mark.asyncio
+async def test_api_of_a_step_generator_with_another_map_is_refused(tmp_path: Path) -> None:
+    text = "public rover() { GATEWAY(ADDRESS_BITS=12); x: STEPGEN() @(0xE0); }"
+    map_ = STEPGEN.replace("@in_position", "@there")
+    async with unity_link.connect(board(tmp_path, map_, text, "stepgen")) as link:
+        robot = await unity_link.robot(link)
+        for call in (lambda: robot.x.move_to(1), robot.x.stop):
+            with pytest.raises(UnsupportedError, match=r"^x is no STEPGEN .* it has no register in_position$"):
+                await call()
+        assert await robot.x.velocity_cmd.get() == 0
 
 
 def test_boards_of_this_version_have_the_api_of_their_cores() -> None:

@@ -100,6 +100,30 @@ async def test_an_axis_whose_lease_ends_slows_down_stays_and_knows_where_it_is(g
 
 
 @on_simulated_time
+async def test_move_to_kicks_the_lease_that_it_is_given(gantry: tuple[Any, Any]) -> None:
+    robot_class, gateway = gantry
+    async with unity_link.connect(gateway) as link:
+        robot = robot_class(link)
+        async with robot.armed(timeout=0.03) as lease:
+            await robot.y.move_to(10, lease=lease)
+            assert await robot.y.position.get() == 10
+            await lease.kick()
+
+
+@on_simulated_time
+async def test_move_to_ends_when_the_lease_that_it_kicks_is_disarmed(gantry: tuple[Any, Any]) -> None:
+    robot_class, gateway = gantry
+    async with unity_link.connect(gateway) as link:
+        robot = robot_class(link)
+        async with robot.armed(timeout=0.5) as lease:
+            way = asyncio.create_task(robot.y.move_to(10, lease=lease))
+            await asyncio.sleep(0.03)
+            await robot.drive.stop()
+            with pytest.raises(NotArmedError, match="it was disarmed"):
+                await way
+
+
+@on_simulated_time
 async def test_a_way_that_becomes_another_ends_with_an_error(gantry: tuple[Any, Any]) -> None:
     robot_class, gateway = gantry
     async with unity_link.connect(gateway) as link:

@@ -5,15 +5,18 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from unity_link.cores import AtPins, Model, Verbs
+from unity_link.cores import AtPins, CoreRegisters, Model, Verbs
 from unity_link.cores.lease import LeaseRegisters
 from unity_link.errors import UnityLinkError
 from unity_link.link.synchronisation import gather, running
 
 if TYPE_CHECKING:
     from unity_link.cores import Pins
+    from unity_link.cores.lease import Lease
     from unity_link.spec.model import ComponentSpec
 
+KICKS = 4
+"""Kicks in the time-out of a lease, at least."""
 LOOK_AGAIN = 0.005
 """Seconds between two looks at an axis that is on its way."""
 _ROUND = 1 << 24
@@ -27,20 +30,23 @@ _CLOSE = 1e-9
 class StepgenVerbs(Verbs):
     """Verbs of a STEPGEN."""
 
-    async def move_to(self, position: float) -> None:
+    async def move_to(self, position: float, *, lease: Lease | None = None) -> None:
         """Go to a position, and return when the axis stands there.
 
         It waits for as long as that takes; in ``asyncio.timeout`` no longer than that.
 
         Args:
             position: in the unit of `position_cmd`; less than half a round of 2 ** 24 steps away.
+            lease: that guards the axis; it is kicked meanwhile.
 
         Raises:
             NotArmedError: where its lease is not armed, or ends on the way: then the axis stops by itself.
             ArgumentError: for a position that `position_cmd` cannot have, or too far away.
+            UnsupportedError: if the board's STEPGEN differs from the one of this version.
             UnityLinkError: where `mode` or `position_cmd` was written on the way, or the gateway was reset.
         """
         axis: Any = self
+        CoreRegisters.of(self)
         kind = axis.position_cmd.signal.kind
 
         def number(value: float) -> int:
@@ -56,6 +62,8 @@ class StepgenVerbs(Verbs):
         await axis.mode.set("position")
         await axis.position_cmd.set(position)
         while True:
+            if lease is not None:
+                await lease.kick()
             is_there, holds, mode, target = await gather(
                 axis.in_position.get(), axis.holding.get(), axis.mode.get(), axis.position_cmd.get()
             )
@@ -68,15 +76,17 @@ class StepgenVerbs(Verbs):
                 raise UnityLinkError(f"{name} does not go to {position:g}: it was told something else on the way")
             if is_there:
                 return
-            await running().sleep(LOOK_AGAIN)
+            await running().sleep(LOOK_AGAIN if lease is None else min(LOOK_AGAIN, lease.timeout / KICKS))
 
     async def stop(self) -> None:
         """Slow down and stand: the mode is `velocity` from now on, and the velocity 0; it does not wait.
 
         Raises:
+            UnsupportedError: if the board's STEPGEN differs from the one of this version.
             NotArmedError: where its lease is not armed, so that the axis stops by itself.
         """
         axis: Any = self
+        CoreRegisters.of(self)
         await axis.velocity_cmd.set(0)
         await axis.mode.set("velocity")
 
