@@ -14,7 +14,9 @@ from unity_link.errors import ArgumentError
 from unity_link.generate.vhdl.bank import Bank
 from unity_link.spec import compile_text
 
-HOW_TO = Path(__file__).parents[2] / "docs" / "how-to" / "boards.md"
+ROOT = Path(__file__).parents[2]
+DATA = ROOT / "unity_link" / "boards" / "data"
+HOW_TO = ROOT / "docs" / "how-to" / "boards.md"
 (CART,) = (block.text for block in blocks(HOW_TO) if block.caption == "cart.ul")
 REFUSED = [line for line in HOW_TO.read_text().splitlines() if re.match(r"cart has pins|\S+ is at gp", line)]
 CHAINED = """\
@@ -58,3 +60,33 @@ def test_signals_without_a_pin_are_on_a_chain_whose_pins_are_taken() -> None:
         ArgumentError, match=r"^lamp is at j2_\d+ of hx8k_breakout.*chain of shift registers.*level; take"
     ):
         sites(CHAINED % "j2_19", "hx8k_breakout")
+
+
+@pytest.fixture
+def small_board(tmp_path: Path) -> str:
+    """Return the file of a board without pins for a chain of shift registers."""
+    lines = (DATA / "hx8k_breakout.toml").read_text().splitlines()
+    path = tmp_path / "small.toml"
+    path.write_text("\n".join(line for line in lines if not line.startswith("chain_")))
+    return str(path)
+
+
+def test_board_without_chain_pins_takes_a_spec_without_a_chain(small_board: str) -> None:
+    text = 'public lamp() { @lamp = 0: bool READWRITE(PIN="led0"); }'
+    assert sites(text, small_board) == sites(text, "hx8k_breakout")
+
+
+def test_board_without_chain_pins_refuses_signals_on_the_chain(small_board: str) -> None:
+    with pytest.raises(ArgumentError) as caught:
+        sites(CHAINED % "led0", small_board)
+    assert str(caught.value) == (
+        f"{small_board} has no pins for the chain of shift registers that holds the signals without a pin, level: give "
+        "chain_clk, chain_load_n, chain_out, chain_in sites under [pins]"
+    )
+
+
+def test_board_with_some_of_the_chain_pins_is_refused(small_board: str) -> None:
+    path = Path(small_board)
+    path.write_text(path.read_text().replace("[pins]", '[pins]\nchain_clk = "P1"'))
+    with pytest.raises(ArgumentError, match="the pin chain_load_n has no site"):
+        load_board(small_board)

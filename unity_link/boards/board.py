@@ -9,7 +9,8 @@ import msgspec
 from unity_link.protocol.finding import parse_ip, parse_mac
 
 _DATA_PINS = tuple(f"ft_data[{bit}]" for bit in range(8))
-_CHAIN = {"chain_clk": "output", "chain_load_n": "output", "chain_out": "output", "chain_in": "input"}
+CHAIN = {"chain_clk": "output", "chain_load_n": "output", "chain_out": "output", "chain_in": "input"}
+"""The pins of a chain of shift registers, which a board file may leave out, and their directions."""
 _FT245 = {
     **dict.fromkeys(_DATA_PINS, "inout"),
     "ft_rxf_n": "input",
@@ -33,9 +34,9 @@ _PHY_OF_FOUR = {
     "phy_rst_n": "output",
 }
 PINS = {
-    "uart": {"clk": "input", "uart_rxd": "input", "uart_txd": "output", **_CHAIN},
-    "ft245": {"clk": "input", **_FT245, **_CHAIN},
-    "ft245_sync": {"clk": "input", "ft_clkout": "input", **_FT245, "ft_oe_n": "output", **_CHAIN},
+    "uart": {"clk": "input", "uart_rxd": "input", "uart_txd": "output", **CHAIN},
+    "ft245": {"clk": "input", **_FT245, **CHAIN},
+    "ft245_sync": {"clk": "input", "ft_clkout": "input", **_FT245, "ft_oe_n": "output", **CHAIN},
     "rmii": {
         "clk": "input",
         "phy_clk": "input",
@@ -43,7 +44,7 @@ PINS = {
         "phy_rx_dv": "input",
         **_row("phy_txd", 2, "output"),
         "phy_tx_en": "output",
-        **_CHAIN,
+        **CHAIN,
     },
     "mii": {
         "clk": "input",
@@ -51,9 +52,9 @@ PINS = {
         "phy_tx_clk": "input",
         "phy_rx_er": "input",
         **_PHY_OF_FOUR,
-        **_CHAIN,
+        **CHAIN,
     },
-    "rgmii": {"clk": "input", **_PHY_OF_FOUR, "phy_txc": "output", **_CHAIN},
+    "rgmii": {"clk": "input", **_PHY_OF_FOUR, "phy_txc": "output", **CHAIN},
     "w5500": {
         "clk": "input",
         "spi_sck": "output",
@@ -61,7 +62,7 @@ PINS = {
         "spi_mosi": "output",
         "spi_miso": "input",
         "spi_rst_n": "output",
-        **_CHAIN,
+        **CHAIN,
     },
 }
 """The pins of a whole generated design, as `generate vhdl` makes it for each medium, and their directions."""

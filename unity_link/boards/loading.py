@@ -8,7 +8,7 @@ from typing import Any
 
 import msgspec
 
-from unity_link.boards.board import PINS, Board
+from unity_link.boards.board import CHAIN, PINS, Board
 from unity_link.boards.checking import io_fault, misuse, name_fault, shown, spelling_fault
 from unity_link.errors import ArgumentError, did_you_mean
 from unity_link.gateware.limits import ETHERNET
@@ -84,7 +84,10 @@ def _long_form(io: object) -> object:
 def _fault(board: Board) -> str:
     """Return what is wrong with a board, or nothing."""
     needed = PINS[board.medium]
-    faults = [f"the pin {pin} has no site" for pin in needed if pin not in board.pins]
+    has_chain = not CHAIN.keys().isdisjoint(board.pins)
+    faults = [
+        f"the pin {pin} has no site" for pin in needed if pin not in board.pins and (has_chain or pin not in CHAIN)
+    ]
     faults += [f"{pin} is no pin of {board.medium}" for pin in board.pins if pin not in needed]
     sites = list(board.pins.values())
     faults += [f"the site {site} belongs to two pins" for site in sites if sites.count(site) > 1]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from unity_link.boards.board import PINS, bit_name
+from unity_link.boards.board import CHAIN, PINS, bit_name
 from unity_link.errors import ArgumentError, did_you_mean
 from unity_link.gateware.limits import ETHERNET
 from unity_link.gateware.own_vhdl import Port
@@ -27,7 +27,6 @@ def generics_on(board: Board, interface: Interface) -> dict[str, object]:
 
 READY = "clk_ready"
 """Port that is no pin: a PLL's lock."""
-_CHAIN = "chain_"
 _MOST_NAMED = 3
 _WAYS = {Way.IN: "input", Way.OUT: "output", Way.INOUT: "inout"}
 
@@ -57,7 +56,8 @@ def generated_pins(bank: Bank, board_name: str, board: Board) -> dict[str, Pin]:
         board: that has the pins.
 
     Raises:
-        ArgumentError: for pins of the spec without a pin of the board, by their names; for one that the board has not,
+        ArgumentError: for signals on the chain if the board has no pins for it; for pins of the spec without a pin of
+            the board, by their names; for one that the board has not,
             or has in another use.
     """
     open_pins = [pin.path for pin in bank.wiring.pins if pin.at is None]
@@ -65,6 +65,11 @@ def generated_pins(bank: Bank, board_name: str, board: Board) -> dict[str, Pin]:
         raise ArgumentError(
             f"{bank.interface.name} has pins without a place on a board, {', '.join(open_pins)}: name one for each "
             'where its core stands, as in @(0x10, pwm="led0"), or none'
+        )
+    if bank.has_chain and CHAIN.keys().isdisjoint(board.pins):
+        raise ArgumentError(
+            f"{board_name} has no pins for the chain of shift registers that holds the signals without a pin, "
+            f"{_hung(bank)}: give {', '.join(CHAIN)} sites under [pins]"
         )
     pins = {name: board.medium_pins[name] for name in _ways(board, has_chain=bank.has_chain)}
     taken = {pin.site: name for name, pin in pins.items()}
@@ -80,7 +85,8 @@ def generated_pins(bank: Bank, board_name: str, board: Board) -> dict[str, Pin]:
             pin = board.io_pins[name]
             if pin.site in taken:
                 other = taken[pin.site]
-                hint = f": {_hung(bank)}" if other.startswith(_CHAIN) else ""
+                chain = f": a chain of shift registers is there for the signals without a pin, {_hung(bank)}"
+                hint = f"{chain}; take another pin" if other in CHAIN else ""
                 raise ArgumentError(
                     f"{port.path} is at {name} of {board_name}, which is the pin {pin.site} of {other} as well{hint}"
                 )
@@ -90,14 +96,13 @@ def generated_pins(bank: Bank, board_name: str, board: Board) -> dict[str, Pin]:
 
 
 def _hung(bank: Bank) -> str:
-    """Return a sentence for the signals that make a design have a chain of shift registers."""
+    """Return the first of the signals that make a design have a chain of shift registers."""
     names = [register.signal.path for register in (*bank.chained_to, *bank.chained_from)]
-    some = ", ".join(names[:_MOST_NAMED]) + (f" and {len(names) - _MOST_NAMED} more" if names[_MOST_NAMED:] else "")
-    return f"a chain of shift registers is there for the signals without a pin, {some}; take another pin"
+    return ", ".join(names[:_MOST_NAMED]) + (f" and {len(names) - _MOST_NAMED} more" if names[_MOST_NAMED:] else "")
 
 
 def _ways(board: Board, *, has_chain: bool) -> dict[str, str]:
-    return {pin: way for pin, way in PINS[board.medium].items() if has_chain or not pin.startswith(_CHAIN)}
+    return {pin: way for pin, way in PINS[board.medium].items() if has_chain or pin not in CHAIN}
 
 
 def pins_of(top: str, ports: tuple[Port, ...], board_name: str, board: Board) -> dict[str, Pin]:
@@ -175,7 +180,7 @@ def _of_io(top: str, port: Port, board_name: str, board: Board) -> Iterator[tupl
 def _there(name: str, board: Board) -> str:
     """Return words for the pins that a user may have meant."""
     rows = {io_name: _row(list(io.named(io_name))) for io_name, io in board.io.items()}
-    medium = [pin for pin in PINS[board.medium] if not pin.startswith(_CHAIN) and "[" not in pin]
+    medium = [pin for pin in PINS[board.medium] if pin not in CHAIN and "[" not in pin]
     if name in rows:
         return f"which has {rows[name]}"
     if not rows:
