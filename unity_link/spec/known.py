@@ -70,7 +70,7 @@ def _text(value: float | str) -> str:
 
 
 def _difference(part: ComponentSpec, known: ComponentSpec) -> str:
-    """Return what a component lacks, or has otherwise; empty for nothing."""
+    """Return the first difference of a component from the known one, as a clause; empty if there is none."""
     assert part.core is not None
     assert known.core is not None
     for name, value in known.core.generics.items():
@@ -92,7 +92,7 @@ def _difference(part: ComponentSpec, known: ComponentSpec) -> str:
 
 
 def _meaning(signal: Signal, base: int) -> dict[str, object]:
-    """Return what a program relies on: scale, unit and limits may differ, and are those of the description."""
+    """Return the properties that an API relies on. Scale, unit and limits may differ: the description has them."""
     names = signal.kind.enumeration.values if signal.kind.enumeration is not None else ()
     return {
         "the distance in words": signal.address - base,
