@@ -254,12 +254,13 @@ async def test_anyone_disarms_and_the_loop_of_the_owner_ends() -> None:
 
 
 @on_simulated_time
-async def test_a_lease_that_another_program_has_is_neither_taken_over_nor_disarmed() -> None:
+async def test_a_lease_that_another_block_of_the_program_has_is_neither_taken_over_nor_disarmed() -> None:
     world = World()
     async with unity_link.connect(world.gateway) as link:
         robot = world.kind(link)
         async with robot.armed(timeout=0.05) as lease:
-            with pytest.raises(NotArmedError, match="another program has armed it") as refused:
+            says = "drive cannot be armed: this program has armed it already, in another block"
+            with pytest.raises(NotArmedError, match=says) as refused:
                 async with robot.armed():
                     pytest.fail("the block began")
             assert refused.value.reason == "taken"
@@ -517,9 +518,10 @@ async def test_a_reset_disarms_and_ends_the_block() -> None:
                     await asyncio.sleep(0.05)
                     await lease.kick()
 
-    with pytest.raises(NotArmedError) as ended:
+    says = r"drive has ended: the link has begun another session since it was armed \(the gateway was reset\)"
+    with pytest.raises(NotArmedError, match=says) as ended:
         await move()
-    assert ended.value.reason == "none_yet"
+    assert ended.value.reason == "reset"
 
 
 @on_simulated_time

@@ -428,7 +428,8 @@ async def test_a_batch_whose_words_are_lost_with_the_connection_cancels_what_wai
 def test_fences_of_blocking_programs_raise_it() -> None:
     with blocking.connect(gateway_of()) as link:
         robot = put(Robot, link)
-        robot.lamp.set(30, at=robot.free.clock().now().after(-0.001))
+        # A second, as the clock of a machine that is busy is known to milliseconds.
+        robot.lamp.set(30, at=robot.free.clock().now().after(-1))
         with pytest.raises(LateError):
             link.fence()
         link.fence()
@@ -445,7 +446,7 @@ def test_under_trio_fences_raise_it_and_tasks_look_at_once() -> None:
             async with unity_link.connect(gateway) as link:
                 robot: Any = Robot(link)
                 clock = await robot.free.clock()
-                await robot.lamp.set(30, at=clock.now().after(-0.001))
+                await robot.lamp.set(30, at=clock.now().after(-1))
                 with pytest.raises(LateError):
                     await link.fence()
                 await link.fence()

@@ -111,7 +111,7 @@ async def test_the_block_and_a_fence_end_after_a_write_at_an_instant(file: Path)
         room = robot["plan.room"].signal
         await link.write_block(room.address, room.encode(64))
         clock = await robot.plan.clock()
-        await robot.lamp.set(1, at=clock.now().after(3600))
+        await robot.lamp.set(1, at=clock.now().after(100))
         await link.fence()
 
 

@@ -8,10 +8,11 @@ own loop; nothing runs in the background.
 from __future__ import annotations
 
 import contextlib
+import functools
 import secrets
 from asyncio import CancelledError
 from collections import deque
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol, Self
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol, Self, TypeVar
 
 from unity_link.cores import AtPins, CoreRegisters, Model, RobotVerbs, Verbs, path_of
 from unity_link.cores.clock import TURN, TickBounds
@@ -19,26 +20,28 @@ from unity_link.errors import (
     ArgumentError,
     BusError,
     GatewayError,
-    GatewayResetError,
+    LinkLostError,
     NotArmedError,
     Sealed,
     UnityLinkError,
     refusing,
     shown,
 )
-from unity_link.link.asked import Asked
-from unity_link.link.synchronisation import gather, running
+from unity_link.link.asked import Asked, post_in_session
+from unity_link.link.guards import guard, guard_of, release
+from unity_link.link.synchronisation import running
 from unity_link.protocol.numbers import real_number
 from unity_link.spec.kinds import name_of
 
 if TYPE_CHECKING:
-    from collections.abc import AsyncIterator, Sequence
+    from collections.abc import AsyncIterator, Awaitable, Sequence
     from types import TracebackType
 
     from unity_link.cores import Pins
     from unity_link.link.link import Link
     from unity_link.spec.model import ComponentSpec
 
+T = TypeVar("T")
 TIME_BITS = 40
 """Bits of an end in a word that arms or kicks; the token stands above."""
 TOKEN_BITS = 24
@@ -105,6 +108,17 @@ class LeaseRegisters(CoreRegisters):
         self.address: int = self._fields[0].address
         self.link: Link = self.arm.link
 
+    @functools.cached_property
+    def guarded(self) -> frozenset[int]:
+        """Addresses that the owner of the lease writes: its kick, what it guards, and the queues of its schedules."""
+        addresses: frozenset[int] = self.robot.interface.written_under(self.name)
+        return addresses
+
+    def held(self, condition: _Condition) -> Lease | None:
+        """Return the lease of this program that the registers describe; None for another program's."""
+        lease = guard_of(self.link, self.kick.signal.address)
+        return lease if isinstance(lease, Lease) and lease.is_of(condition) else None
+
     def ask(self) -> Asked:
         """Ask for the words of the state."""
         return Asked(self.link, self.address, 2)
@@ -147,6 +161,8 @@ async def refused(error: BusError, robot: Any, lease: str) -> BusError:
     registers = LeaseRegisters(robot, lease)
     condition = await registers.condition()
     if condition.state == "armed":
+        if registers.held(condition) is not None:
+            return error
         # A gateway takes it then: a server between does not.
         return BusError(
             f"{error}: another program has armed {lease}, and it alone may move what that guards", error.code
@@ -261,9 +277,11 @@ class Lease(Sealed):
         """Kicks that are under way."""
         self._arms = 0
         """Count of leases that have begun, with this one."""
+        self._session: int | None = None
+        """Number of the link's interruptions when it was armed; None before."""
         self._is_on = self._was_on = False
-        self._is_over = False
-        """True if it is known to have ended: what is armed now is not its own."""
+        self._ended: tuple[str, str, float | None] | None = None
+        """Message, reason and instant of the end, once it is known: what is armed now is not its own."""
 
     if not TYPE_CHECKING:  # A type checker refuses them by itself.
         __await__ = __enter__ = __exit__ = __aiter__ = __iter__ = refusing(_OPEN)
@@ -291,41 +309,55 @@ class Lease(Sealed):
         try:
             # A machine that is busy may be late once, with an end that is as near as a time-out.
             for _ in range(ATTEMPTS - 1):
-                await self._read_clock()
                 with contextlib.suppress(_LateError):
                     await self._arm()
                     break
             else:
-                await self._read_clock()
                 await self._arm()
         except BaseException as error:
-            await self._let_go(error)
+            await self._let_go(error, arming=True)
             raise
         self._is_on = True
+        guard(self._link, self._registers.guarded, self)
         return self
 
     async def _read_clock(self) -> None:
         asked = running().steady()
-        ticks = await self._registers.clock.get()
+        ticks = await self._in_session(self._registers.clock.get())
         self._clock.read(int(ticks), asked, running().steady())
 
     async def _arm(self) -> None:
-        registers = self._registers
+        registers, link = self._registers, self._link
+        self._session = self._ended = None
+        state = registers.ask()
+        try:
+            await self._read_clock()
+            first = registers.condition_of(await state.words())
+        finally:
+            state.give_up()
+        self._check_free(first)
         self._token = secrets.randbits(TOKEN_BITS - 1) | (FINISHES if self._finishes else 0)
         self._end = self._clock.least(running().steady()) + self._ticks
-        before, error, after = await gather(registers.condition(), self._write_arm(), registers.condition())
+        self._session, self._arms = link.interruptions, (first.arms + 1) % MOST_ARMS
+        signal = registers.arm.signal
+        asked = registers.ask(), Asked(link, signal.address, write=signal.encode(self._word())), registers.ask()
+        try:
+            before = registers.condition_of(await asked[0].words())
+            error = await _refusal_of(asked[1])
+            after = registers.condition_of(await asked[2].words())
+        finally:
+            for one in asked:
+                one.give_up()
+        self._check_session()
+        if error is not None and not isinstance(error, BusError):
+            # It may have been executed all the same.
+            raise error
         self._arms = after.arms
-        is_mine = after.armed and not before.armed and after.arms == (before.arms + 1) % MOST_ARMS and error is None
-        self._is_over = not is_mine
-        if is_mine:
+        if after.armed and not before.armed and after.arms == (before.arms + 1) % MOST_ARMS and error is None:
             return
-        if before.armed or after.armed:
-            how = (
-                "that of another program is finishing"
-                if before.state == "finishing"
-                else "another program has armed it"
-            )
-            raise NotArmedError(f"{registers.name} cannot be armed: {how}", "taken")
+        self._ended = f"{registers.name} was not armed", "taken", None
+        self._check_free(before)
+        self._check_free(after)
         if error is not None:
             raise error
         if after.estop_open:
@@ -333,13 +365,21 @@ class Lease(Sealed):
         message = f"{registers.name} was not armed: its end, {self.timeout:g} s ahead, came before the word did"
         raise _LateError(message, "late")
 
-    async def _write_arm(self) -> BusError | None:
-        """Arm; return the error of a bus, or a server, that refuses."""
-        try:
-            await self._registers.arm.set(self._word())
-        except BusError as error:
-            return error
-        return None
+    def _check_free(self, condition: _Condition) -> None:
+        """Check that nobody has the lease.
+
+        Raises:
+            NotArmedError: if somebody has.
+        """
+        if not condition.armed:
+            return
+        is_finishing = condition.state == "finishing"
+        if self._registers.held(condition) is not None:
+            how = "this program has armed it already, in another block"
+            how += ", and what was scheduled there runs out" if is_finishing else ""
+        else:
+            how = "that of another program is finishing" if is_finishing else "another program has armed it"
+        raise NotArmedError(f"{self._registers.name} cannot be armed: {how}", "taken")
 
     def _word(self) -> int:
         return self._token << TIME_BITS | self._end % (1 << TIME_BITS)
@@ -354,44 +394,110 @@ class Lease(Sealed):
         self._is_on = False
         for asked in (*self._kicks, *([] if self._state is None else [self._state])):
             asked.give_up()
-        if error is not None:
-            await self._let_go(error)
-        else:
-            await self._disarm()
+        try:
+            if error is not None:
+                await self._let_go(error)
+            else:
+                await self._disarm()
+        finally:
+            release(self._link, self)
+
+    # The end
+
+    def ended(self) -> NotArmedError | None:
+        """Return the error for a lease that is over for the program; None while the program may have it.
+
+        It is over once the link has begun another session since it was armed. The gateway may have been reset then, and
+        the registers may describe a lease that another program has armed since, with the same count.
+        """
+        if self._ended is None and self._session not in {None, self._link.interruptions}:
+            name, why = self._registers.name, self._link.interrupted_by
+            message = f"{name} has ended: the link has begun another session since it was armed ({why})"
+            self._ended = message, "reset", None
+        return None if self._ended is None else NotArmedError(*self._ended)
+
+    def _check_session(self) -> None:
+        """Check that the lease is not known to be over.
+
+        Raises:
+            NotArmedError: if it is.
+        """
+        if (error := self.ended()) is not None:
+            raise error
+
+    async def _in_session(self, answer: Awaitable[T]) -> T:
+        """Wait for an answer that says something of the lease.
+
+        Raises:
+            NotArmedError: if another session has begun, of which the answer may be.
+        """
+        try:
+            answered = await answer
+        except LinkLostError:
+            self._check_session()
+            raise
+        self._check_session()
+        return answered
+
+    def is_of(self, condition: _Condition) -> bool:
+        """Return whether the registers describe this lease, which goes on."""
+        return self.ended() is None and condition.armed and condition.arms == self._arms
 
     def _has_ended(self) -> bool:
-        return self._is_over or self._clock.least(running().steady()) >= self._end
+        return self.ended() is not None or self._clock.least(running().steady()) >= self._end
 
     async def _is_finishing(self) -> bool:
         """Return whether its end has come, and what was scheduled goes on; nobody else can have armed it then."""
-        if self._is_over or not self._finishes:
+        if self.ended() is not None or not self._finishes:
             return False
         condition = await self._registers.condition()
-        return condition.state == "finishing" and condition.arms == self._arms
+        return self.is_of(condition) and condition.state == "finishing"
 
     async def _disarm(self) -> None:
         try:
             if not self._has_ended() or await self._is_finishing():
-                await self._registers.disarm.set(1)
+                await self._write_disarm()
         except UnityLinkError as lost:
             lost.add_note(self._note())
             raise
 
-    async def _let_go(self, error: BaseException) -> None:
-        """Disarm after an error, which is not hidden by one of its own; waits no longer than the lease lasts."""
+    async def _let_go(self, error: BaseException, *, arming: bool = False) -> None:
+        """Disarm after an error, which is not hidden by one of its own; waits no longer than the lease lasts.
+
+        Args:
+            error: of the block.
+            arming: whether it came before it was known that the lease is armed.
+        """
         waits = isinstance(error, (Exception, CancelledError, KeyboardInterrupt))
-        disarm = self._registers.disarm.signal.address
+        if self._session is None:
+            return
         try:
-            if self._has_ended():
-                async with running().timeout(self.timeout):
-                    if not (waits and await self._is_finishing()):
-                        return
-            await self._link.post(disarm, 1)
+            if arming or self._has_ended():
+                if (arming and not waits) or self._session != self._link.interruptions:
+                    # The gateway may have it armed.
+                    error.add_note(self._note())
+                if not waits or not await self._goes_on(arming=arming):
+                    return
             if waits:
                 async with running().timeout(self.timeout):
-                    await self._link.read(self._registers.address)
+                    await self._write_disarm()
+            else:
+                await post_in_session(self._link, self._registers.disarm.signal.address, 1)
         except (UnityLinkError, TimeoutError):
             error.add_note(self._note())
+
+    async def _write_disarm(self) -> None:
+        """Disarm; in another session than the one under way this could be the lease of another program."""
+        signal = self._registers.disarm.signal
+        await Asked(self._link, signal.address, write=signal.encode(1)).words()
+
+    async def _goes_on(self, *, arming: bool) -> bool:
+        """Return whether a lease is to be disarmed that may not be armed; waits no longer than the lease lasts."""
+        async with running().timeout(self.timeout):
+            if not arming:
+                return await self._is_finishing()
+            # Its word may have arrived although nobody has waited for the answer.
+            return self.ended() is None and self.is_of(await self._registers.condition())
 
     def _note(self) -> str:
         name = self._registers.name
@@ -429,6 +535,7 @@ class Lease(Sealed):
         with group.feed.listen(buffer=1 if latest else BUFFER, overflow=overflow) as listener:
             batch = await self._first(listener)
             while True:
+                self._check_on()
                 samples = list(batch)
                 if samples[-1].time is None:
                     advice = f"declare it with them, as in group {group.name}(RATE=500, TIMESTAMPS)"
@@ -478,22 +585,18 @@ class Lease(Sealed):
     def _check_on(self) -> None:
         if not self._is_on:
             raise ArgumentError(f"a lease is kicked in its block: async with {self._registers.name}.armed() as lease")
+        self._check_session()
 
     async def _kick(self, end: int) -> None:
         """Kick, and look at what the gateway has said of the lease since the kick before."""
         registers = self._registers
         if self._state is not None and (self._state.done() or self._has_ended()):
             state, self._state = self._state, None
-            try:
-                condition = registers.condition_of(await state.words())
-            except GatewayResetError:
-                # The link goes on, and the lease does not: a reset disarms.
-                condition = await registers.condition()
-            await self._check_mine(condition)
+            await self._check_mine(registers.condition_of(await self._in_session(state.words())))
         while self._kicks and (self._kicks[0].done() or len(self._kicks) == MOST_KICKS):
             await self._take_answer(self._kicks.popleft())
         if self._has_ended():
-            await self._check_mine(await registers.condition())
+            await self._check_mine(await self._in_session(registers.condition()))
             # Its clock is behind what was thought of it.
             await self._read_clock()
         if end > self._end:
@@ -506,27 +609,42 @@ class Lease(Sealed):
 
     async def _take_answer(self, kick: Asked) -> None:
         """Take the answer to a kick: where it was refused, the lease may be another program's."""
-        try:
-            await kick.words()
-        except GatewayResetError:
-            pass
-        except GatewayError:
-            await self._check_mine(await self._registers.condition())
+        refusal = await self._in_session(_refusal_of(kick))
+        if refusal is not None:
+            await self._check_mine(await self._in_session(self._registers.condition()), refused=True)
 
-    async def _check_mine(self, condition: _Condition) -> None:
+    async def _check_mine(self, condition: _Condition, *, refused: bool = False) -> None:
         """Check that it has not ended.
+
+        Args:
+            condition: of the registers.
+            refused: whether a kick was refused, which a gateway does not do.
 
         Raises:
             NotArmedError: where it has; also where another one has begun since.
         """
-        if condition.state == "armed" and condition.arms == self._arms:
+        name, is_mine = self._registers.name, condition.arms == self._arms
+        if condition.state == "armed" and is_mine and not refused:
             return
-        self._is_over = True
         if condition.state != "armed":
-            raise await self._registers.fault(condition)
-        how = _ENDED.get(condition.reason, "has ended")
-        message = f"{self._registers.name} {how}, and another program has armed it since"
-        raise NotArmedError(message, condition.reason)
+            fault = await self._in_session(self._registers.fault(condition))
+            self._ended = str(fault), fault.reason, fault.instant
+        elif is_mine:
+            how = "a server has refused its kick, as after another session of the server with the gateway"
+            self._ended = f"{name} has ended: {how}", "reset", None
+        else:
+            how = _ENDED.get(condition.reason, "has ended")
+            self._ended = f"{name} {how}, and another program has armed it since", condition.reason, None
+        self._check_session()
+
+
+async def _refusal_of(asked: Asked) -> GatewayError | None:
+    """Return the error by which a bus, or a server, has refused a write; None if it was executed."""
+    try:
+        await asked.words()
+    except GatewayError as error:
+        return error
+    return None
 
 
 class LeaseModel(Model):

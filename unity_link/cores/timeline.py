@@ -16,6 +16,7 @@ from unity_link.cores.batches import AHEAD, BEHIND, FATES, FRAME, MOST_WORDS, ba
 from unity_link.cores.clock import Instant, TickBounds, TickClock, ticks_after
 from unity_link.errors import (
     ArgumentError,
+    BusError,
     GatewayResetError,
     LateError,
     LinkLostError,
@@ -27,7 +28,7 @@ from unity_link.errors import (
     UnityLinkError,
     refusing,
 )
-from unity_link.link.asked import Asked
+from unity_link.link.asked import Asked, post_in_session
 from unity_link.link.calls import returns_coroutine
 from unity_link.link.runtime import told_now
 from unity_link.link.synchronisation import Lock, running
@@ -184,7 +185,7 @@ class ScheduleFeed:
     def __init__(self, registers: ScheduleRegisters) -> None:
         self.registers = registers
         self._link = registers.link
-        self._session = self._link.interruptions
+        self._session, self._resets = self._link.interruptions, self._link.resets
         self._bounds = TickBounds(self._link.gateway.clock_hz)
         self.time = TickClock(self._bounds, self._link)
         self.line: object | None = None
@@ -229,17 +230,54 @@ class ScheduleFeed:
             self._is_torn, self.has_begun = False, True
 
     async def cancel(self) -> None:
-        """Cancel what was sent and has not acted."""
+        """Cancel what was sent and has not acted.
+
+        Raises:
+            NotArmedError: if a lease guards the schedule that this program does not have, or has no more.
+        """
         self.give_up()
         self._failed.clear()
-        await self.registers.cancel.set(1)
+        await self._empty()
+
+    async def leave(self, error: BaseException) -> None:
+        """Cancel what was sent and has not acted, at the end of a block that has failed; its error is not hidden."""
+        has_queued = self.has_begun and self._resets == self._link.resets
+        self.give_up()
+        self._failed.clear()
+        if has_queued:
+            try:
+                await self._empty()
+            except (NotArmedError, GatewayResetError):
+                # The end of a lease, and a reset, cancel all by themselves.
+                pass
+            except UnityLinkError as failed:
+                error.add_note(f"what {self.registers.name} has queued may act: it could not be cancelled ({failed})")
+
+    async def _empty(self) -> None:
+        signal = self.registers.cancel.signal
+        # It ends with its session: in the next one it could cancel what another program has scheduled.
+        await self._executed(Asked(self._link, signal.address, write=signal.encode(1)))
+
+    async def _executed(self, asked: Asked) -> None:
+        """Wait for the answer to a write.
+
+        Raises:
+            BusError: if a bus, or a server, has refused it; a NotArmedError, if that is because of the lease.
+        """
+        try:
+            await asked.words()
+        except BusError as error:
+            lease, robot = self.registers.lease, self.registers.robot
+            if lease is None:
+                raise
+            from unity_link.cores.lease import refused
+
+            raise await refused(error, robot, lease) from None
 
     def give_up(self, error: Callable[[Done], UnityLinkError] | None = None) -> None:
         """Want nothing more of what was sent; `error` returns the one of each write."""
         self.has_begun = False
-        for queued in self._queued:
-            queued.give_up()
-        self._queued.clear()
+        self.drop_answers()
         for done in (*self._unsure, *self._pending):
             done.acted = False
             if error is not None:
@@ -248,15 +286,23 @@ class ScheduleFeed:
         self._pending.clear()
         self._unsure.clear()
 
+    def drop_answers(self) -> None:
+        """Want no answer to the words that were sent."""
+        for queued in self._queued:
+            queued.give_up()
+        self._queued.clear()
+
     async def _read_clock(self) -> bool:
         """Read the gateway's clock; return whether it was reset, which voids what was sent."""
-        session, asked = self._link.interruptions, running().steady()
+        link, bounds = self._link, self._bounds
+        session, asked = link.interruptions, running().steady()
         ticks, now = int(await self.registers.clock.get()), running().steady()
-        if session != self._link.interruptions:
+        if session != link.interruptions:
             return await self._read_clock()
-        bounds = self._bounds
-        is_new, self._session = session != self._session, session
-        was_reset = is_new and bounds.read_at is not None and ticks < bounds.least(now)
+        # Behind a server each new connection counts as one after a reset; the clock goes on there.
+        may_be_reset = link.resets != self._resets and bounds.read_at is not None
+        self._session, self._resets = session, link.resets
+        was_reset = may_be_reset and ticks < bounds.least(asked)
         # The last cycle in which something may have acted.
         last = bounds.most(now) - (ticks if was_reset else 0)
         if was_reset:
@@ -265,8 +311,9 @@ class ScheduleFeed:
         if was_reset:
             self._void(GatewayResetError, "the gateway was reset", last)
         elif await self._has_lost_words():
-            # Those behind them would be taken for others.
-            await self.registers.cancel.set(1)
+            # Later words would be taken for others.
+            with suppress(NotArmedError):
+                await self._empty()
             self._void(LinkLostError, "words were lost on the way", bounds.most(running().steady()))
         return was_reset
 
@@ -335,15 +382,17 @@ class ScheduleFeed:
         batch = batch_of(instant.ticks, words)
         self._check(instant, batch)
         await self._wait_for_room(instant, len(batch), poster, lease)
+        most = self._link.gateway.block_words
+        address, queued = self.registers.entry.signal.address, list[Asked]()
+        for start in range(0, len(batch), most):
+            # The first one raises if a lease of the program is over: then nothing was sent.
+            queued.append(Asked(self._link, address, write=batch[start : start + most], to_queue=True))
         self._last = instant
         self._room -= len(batch)
         self._sent += len(batch)
         done = Done(self, instant, len(batch), poster)
         self._pending.append(done)
-        most = self._link.gateway.block_words
-        for start in range(0, len(batch), most):
-            part = batch[start : start + most]
-            self._queued.append(Asked(self._link, self.registers.entry.signal.address, write=part, to_queue=True))
+        self._queued += queued
         while self._queued and (self._queued[0].done() or len(self._queued) > MOST_UNDER_WAY):
             await self._take_answer()
         return done
@@ -367,7 +416,7 @@ class ScheduleFeed:
 
     async def _take_answer(self) -> None:
         try:
-            await self._queued.popleft().words()
+            await self._executed(self._queued.popleft())
         except UnansweredError:
             self._is_torn = True
             raise
@@ -661,11 +710,12 @@ class Timeline(Sealed):
             if error is None:
                 await self.flush()
             elif isinstance(error, Exception):
-                await self._feed.cancel()
+                await self._feed.leave(error)
             else:
                 # What ends a program waits for no answer.
                 self._feed.give_up()
-                await self._feed.registers.cancel.post(1)
+                with suppress(NotArmedError):
+                    await post_in_session(self._registers.link, self._registers.cancel.signal.address, 1)
         finally:
             self._is_on = False
             self._feed.line = None

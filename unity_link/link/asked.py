@@ -10,6 +10,11 @@ if TYPE_CHECKING:
     from unity_link.link.link import Link
 
 
+async def post_in_session(link: Link, address: int, value: int) -> None:
+    """Post a write that ends with the session under way: if it waits for room then, it is never sent."""
+    await link._post_for(link._caller(), address, value, of_session=True)  # noqa: SLF001  (the same package)
+
+
 class Asked:
     """A request that is on its way, or waits for room behind those before it; one transaction of the bus.
 

@@ -139,6 +139,10 @@ class Connection:
         _CONNECTIONS.add(self)
         self.interruptions = 0
         """Sessions that were lost and are opened again; the gateway may have been reset since."""
+        self.resets = 0
+        """Resets that the gateway has reported, or the handshake of a new connection."""
+        self.interrupted_by = ""
+        """Reason for the last of the interruptions."""
         self._opened_again_at = -math.inf
         """Instant of the last attempt to connect again that succeeded."""
         self._lost_at_once = 0
@@ -233,10 +237,12 @@ class Connection:
 
     def _gateway_was_reset(self, event: Interrupted) -> None:
         log.info("%s: %s", self._name, event.error.reason)
+        self.resets += 1
         self._session_ended(event.error)
 
     def _session_ended(self, error: LinkLostError) -> None:
         self.interruptions += 1
+        self.interrupted_by = error.reason
         self._fail_restoring(error)
         self._interrupted(error.reason)
 

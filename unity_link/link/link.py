@@ -17,6 +17,7 @@ from unity_link import protocol
 from unity_link.errors import (
     ArgumentError,
     LinkLostError,
+    NotArmedError,
     OfLink,
     UnansweredError,
     UnityLinkError,
@@ -53,11 +54,12 @@ from unity_link.protocol.requests import (
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Coroutine, Mapping, Sequence
+    from collections.abc import Callable, Coroutine, Iterable, Mapping, Sequence
     from types import TracebackType
 
     from numpy.typing import ArrayLike, NDArray
 
+    from unity_link.link.guards import Guard
     from unity_link.link.runtime import Runtime, Waiter
     from unity_link.protocol.arrays import Words
     from unity_link.protocol.host_codec import HostCodec
@@ -137,8 +139,13 @@ class Link(OfLink, Connection):
         self._posted_failures: dict[Any, PostedFailure] = {}
         """Failed posts that nobody was told of, the oldest first: of each task, and under None of those that are over.
         """
+        self._guards: dict[int, Guard] = {}
+        """Leases under which the program writes, by the addresses that they guard."""
         self.told_by_fence: dict[int, Any] = {}
-        """Writers in the gateway's own time, each with a `see`, by their addresses: a fence raises their errors."""
+        """Writers in the gateway's own time, each with `see` and `drop_answers`, by their addresses.
+
+        A fence raises their errors.
+        """
 
     # Life
 
@@ -166,6 +173,8 @@ class Link(OfLink, Connection):
 
     def _ended(self, error: LinkLostError) -> None:
         self._publishing.end(error)
+        for writer in self.told_by_fence.values():
+            writer.drop_answers()
 
     if not TYPE_CHECKING:  # A type checker refuses them by itself.
         __enter__ = __exit__ = refusing("write `async with` before a link, or connect by `unity_link.blocking`")
@@ -264,7 +273,10 @@ class Link(OfLink, Connection):
             address = self._whole_address(address)
         if type(value) is not int or not 0 <= value <= codec.highest_word:
             value = self._whole_word(value)
-        await flow.answer(Request(codec, "W", codec.write_fields(address, value), 0))
+        request = Request(codec, "W", codec.write_fields(address, value), 0)
+        if self._guards:
+            self._bind(request, (address,))
+        await flow.answer(request)
 
     async def write_masked(self, address: int, value: int, mask: int) -> int:
         """Replace the bits of a word that are 1 in `mask` by those of `value`, atomically.
@@ -278,8 +290,9 @@ class Link(OfLink, Connection):
         self._require(Feature.MASKED_WRITE)
         where, what, bits = self._whole_address(address), self._whole_word(value), self._whole_word(mask)
         codec = self._session.codec
-        fields = codec.fields("WK", where, bits, what)
-        word: int = await self._flow.answer(DestructiveRead(codec, "WK", fields, 1))
+        request = DestructiveRead(codec, "WK", codec.fields("WK", where, bits, what), 1)
+        self._bind(request, (where,))
+        word: int = await self._flow.answer(request)
         return word
 
     @returns_coroutine
@@ -292,7 +305,7 @@ class Link(OfLink, Connection):
         """
         return self._post_for(self._caller(), address, value)
 
-    async def _post_for(self, poster: Any, address: int, value: int) -> None:
+    async def _post_for(self, poster: Any, address: int, value: int, *, of_session: bool = False) -> None:
         flow = self._flow
         codec = flow.session.codec
         if type(address) is not int or not 0 <= address <= codec.highest_address:
@@ -300,11 +313,14 @@ class Link(OfLink, Connection):
         if type(value) is not int or not 0 <= value <= codec.highest_word:
             value = self._whole_word(value)
         fields = codec.write_fields(address, value)
+        answered = self._takes_turns
+        request = Request(codec, "W" if answered else "WS", fields, 0 if answered else None, of_session=of_session)
+        if self._guards:
+            self._bind(request, (address,))
         self._posted = True
-        if self._takes_turns:
-            await self._post_answered(Request(codec, "W", fields, 0), poster)
+        if answered:
+            await self._post_answered(request, poster)
             return
-        request = Request(codec, "WS", fields, None)
         request.poster = poster
         flow.submit(request)
         if not request.sent:
@@ -459,7 +475,7 @@ class Link(OfLink, Connection):
         """
         where, what = self._write_arguments(addresses, values)
         info = self.gateway
-        await self._batch("W", (where, info.address_digits), (what, info.data_digits))
+        await self._batch("W", (where, info.address_digits), (what, info.data_digits), written=where)
 
     @returns_coroutine
     def post_many(self, addresses: ArrayLike, values: ArrayLike) -> Coroutine[Any, Any, None]:
@@ -473,11 +489,12 @@ class Link(OfLink, Connection):
         where, what = self._write_arguments(addresses, values)
         self._whole_count(len(where))
         fields = [(where, self.gateway.address_digits), (what, self.gateway.data_digits)]
+        batch = WordBatch(self._session.codec, "W" if self._takes_turns else "WS", fields)
+        self._bind(batch, where)
         self._posted = True
         if self._takes_turns:
-            await self._post_answered(WordBatch(self._session.codec, "W", fields), poster)
+            await self._post_answered(batch, poster)
         else:
-            batch = WordBatch(self._session.codec, "WS", fields)
             batch.poster = poster
             self._flow.submit(batch)
             if batch.sent != batch.count:
@@ -633,13 +650,17 @@ class Link(OfLink, Connection):
     def _begin_block(
         self, address: int, count: int, write: Sequence[int], *, to_queue: bool
     ) -> tuple[Waiter, Callable[[], None]]:
-        """Ask for a read, or a write, of one transaction; return its answer, and what gives it up."""
+        """Ask for a read, or a write, of one transaction; return its answer, and what gives it up.
+
+        A write ends with its session: it belongs to something that a reset ends, as a lease.
+        """
         codec = self._session.codec
         if write:
             command = "WQ" if to_queue else "WM"
             if to_queue:
                 self._require(Feature.QUEUE_COMMANDS)
-            request = Request(codec, command, codec.fields(command, address, self._words(write)), 0)
+            request = Request(codec, command, codec.fields(command, address, self._words(write)), 0, of_session=True)
+            self._bind(request, (address,) if to_queue else range(address, address + len(write)))
         else:
             # Imported here, not in the callback that takes the answer.
             _ = protocol.arrays
@@ -651,12 +672,13 @@ class Link(OfLink, Connection):
 
     async def _write_words(self, command: str, address: int, words: Words, step: int) -> None:
         codec, most = self._session.codec, self._flow.block_words
-        await self._all(
-            [
-                Request(codec, command, codec.fields(command, address + step * start, words[start : start + most]), 0)
-                for start in range(0, len(words), most)
-            ]
-        )
+        requests = [
+            Request(codec, command, codec.fields(command, address + step * start, words[start : start + most]), 0)
+            for start in range(0, len(words), most)
+        ]
+        for request in requests if self._guards else ():
+            self._bind(request, range(address, address + step * (len(words) - 1) + 1))
+        await self._all(requests)
 
     async def _all(self, requests: list[Request]) -> list[Any]:
         """Execute requests in order, and return their answers; if one fails, the rest is not waited for."""
@@ -683,10 +705,31 @@ class Link(OfLink, Connection):
             raise ArgumentError(f"{len(where)} addresses were given, and {len(what)} values")
         return where, what
 
-    async def _batch(self, command: str, *columns: tuple[NDArray[Any], int]) -> Words:
+    async def _batch(
+        self, command: str, *columns: tuple[NDArray[Any], int], written: NDArray[Any] | None = None
+    ) -> Words:
         self._whole_count(len(columns[0][0]))
-        words: Words = await self._flow.answer(WordBatch(self._session.codec, command, columns))
+        batch = WordBatch(self._session.codec, command, columns)
+        if written is not None:
+            self._bind(batch, written)
+        words: Words = await self._flow.answer(batch)
         return words
+
+    def _bind(self, source: Request | WordBatch, addresses: Iterable[int] | NDArray[Any]) -> None:
+        """Have a write to what a lease of the program guards end with the session under way.
+
+        Raises:
+            NotArmedError: if the lease is over for the program.
+        """
+        if not self._guards:
+            return
+        for address in self._guards.keys() & {int(address) for address in addresses}:
+            source.of_session = True
+            ended = self._guards[address].ended()
+            if ended is not None:
+                name = self._session.codec.names.get(address, "a word")
+                where = f"write of {name} at 0x{address:0{self.gateway.address_digits}X}"
+                raise NotArmedError(f"{where}: {ended}", ended.reason, ended.instant)
 
     def _divisor(self, rate_hz: float | None, divisor: int | None) -> int:
         base = self.gateway.base_frequency_hz

@@ -69,7 +69,7 @@ class MappedLink(Link):
 
     def _ended(self, error: LinkLostError) -> None:
         self._words_at = _CLOSED
-        self._publishing.end(error)
+        super()._ended(error)
         if self._bus is not None:
             self._bus.close()
 
@@ -130,7 +130,14 @@ class MappedLink(Link):
         await self._done(2)
         return before
 
-    async def _post_for(self, poster: Any, address: int, value: int) -> None:  # noqa: ARG002  (no post can fail later)
+    async def _post_for(
+        self,
+        poster: Any,  # noqa: ARG002  (no post can fail later)
+        address: int,
+        value: int,
+        *,
+        of_session: bool = False,  # noqa: ARG002  (a bus has none)
+    ) -> None:
         await self.write(address, value)
 
     async def _fence(self, *, leaving: bool) -> None:  # noqa: ARG002  (a bus has no sessions)

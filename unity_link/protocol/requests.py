@@ -101,6 +101,10 @@ class Source(Protocol):
     def least(self) -> int:
         """Number of messages for which room is wanted before the next turn."""
 
+    @property
+    def of_session(self) -> bool:
+        """Return whether no other session sends it than the one in which it was asked for."""
+
     def take(self, room: int, events: Events) -> Message:
         """Return the next run, of at most `room` messages."""
 
@@ -254,7 +258,7 @@ class Request(Message, Awaited):
         command: in upper case.
         fields: hex digits.
         reply_digits: hex digits behind the ID of the answer, None for a posted write.
-        of_session: whether it has a meaning in the session alone in which it was made.
+        of_session: whether no other session may send it than the one in which it was asked for.
     """
 
     __slots__ = ("answer", "done", "error", "fields", "of_session", "opening", "poster", "sent", "waiter")
@@ -485,6 +489,11 @@ class RequestBlock:
         return self._requests[0].places
 
     @property
+    def of_session(self) -> bool:
+        """Return whether no other session may send one of them than the one in which they were asked for."""
+        return any(request.of_session for request in self._requests)
+
+    @property
     def size(self) -> int:
         """Characters of the next request."""
         return self._requests[0].size
@@ -537,6 +546,8 @@ class WordBatch(Awaited):
 
     smallest_turn = SMALLEST_BATCH
     places = 0
+    of_session = False
+    """True if no other session may send what is left than the one in which it was asked for."""
 
     def __init__(self, codec: HostCodec, command: str, columns: Sequence[tuple[NDArray[Any], int]]) -> None:
         self.codec = codec
@@ -722,6 +733,7 @@ class BatchPart:
 
     posted = False
     places = 0
+    of_session = False
     outlives_session = True
 
     def __init__(self, batch: WordBatch, start: int, count: int) -> None:

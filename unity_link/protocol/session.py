@@ -403,9 +403,9 @@ class Session:
                 source.fail(error.about(Outcome.NOT_EXECUTED), events)
 
     def _drop_of_session(self, error: LinkLostError, events: Events) -> None:
-        for request in [source for source in self._waiting if isinstance(source, Request) and source.of_session]:
-            self._waiting.remove(request)
-            request.fail(error.about(Outcome.NOT_EXECUTED), events)
+        for source in [source for source in self._waiting if source.of_session]:
+            self._waiting.remove(source)
+            source.fail(error.about(Outcome.NOT_EXECUTED), events)
 
     # Requests
 
@@ -773,7 +773,11 @@ class Session:
         self._begin(now, again=False)
 
     def _interrupted(self, error: GatewayResetError, events: Events) -> None:
-        """Report a reset, after which the gateway knows no group."""
+        """Report a reset, after which the gateway knows no group.
+
+        It may be found when the connection is opened again: requests that belong to the former session end here, too.
+        """
+        self._drop_of_session(error, events)
         events.append(Interrupted(error))
 
     # The handshake

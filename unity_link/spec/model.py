@@ -647,6 +647,13 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
         guarded = (one for one in self.signals.values() if one.safe is not None and one.safe.lease == lease)
         return tuple(dict.fromkeys(one.timed for one in guarded if one.timed is not None))
 
+    def written_under(self, lease: str) -> frozenset[int]:
+        """Return the addresses that the owner of a lease alone writes: its kick, what it guards, and its schedules."""
+        guarded = [one for one in self.signals.values() if one.safe is not None and one.safe.lease == lease]
+        names = [f"{path}.{register}" for path in self.schedules_of(lease) for register in ("entry", "cancel")]
+        signals = [self.signals[name] for name in (f"{lease}.kick", *names)] + guarded
+        return frozenset(address for signal in signals for address in signal.addresses)
+
     @functools.cached_property
     def written_bits(self) -> dict[int, int]:
         """The bits of each word that signals write, by its address."""

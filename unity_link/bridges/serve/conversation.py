@@ -197,13 +197,20 @@ class Conversation:
         if lease is None or self._shared.away:
             return False
 
+        state = self._session.state
+
         def relay(over: Callable[[bool], None]) -> None:
+            if self._session.state is not state:
+                # The gateway was reset, and the client's session with it: a repetition is answered by error 0A.
+                over(False)  # noqa: FBT003  (it has no name)
+                return
             fields, digits = codec.fields(request.command, *request.values), answer_digits(codec, request.command, 1)
             self._relay(request, fields, digits, plain=plain, after=over)
             self._shared.turns.join(client.queue)
 
         def refuse(error: ErrorCode) -> None:
-            self._refuse(request, error, plain=plain)
+            if self._session.state is state:
+                self._refuse(request, error, plain=plain)
 
         finishes = lease.is_to_finish(request, codec.highest_address)
         client.hold()

@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from unity_link.protocol.messages import Codec, DecodedRequest
     from unity_link.spec.model import Interface
 
+NOBODY = object()
+"""Owner of a lease that is over for its client, and goes on in the gateway: no client writes what it guards."""
 PATIENCE = 2.0
 """Seconds that an arm waits for the gateway."""
 _ONE_WORD = frozenset({"W", "WS", "WQ", "WK"})
@@ -80,13 +82,10 @@ class ClientLease:
         self.arm = tuple(signals[f"{path}.arm"].addresses)
         self.disarm = signals[f"{path}.disarm"].address
         self.armed = signals[f"{path}.armed"]
-        guarded = [signal for signal in signals.values() if signal.safe is not None and signal.safe.lease == path]
-        self.owned = frozenset(
-            address for signal in (signals[f"{path}.kick"], *guarded) for address in signal.addresses
-        )
-        """Addresses that its owner alone writes: the kick, and what it guards."""
-        self.owner: Tenant | None = None
-        """Client that began the last lease; it may have ended since."""
+        self.owned = interface.written_under(path)
+        """Addresses that its owner alone writes: the kick, what it guards, and its schedules."""
+        self.owner: object = None
+        """Client that began the last lease, which may have ended since; None for no client, or `NOBODY`."""
         self.finishes = False
         """As its owner's `ArmRequest` has it."""
         self.is_owed = False
@@ -167,26 +166,29 @@ class Leases:
                 self._own(lease, client)
                 lease.finishes = request.finishes
                 await self._host.others_have_written(client)
-                await self._relay(request)
+                executed = await self._relay(request)
                 with contextlib.suppress(UnityLinkError, TimeoutError):
                     if not await self._is_armed(lease):
                         self._own(lease, None)
+                    elif executed:
+                        # Another session may have begun before it was sent.
+                        self._own(lease, client)
         finally:
             client.go_on()
 
-    async def _relay(self, request: ArmRequest) -> None:
+    async def _relay(self, request: ArmRequest) -> bool:
         if request.client.gone:
-            return
-        over = asyncio.get_running_loop().create_future()
+            return False
+        over: asyncio.Future[bool] = asyncio.get_running_loop().create_future()
         request.relay(lambda executed: None if over.done() else over.set_result(executed))
-        await over
+        return await over
 
     async def _is_armed(self, lease: ClientLease) -> bool:
         async with asyncio.timeout(PATIENCE):
             word = await self._host.word_at(lease.armed.address)
         return bool(lease.armed.decode(word))
 
-    def _own(self, lease: ClientLease, client: Tenant | None) -> None:
+    def _own(self, lease: ClientLease, client: object) -> None:
         lease.owner = client
         self._closed.clear()
 
@@ -218,6 +220,16 @@ class Leases:
         for lease in owed:
             lease.is_owed = False
         return [lease.disarm for lease in owed]
+
+    def interrupted(self) -> None:
+        """End all leases for their clients: the session with the gateway is over.
+
+        The next session begins with their disarming, but for those that finish what is scheduled.
+        """
+        for lease in self._leases:
+            if lease.owner is not None:
+                lease.is_owed |= not lease.finishes
+                self._own(lease, NOBODY)
 
     def reset(self) -> None:
         """Forget all: the gateway was reset, which disarms."""

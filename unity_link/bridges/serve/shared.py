@@ -359,6 +359,8 @@ class SharedLink(Connection):
 
     def _interrupted(self, reason: str) -> None:
         self.turns.hold()
+        if self.leases is not None:
+            self.leases.interrupted()
         self.slots.interrupted(self.loop.time())
         if not self.away and self._patience is None:
             self._patience = self.loop.call_later(PATIENCE, self._lose_patience)

@@ -200,6 +200,8 @@ class Turns:
 
     # A source, asked by the session
 
+    of_session = False
+
     @property
     def size(self) -> int:
         """Characters of the next request."""

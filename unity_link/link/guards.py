@@ -1,0 +1,39 @@
+"""Addresses of a link that a program writes under a lease, and what checks that the program still has the lease.
+
+A write to such an address ends with the session in which it was asked for. If it waited for the next session, it could
+act under a lease that another program has armed there.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Protocol
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from unity_link.errors import NotArmedError
+    from unity_link.link.link import Link
+
+
+class Guard(Protocol):
+    """A lease, as a link knows it."""
+
+    def ended(self) -> NotArmedError | None:
+        """Return the error for a lease that the program has no more; None while it may have it."""
+
+
+def guard(link: Link, addresses: Iterable[int], by: Guard) -> None:
+    """Have writes to addresses of a link refused once a lease is over."""
+    link._guards.update(dict.fromkeys(addresses, by))  # noqa: SLF001  (the same package)
+
+
+def release(link: Link, by: Guard) -> None:
+    """Refuse no writes for a lease any more."""
+    guards = link._guards  # noqa: SLF001  (the same package)
+    for address in [address for address, other in guards.items() if other is by]:
+        del guards[address]
+
+
+def guard_of(link: Link, address: int) -> Guard | None:
+    """Return the lease under which a program writes to an address; None if it has none."""
+    return link._guards.get(address)  # noqa: SLF001  (the same package)
