@@ -112,7 +112,7 @@ async def test_several_at_once(unity_link_gateway, tmp_path):
 """
 WRONG = {
     "unity_link(medium='tcq')": "medium='tcq': one of sim, tcp, unix, pty, udp was expected",
-    "unity_link(speck='rover.ul')": "unity_link takes spec=, model=, medium=, noise=, seed= and rtl=, not",
+    "unity_link(speck='rover.ul')": "unity_link takes spec=, model=, medium=, noise=, seed=, rtl= and unchecked=, not",
     "unity_link(model='rover.py:Rover')": "model is for the robot of a spec",
     "unity_link(spec=5)": "unity_link(spec=5): a path was expected",
     "unity_link(spec='rover.ul', model=5)": "unity_link(model=5): text such as rover.py:Rover was expected",

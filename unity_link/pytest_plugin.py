@@ -45,6 +45,7 @@ _KINDS: dict[str, tuple[Any, str]] = {
     "noise": (Real | None, "a number"),
     "seed": (int, "a whole number"),
     "rtl": (bool, "True or False"),
+    "unchecked": (bool, "True or False"),
 }
 """Arguments of the marker."""
 
@@ -63,6 +64,8 @@ class GatewaySettings:
     seed: int = 0
     rtl: bool = False
     """True if the gateway is the compiled gateware in place of a model."""
+    unchecked: bool = False
+    """True if VHDL of the spec's own cores is not compared with what GHDL makes of it."""
     url: str | None = None
     """URL of a board, in place of all of that but the spec."""
 
@@ -79,8 +82,8 @@ def pytest_configure(config: pytest.Config) -> None:
     """Make the marker known."""
     config.addinivalue_line(
         "markers",
-        "unity_link(spec, model, medium, noise, seed, rtl): the gateway of a test, and what stands behind it; what is "
-        "not said is as the ini file has it",
+        "unity_link(spec, model, medium, noise, seed, rtl, unchecked): the gateway of a test, and its robot; "
+        "settings that are not given are those of the ini file",
     )
 
 
@@ -91,7 +94,9 @@ def unity_link_settings(request: pytest.FixtureRequest) -> GatewaySettings:
     settings = _of_ini(config)
     for marker in reversed(list(request.node.iter_markers("unity_link"))):
         if marker.args or not marker.kwargs.keys() <= GatewaySettings.__annotations__.keys() - {"url"}:
-            raise pytest.UsageError(f"unity_link takes spec=, model=, medium=, noise=, seed= and rtl=, not {marker}")
+            raise pytest.UsageError(
+                f"unity_link takes spec=, model=, medium=, noise=, seed=, rtl= and unchecked=, not {marker}"
+            )
         for name, value in marker.kwargs.items():
             kind, expected = _KINDS.get(name, (object, ""))
             if not isinstance(value, kind):
@@ -143,7 +148,7 @@ def _build(settings: GatewaySettings) -> BareGateway:
     from unity_link.virtual.build import Wanted, build_bare
 
     robot = "" if settings.spec is None else str(settings.spec)
-    return build_bare(Wanted(robot=robot, model=settings.model, rtl=settings.rtl))
+    return build_bare(Wanted(robot=robot, model=settings.model, rtl=settings.rtl, unchecked=settings.unchecked))
 
 
 @pytest.fixture

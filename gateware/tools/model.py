@@ -106,7 +106,7 @@ def main() -> int:
     try:
         for name in stale:
             generics = CONFIGURATIONS[name]
-            texts[name] = make(name, generics)
+            texts[name], _ = make(name, generics)
             index[name] = Entry.of(origin(generics), texts[name], info_of(generics), generics.get("node"))
             sys.stdout.write(f"{name}: {len(texts[name]) // 1000} kB\n")
             sys.stdout.flush()

@@ -28,8 +28,9 @@ from unity_link.files import digest_of
 from unity_link.gateware import yowasp
 from unity_link.gateware.cache import ToolMissingError
 from unity_link.gateware.convert import ConversionError
+from unity_link.gateware.design import OwnFile
 from unity_link.gateware.limits import ETHERNET
-from unity_link.gateware.own_vhdl import Converted, Own, OwnFile, Port
+from unity_link.gateware.own_vhdl import Converted, Own, Port
 from unity_link.gateware.yowasp import RefusedError
 from unity_link.generate import generate
 from unity_link.spec import compile_text
@@ -535,7 +536,7 @@ def test_a_build_takes_a_users_top_and_its_report_lists_files_and_the_pins_that_
     own = Own("top", (OwnFile(Path("own/p_q.vhd"), b"package"), OwnFile(Path("top.vhd"), b"entity")), {})
     led = Port("led", "Led", "output", 8, tuple(range(8)))
     ports = (*(port for port in generated_ports(HX8K) if not port.name.startswith("chain_")), led)
-    tools.setattr(building, "convert_own", lambda *_: Converted("", "Top", {}, ports, ("top.vhd:3:1: a remark",)))
+    tools.setattr(building, "convert_own", lambda *_, **__: Converted("", "Top", {}, ports, ("top.vhd:3:1: a remark",)))
     said: list[str] = []
     report = build(spec, "mine", HX8K, tmp_path / "out", own=own, note=said.append).report.read_text()
     for name, data in (("p\\_q.vhd", b"package"), ("top.vhd", b"entity")):
@@ -550,7 +551,7 @@ def test_a_top_that_does_not_wait_for_its_pll_is_told(tools: pytest.MonkeyPatch,
     said: dict[bool, list[str]] = {True: [], False: []}
     for waits, told in said.items():
         given = ports if waits else ports[:-1]
-        tools.setattr(building, "convert_own", lambda *_, given=given: Converted("", "top", {}, given, ()))
+        tools.setattr(building, "convert_own", lambda *_, given=given, **__: Converted("", "top", {}, given, ()))
         build(LAMP, "mine", with_core(HX8K, 48_000_000), tmp_path, own=Own("top", (), {}), note=told.append)
     assert said == {True: [], False: ["top has no port clk_ready: it starts before the PLL of mine is stable"]}
 

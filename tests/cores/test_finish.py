@@ -149,7 +149,7 @@ async def test_nothing_new_is_taken_while_it_runs_out(world: World) -> None:
                 assert refused.value.reason == "silence"
             await robot.free.set(3)
             done = await robot.duty.set(100, at=last.after(0.01))
-            with pytest.raises(NotArmedError, match="cannot be armed: this program has armed it already, .* runs out"):
+            with pytest.raises(NotArmedError, match=r"cannot be armed: this program has armed it already, .* runs out"):
                 async with robot.armed():
                     pytest.fail("the block began")
             with pytest.raises(NotArmedError, match="drive is finishing"):

@@ -22,7 +22,6 @@ from support.simulated_time import run_simulated
 from support.valve import Valve
 from unity_link import LinkLostError, NotArmedError, Reconnect, UnityLinkError
 from unity_link.bridges.serve.shared import SharedLink
-from unity_link.cores import lease as lease_module
 from unity_link.data import Group
 from unity_link.spec import compile_text
 from unity_link.virtual.build import Wanted, simulated
@@ -244,7 +243,7 @@ def drive(name: str, seed: int, operations: int, monkeypatch: pytest.MonkeyPatch
     acted = resets = 0
     for start in range(0, operations, LONGEST_WORLD):
         world = World(name, f"{seed} {start}", min(LONGEST_WORLD, operations - start))
-        monkeypatch.setattr(lease_module.secrets, "randbits", world.token)
+        monkeypatch.setattr("unity_link.cores.lease.secrets.randbits", world.token)
         run_simulated(world.run())
         assert world.wrong == [], f"seed {seed}, world at {start}"
         acted, resets = acted + world.acted, resets + world.resets

@@ -73,6 +73,8 @@ class Design(NamedTuple):
     """The pin of each port, or of each bit of one."""
     remarks: tuple[str, ...] = ()
     """Warnings about files of the user's."""
+    compared: tuple[str, ...] = ()
+    """Entities of the user's that were compared with GHDL's simulation, with the numbers of cycles."""
 
     @property
     def ways(self) -> dict[str, str]:
@@ -222,7 +224,12 @@ endmodule
 
 
 def design_of(
-    spec: Spec, interface: Interface, board_name: str, board: Board, work: Path, own: Own | None = None
+    spec: Spec,
+    interface: Interface,
+    board_name: str,
+    board: Board,
+    work: Path,
+    own: Own | None = None,
 ) -> Design:
     """Return the whole generated design, or the top of a user's own with what is generated.
 
@@ -247,6 +254,7 @@ def design_of(
     generics = board.generics
     pads = FAMILIES[board.family].pads if board.has_pads else None
     bank = Bank(interface)
+    instances = bank.wiring.own_instances(board.core_hz)
     if own is None or own.top is None:
         pins = generated_pins(bank, board_name, board)
         ports = generated_ports(board, bank)
@@ -254,14 +262,14 @@ def design_of(
         if own is None:
             verilog = to_verilog(top, generics, [*sources, *board_sources()], pads).read_text()
             return Design(top, verilog, ports, pins)
-        converted = convert_own(own, generics, [*sources, *board_sources()], pads, top)
-        return Design(converted.module, converted.verilog, ports, pins, converted.remarks)
-    converted = convert_own(own, generics, [*sources, *board_sources()], pads)
+        converted = convert_own(own, generics, [*sources, *board_sources()], pads, top, instances)
+        return Design(converted.module, converted.verilog, ports, pins, converted.remarks, converted.compared)
+    converted = convert_own(own, generics, [*sources, *board_sources()], pads, instances=instances)
     pins = pins_of(own.top, converted.ports, board_name, board)
     remarks = converted.remarks
     if board.core_hz != board.clock.hz and READY not in {port.name for port in converted.ports}:
         remarks += (f"{own.top} has no port {READY}: it starts before the PLL of {board_name} is stable",)
-    return Design(converted.module, converted.verilog, converted.ports, pins, remarks)
+    return Design(converted.module, converted.verilog, converted.ports, pins, remarks, converted.compared)
 
 
 def _place(
@@ -356,6 +364,9 @@ def report_text(
         f"- VHDL: {markdown(file.path.name)}, SHA-256 {file.digest}\n"
         for file in (own.files if own is not None else ())
     )
+    compared = "".join(f"- compared with GHDL's simulation: {entity}\n" for entity in design.compared)
+    if own is not None and not compared:
+        compared = "- VHDL not compared with GHDL's simulation (--unchecked)\n"
     sizes = [
         (title, *placed.cells[kind])
         for kind, title in family.resources.items()
@@ -368,7 +379,7 @@ def report_text(
 # {interface.name} on a {markdown(board.title)}
 
 - spec: {markdown(Path(source.name).name)}, SHA-256 {source.sha256}
-{files}- bitstream: SHA-256 {digest_of(bitstream)}
+{files}{compared}- bitstream: SHA-256 {digest_of(bitstream)}
 - build identifier: {interface.fingerprint:08X}, the fingerprint of the map
 - description: {_description(interface)}
 - FPGA: {board.device}, {board.package}

@@ -29,7 +29,8 @@ if TYPE_CHECKING:
 
     from unity_link.boards.board import Board, Pin
     from unity_link.files import Overwrite
-    from unity_link.gateware.own_vhdl import Converted, Own, OwnFile, Port
+    from unity_link.gateware.design import OwnFile
+    from unity_link.gateware.own_vhdl import Converted, Own, Port
     from unity_link.spec import Spec
 
 _SCOPED = {

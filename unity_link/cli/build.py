@@ -56,6 +56,12 @@ def build(  # noqa: PLR0913  (each is an option)
             help="What the top needs beside, or entities that the spec names; again for each, in compile order.",
         ),
     ] = None,
+    unchecked: Annotated[
+        bool,
+        typer.Option(
+            "--unchecked", help="Do not compare your VHDL with what GHDL makes of it, if that cannot be done."
+        ),
+    ] = False,
     mac: Annotated[
         str | None,
         typer.Option(metavar="MAC", help="Of an Ethernet port: its own address, such as 02:55:4c:00:00:02."),
@@ -86,7 +92,7 @@ def build(  # noqa: PLR0913  (each is an option)
     chosen = _addressed(name, chosen, mac, ip)
     compiled = compile_or_exit(spec)
     files = [*map(Path, compiled.vhdl), *(vhdl or [])]
-    own = read_own(top, files) if files or top is not None else None
+    own = read_own(top, files)._replace(unchecked=unchecked) if files or top is not None else None
     replaces = may_overwrite(overwrite)
     vendor = VENDORS.get(chosen.family)
     if vendor is not None:

@@ -45,6 +45,12 @@ def generate(  # noqa: PLR0913  (each is an option)
             "--baud", metavar="RATE", help="For verilog: of the UART; 1000000 if not said.", show_default=False
         ),
     ] = None,
+    unchecked: Annotated[
+        bool,
+        typer.Option(
+            "--unchecked", help="For verilog: do not compare VHDL of cores of your own with what GHDL makes of it."
+        ),
+    ] = False,
     with_gateware: Annotated[
         bool,
         typer.Option(
@@ -60,7 +66,7 @@ def generate(  # noqa: PLR0913  (each is an option)
 
     if with_gateware and target != "vhdl":
         raise ArgumentError(f"--with-gateware belongs to vhdl, and {target} was asked for")
-    given_options = {"licence": licence, "clock_hz": clock_hz, "baud": baud}
+    given_options = {"licence": licence, "clock_hz": clock_hz, "baud": baud, "unchecked": unchecked or None}
     options = {name: value for name, value in given_options.items() if value is not None}
     if maintainer is not None:
         found = re.fullmatch(r"\s*([^<>]*[^<>\s])\s*<([^<>@\s]+@[^<>@\s]+)>\s*", maintainer)

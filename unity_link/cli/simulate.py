@@ -125,6 +125,12 @@ def simulate(  # noqa: PLR0913  (each is an option)
         bool,
         typer.Option("--rtl", help="The gateware itself, compiled, instead of a model: needs a C++ compiler once."),
     ] = False,
+    unchecked: Annotated[
+        bool,
+        typer.Option(
+            "--unchecked", help="Of --rtl: do not compare VHDL of cores of your own with what GHDL makes of it."
+        ),
+    ] = False,
     settings: Annotated[
         list[str] | None,
         typer.Option("--set", metavar="NAME=NUMBER", help="Build it otherwise: --set data_bits=16. May be repeated."),
@@ -167,6 +173,7 @@ def simulate(  # noqa: PLR0913  (each is an option)
         interface=interface,
         configuration=_configuration(settings or []),
         rtl=rtl,
+        unchecked=unchecked,
         faults=tuple(faults or ()),
         triggers=dict(map(parse_trigger, triggers or ())),
     )

@@ -6,43 +6,29 @@ GHDL alone reads it. What it says of these files comes with the names that the u
 from __future__ import annotations
 
 import re
-import subprocess
 from typing import TYPE_CHECKING, NamedTuple
-from xml.etree import ElementTree as ET
 
 from unity_link.errors import ArgumentError
-from unity_link.files import digest_of
 from unity_link.gateware.cache import LIBRARY, vhdl_sources
-from unity_link.gateware.convert import STD, UNBOUND, ConversionError, as_options, cleaned
+from unity_link.gateware.convert import cleaned
+from unity_link.gateware.design import ConversionError, GhdlDesign, OwnFile
+from unity_link.gateware.entity import entities_of
 from unity_link.gateware.external import temporary_folder
-from unity_link.gateware.ghdl import converting_ghdl
+from unity_link.gateware.own_circuits import OwnInstance, Sources, Top, compare_own
+from unity_link.gateware.refused import refusals
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
     from pathlib import Path
 
-    from unity_link.gateware.ghdl import Ghdl
+    from unity_link.gateware.entity import Entity
     from unity_link.spec import Interface
 
 _UNIT = re.compile(r"^(entity|package) (?!body )(\w+)", re.MULTILINE)
-_SAID = re.compile(r"^(?P<place>(?P<file>.+?):\d+:\d+):(?P<kind>error|warning): *(?P<words>.+)$")
 _PORT = re.compile(r"^ *\(? *(input|output|inout) +(?:\[(\d+):0\] *)?(\\\S+ |\w+)[,)]", re.MULTILINE)
 
 # GHDL writes no blank behind an extended identifier, and there Verilog's would end.
 _EXTENDED = re.compile(r"\\([^\\\n]+)\\(?=[\s,;:)\]}])")
-
-
-class OwnFile(NamedTuple):
-    """A file of a user's."""
-
-    path: Path
-    """As the user named it."""
-    data: bytes
-
-    @property
-    def digest(self) -> str:
-        """SHA-256 in hex."""
-        return digest_of(self.data)
 
 
 class Own(NamedTuple):
@@ -54,6 +40,8 @@ class Own(NamedTuple):
     """In compile order; that of the top is the last one."""
     units: dict[str, Path]
     """Files of the entities and packages, by their names in small letters."""
+    unchecked: bool = False
+    """True if the Verilog of the entities is not compared with GHDL's simulation."""
 
 
 class Port(NamedTuple):
@@ -81,6 +69,8 @@ class Converted(NamedTuple):
     ports: tuple[Port, ...]
     remarks: tuple[str, ...]
     """Warnings about the user's files."""
+    compared: tuple[str, ...] = ()
+    """The entities that were compared with GHDL's simulation, with the numbers of cycles."""
 
 
 def read_own(top: Path | None, others: Sequence[Path] = ()) -> Own:
@@ -95,25 +85,35 @@ def read_own(top: Path | None, others: Sequence[Path] = ()) -> Own:
         ConversionError: where GHDL finds one that is no VHDL.
         ToolMissingError: if there is no GHDL that can be used.
     """
-    files = tuple(_read(path) for path in (*others, *([] if top is None else [top])))
-    ghdl = converting_ghdl()
+    return own_of(top, [_read(path) for path in (*others, *([] if top is None else [top]))])
+
+
+def own_of(top: Path | None, files: Sequence[OwnFile]) -> Own:
+    """Return a user's files, in compile order, as `read_own` does.
+
+    Raises:
+        ArgumentError: as `read_own`.
+        ConversionError: as `read_own`.
+        ToolMissingError: as `read_own`.
+    """
     units: dict[str, Path] = {}
     found: list[tuple[str, str]] = []
     with temporary_folder() as scratch:
-        for file, copy in _copies(files, scratch).items():
-            found = _UNIT.findall(_run(ghdl, scratch, files, "-f", STD, str(copy)))
+        design = GhdlDesign(scratch, own=files)
+        for file, copy in design.copies.items():
+            found = _UNIT.findall(design.run("-f", str(copy)))
             for kind, name in found:
                 if name.lower() in units:
                     raise ArgumentError(f"{file.path} has the {kind} {name}, and so has {units[name.lower()]}")
                 units[name.lower()] = file.path
     if top is None:
-        return Own(None, files, units)
+        return Own(None, tuple(files), units)
     entities = [name for kind, name in found if kind == "entity"]
     if top.stem.lower() not in entities:
         kind = "entities" if len(entities) > 1 else "entity"
         has = f"{top} has the {kind} {', '.join(entities)}" if entities else f"{top} has no entity"
         raise ArgumentError(f"{has}, and the top is the entity of its file's name: {top.stem} was expected")
-    return Own(top.stem.lower(), files, units)
+    return Own(top.stem.lower(), tuple(files), units)
 
 
 def check_entities(interface: Interface, own: Own | None) -> None:
@@ -142,6 +142,7 @@ def convert_own(
     generated: Sequence[Path] = (),
     pads: str | None = None,
     generated_top: str = "",
+    instances: Sequence[OwnInstance] | None = None,
 ) -> Converted:
     """Convert a user's top with the gateware and what is generated from a spec.
 
@@ -151,47 +152,51 @@ def convert_own(
         generated: VHDL files of the library `work` that are not the user's.
         pads: whose registers are at the pins, as in `vhdl_sources`.
         generated_top: the entity that is the top where the user has none.
+        instances: instances of the user's entities in the generated files, which are checked with the user's top; None
+            if the Verilog is not used.
 
     Raises:
         ArgumentError: where a unit has the name of one that is generated or of the gateware, or a generic has no value.
-        ConversionError: where GHDL refuses the sources.
+        ConversionError: if GHDL refuses the sources, or its Verilog is another circuit, or that cannot be checked.
         ToolMissingError: if there is no GHDL that can be used.
     """
     gateware = vhdl_sources(pads)
     for kind, paths in (("made from the spec or comes with it", generated), ("one of the gateware", gateware)):
         for name in own.units.keys() & {path.stem for path in paths}:
             raise ArgumentError(f"{own.units[name]} has {name}, which is {kind}: leave it out, or give it another name")
-    ghdl = converting_ghdl()
     with temporary_folder() as scratch:
-        copies = [*_copies(own.files, scratch).values()]
-        anywhere = [STD, UNBOUND, f"--workdir={scratch}"]
-
-        def run(*arguments: str) -> str:
-            return _run(ghdl, scratch, own.files, *arguments, said=said)
-
-        said: list[str] = []
-        run("import", *anywhere, f"--work={LIBRARY}", *map(str, gateware))
-        run("import", *anywhere, *map(str, (*(path.resolve() for path in generated), *copies)))
+        design = GhdlDesign(scratch, gateware, generated, own.files)
         top = own.top or generated_top
-        of_top = copies[-1] if own.top else next(path.resolve() for path in generated if path.stem == top)
-        run("make", *anywhere, top)
-        described = _described(run("--file-to-xml", *anywhere, str(of_top)), top)
+        design.make(top)
+        of_top = [] if own.top else [next(path for path in generated if path.stem == top)]
+        entities = entities_of(design.description(*design.copies.values(), *of_top))
+        described = entities[top]
         given = {name: value for name, value in generics.items() if name in described.generics}
-        for name, has_default in described.generics.items():
+        for name, generic in described.generics.items():
             # GHDL would take the least value.
-            if not has_default and name not in given:
+            if not generic.has_default and name not in given:
                 raise ArgumentError(
                     f"{top} has a generic {name} without a default; {' and '.join(generics)} get values"
                 )
-        verilog = run("synth", *anywhere, "--out=verilog", *as_options(given), top)
-    of_own = [words for words in said if any(words.startswith(f"{file.path}:") for file in own.files)]
-    if extended := _EXTENDED.search(verilog):
-        raise ConversionError(
-            f"{top} has the extended identifier \\{extended[1]}\\, which does not go through GHDL into Verilog: "
-            "a name of letters, digits and '_' was expected"
-        )
-    module, ports = _ports(verilog, top, described)
-    return Converted(cleaned(verilog), module, given, ports, tuple(dict.fromkeys(of_own)))
+        verilog = design.verilog(top, given)
+        if extended := _EXTENDED.search(verilog):
+            raise ConversionError(
+                f"{top} has the extended identifier \\{extended[1]}\\, which does not go through GHDL into Verilog: "
+                "a name of letters, digits and '_' was expected"
+            )
+        module, ports = _ports(verilog, top, described)
+        compared: list[str] = []
+        if instances is not None:
+            faults = refusals(verilog, design, lambda: design.netlist(top, given))
+            if faults:
+                raise ConversionError(f"{faults[0]}{f' (and {len(faults) - 1} more)' if faults[1:] else ''}")
+            if not own.unchecked:
+                sources = Sources(gateware, generated, own.files, own.units)
+                of_user = Top(top, module, given) if own.top else None
+                users = {name: entity for name, entity in entities.items() if name in own.units}
+                compared = compare_own(sources, design, verilog, users, instances, of_user)
+    remarks = dict.fromkeys(str(message) for message in design.messages if message.is_own)
+    return Converted(cleaned(verilog), module, given, ports, tuple(remarks), tuple(compared))
 
 
 def _read(path: Path) -> OwnFile:
@@ -201,74 +206,7 @@ def _read(path: Path) -> OwnFile:
         raise ArgumentError(f"{path} cannot be read: {error.strerror or error}") from None
 
 
-def _copies(files: Sequence[OwnFile], folder: Path) -> dict[OwnFile, Path]:
-    """Write the files as GHDL gets them, under names that say nothing to it, and return their paths."""
-    copies = {file: folder / f"own-{place}.vhd" for place, file in enumerate(files)}
-    for file, copy in copies.items():
-        copy.write_bytes(file.data)
-    return copies
-
-
-def _named(words: str, files: Sequence[OwnFile]) -> str:
-    """Return what GHDL says of a copy with the name that the user gave it."""
-    return re.sub(r"^.*?\bown-(\d+)\.vhd(?=:)", lambda found: str(files[int(found[1])].path), words)
-
-
-def _run(ghdl: Ghdl, work: Path, files: Sequence[OwnFile], *arguments: str, said: list[str] | None = None) -> str:
-    """Run GHDL; return what it prints, and note its warnings.
-
-    Raises:
-        ConversionError: where it finds an error; the message is the first one, with the user's name of the file.
-    """
-    try:
-        done = ghdl.run(*arguments, cwd=work)
-        stdout, stderr, failed = done.stdout, done.stderr, False
-    except subprocess.CalledProcessError as error:
-        stdout, stderr, failed = error.stdout, error.stderr, True
-    found = [match for line in stderr.splitlines() if (match := _SAID.match(line))]
-    errors = [_named(f"{match['place']}: {match['words']}", files) for match in found if match["kind"] == "error"]
-    if errors or failed:
-        lines = [line.rpartition("error: ")[2] for line in stderr.splitlines() if line.strip(" *")]
-        first = errors[0] if errors else f"GHDL failed: {(lines or ['no reason given'])[0]}"
-        more = f" (and {len(errors) - 1} more)" if errors[1:] else ""
-        raise ConversionError(f"{first}{more}")
-    if said is not None:
-        said += [_named(f"{match['place']}: {match['words']}", files) for match in found]
-    return stdout
-
-
-class _Described(NamedTuple):
-    """An entity as GHDL understands it."""
-
-    generics: dict[str, bool]
-    """True for those with a default."""
-    ports: dict[str, ET.Element | None]
-    """For each port the range of a vector; None for what is no vector."""
-
-
-def _described(text: str, entity: str) -> _Described:
-    tree = ET.fromstring(text)  # noqa: S314  (of GHDL's own writing)
-    by_id = {element.get("id"): element for element in tree.iter() if element.get("id")}
-    (unit,) = (
-        unit
-        for unit in tree.iter("library_unit")
-        if unit.get("kind") == "entity_declaration" and unit.get("identifier") == entity
-    )
-
-    def range_of(port: ET.Element) -> ET.Element | None:
-        reference = port.find("type")
-        kind = by_id.get(reference.get("ref")) if reference is not None else None
-        return kind.find("index_constraint_list/el/range_constraint") if kind is not None else None
-
-    generics = {
-        str(one.get("identifier")): one.find("default_value") is not None for one in unit.iterfind("generic_chain/el")
-    }
-    return _Described(
-        generics, {str(port.get("identifier")): range_of(port) for port in unit.iterfind("port_chain/el")}
-    )
-
-
-def _ports(verilog: str, entity: str, described: _Described) -> tuple[str, tuple[Port, ...]]:
+def _ports(verilog: str, entity: str, described: Entity) -> tuple[str, tuple[Port, ...]]:
     """Return name and ports of the module that an entity has become."""
     module = re.search(rf"^module ({re.escape(entity)})\b(.*?);$", verilog, re.MULTILINE | re.DOTALL | re.IGNORECASE)
     assert module is not None  # GHDL was asked for it.
@@ -276,19 +214,8 @@ def _ports(verilog: str, entity: str, described: _Described) -> tuple[str, tuple
     for way, left, spelled in _PORT.findall(module[2]):
         plain = spelled.strip().removeprefix("\\")
         width = int(left) + 1 if left else 0
-        bounds = described.ports.get(plain.lower())
-        ports.append(Port(plain.lower(), plain, way, width, _indexes(bounds, max(width, 1))))
+        # A port of a record is several in Verilog.
+        declared = described.ports.get(plain.lower())
+        indexes = None if declared is None else declared.indexes(max(width, 1))
+        ports.append(Port(plain.lower(), plain, way, width, indexes))
     return module[1], tuple(ports)
-
-
-def _indexes(bounds: ET.Element | None, count: int) -> tuple[int, ...] | None:
-    """Return the indexes of a vector from its rightmost element on."""
-    if bounds is None:
-        return None
-    step = -1 if bounds.get("direction") == "to" else 1
-    for end in ("right", "left"):
-        limit = bounds.find(f"{end}_limit_expr")
-        if limit is not None and limit.get("kind") == "integer_literal":
-            right = int(str(limit.get("value"))) - (step * (count - 1) if end == "left" else 0)
-            return tuple(right + step * place for place in range(count))
-    return None

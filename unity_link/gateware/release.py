@@ -42,28 +42,33 @@ class ModulePort(NamedTuple):
     """Value that Verilog ties an unconnected input to; empty for inputs that must be connected."""
 
 
-def release(
-    name: str,
-    about: Sequence[str],
-    top: str,
-    generics: Mapping[str, object] | None = None,
-    extra_sources: Sequence[Path] = (),
-) -> str:
-    """Return the file of an entity as the module `name`.
+def release(name: str, about: Sequence[str], top: str, generics: Mapping[str, object] | None = None) -> str:
+    """Return the file of an entity of the gateware as the module `name`.
 
     Args:
         name: of the module that a design instantiates; all others begin with it.
         about: lines that say of what configuration it is.
-        top: the entity, in the gateware or in `extra_sources`.
+        top: the entity.
         generics: as those of `to_verilog`.
-        extra_sources: as those of `to_verilog`.
 
     Raises:
         ConversionError: if GHDL refuses the sources.
         ToolMissingError: if there is no GHDL that can be used.
     """
-    sources = [*extra_sources, *vhdl_sources()]
-    text = _without_words(with_names(to_verilog(top, generics, extra_sources).read_text(), sources))
+    return released(name, about, top, to_verilog(top, generics).read_text(), vhdl_sources())
+
+
+def released(name: str, about: Sequence[str], top: str, verilog: str, sources: Sequence[Path]) -> str:
+    """Return the file of a converted entity as the module `name`.
+
+    Args:
+        name: as of `release`.
+        about: as of `release`.
+        top: the entity.
+        verilog: GHDL's Verilog.
+        sources: all VHDL, that of the entity among it.
+    """
+    text = _without_words(with_names(verilog, sources))
     found = ports(text, top, top, sources)
     lines = [
         *([] if LICENCE in about else [LICENCE, ""]),

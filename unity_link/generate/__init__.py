@@ -48,7 +48,7 @@ _COPIED = ("c", "cpp", "verilog", "vhdl")
 
 
 _TAKEN_BY = dict.fromkeys(("maintainer", "email", "licence"), "ros1 and ros2") | dict.fromkeys(
-    ("clock_hz", "baud"), "verilog"
+    ("clock_hz", "baud", "unchecked"), "verilog"
 )
 """The targets that take an option: in their modules, the fields of ``Options``."""
 
@@ -127,7 +127,8 @@ def generate(target: str, spec: Spec, interface: str | None = None, **options: s
         target: one of `TARGETS`.
         spec: a compiled spec.
         interface: which public interface, where there are several.
-        options: ``maintainer``, ``email`` and ``licence`` of a package of ROS, ``clock_hz`` and ``baud`` of Verilog.
+        options: ``maintainer``, ``email`` and ``licence`` of a package of ROS, ``clock_hz``, ``baud`` and
+            ``unchecked`` of Verilog.
 
     Raises:
         ArgumentError: for a target or an interface that there is not, or an option that belongs to another target.

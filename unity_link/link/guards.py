@@ -23,7 +23,7 @@ class Guard(Protocol):
 
 
 def guard(link: Link, addresses: Iterable[int], by: Guard) -> None:
-    """Have writes to addresses of a link refused once a lease is over."""
+    """Refuse writes to addresses of a link once a lease is over."""
     link._guards.update(dict.fromkeys(addresses, by))  # noqa: SLF001  (the same package)
 
 

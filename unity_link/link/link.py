@@ -716,7 +716,7 @@ class Link(OfLink, Connection):
         return words
 
     def _bind(self, source: Request | WordBatch, addresses: Iterable[int] | NDArray[Any]) -> None:
-        """Have a write to what a lease of the program guards end with the session under way.
+        """End a write to a guarded address with the session under way.
 
         Raises:
             NotArmedError: if the lease is over for the program.

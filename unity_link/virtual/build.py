@@ -51,7 +51,7 @@ CHANCES = ("loss", "flip", "double")
 """Probabilities of `Noise` that a user can choose."""
 CONFIGURATION = tuple(name for name in GatewayInfo.__struct_fields__ if name != "protocol_version")
 """Fields of `GatewayInfo` that a user can choose."""
-ROBOT_OPTIONS = frozenset({"model", "interface", "fault", "trigger"})
+ROBOT_OPTIONS = frozenset({"model", "interface", "fault", "trigger", "unchecked"})
 """Options of a URL that say something of the robot."""
 
 
@@ -68,6 +68,8 @@ class Wanted(msgspec.Struct, frozen=True, kw_only=True):
     """Fields of `GatewayInfo` that are not as in the gateware's default build, or as the spec has them."""
     rtl: bool = False
     """Take the compiled gateware instead of the model of it."""
+    unchecked: bool = False
+    """True if the VHDL of a spec's own cores is not compared with its Verilog, for compiled gateware."""
     node: int | None = None
     """Its number on a shared medium."""
     faults: tuple[str, ...] = ()
@@ -88,6 +90,7 @@ class Wanted(msgspec.Struct, frozen=True, kw_only=True):
             interface=url.options.get("interface"),
             configuration={name: url.integer(name, 0) for name in CONFIGURATION if name in url.options},
             rtl=rtl,
+            unchecked=url.flag("unchecked"),
             node=url.node,
             faults=tuple(filter(None, url.options.get("fault", "").split(","))),
             triggers=dict(parse_trigger(text) for text in filter(None, url.options.get("trigger", "").split(","))),
@@ -248,6 +251,7 @@ def simulate(
     *,
     interface: str | None = None,
     rtl: bool = False,
+    unchecked: bool = False,
     clock_hz: int | None = None,
 ) -> SimulatedGateway: ...
 @overload
@@ -257,6 +261,7 @@ def simulate(
     *,
     interface: str | None = None,
     rtl: bool = False,
+    unchecked: bool = False,
     clock_hz: int | None = None,
 ) -> SimulatedGateway[M]: ...
 def simulate(
@@ -265,6 +270,7 @@ def simulate(
     *,
     interface: str | None = None,
     rtl: bool = False,
+    unchecked: bool = False,
     clock_hz: int | None = None,
 ) -> SimulatedGateway:
     """Return a virtual gateway with the robot of a spec behind it, which `unity_link.connect` opens.
@@ -274,6 +280,7 @@ def simulate(
         model: a subclass of `SimulatedRobot`; None: the registers are memory.
         interface: which public interface, where there are several.
         rtl: take the compiled gateware instead of a model of it.
+        unchecked: build it even if VHDL of the spec's own cores cannot be compared with what GHDL makes of it.
         clock_hz: frequency of its clock; None: that of a board, and of compiled gateware one that a PC keeps pace with.
 
     Raises:
@@ -282,7 +289,7 @@ def simulate(
         SpecError: with everything that is wrong with the spec.
     """
     configuration = {} if clock_hz is None else {"clock_hz": clock_hz}
-    wanted = Wanted(robot=str(spec), interface=interface, rtl=rtl, configuration=configuration)
+    wanted = Wanted(robot=str(spec), interface=interface, rtl=rtl, unchecked=unchecked, configuration=configuration)
     return simulated(find_interface(wanted.robot, interface), model, wanted)
 
 
@@ -337,7 +344,7 @@ def _compiled_of(interface: Interface, wanted: Wanted) -> BareGateway:
 def _build_of_spec(interface: Interface, wanted: Wanted) -> Configuration:
     from unity_link.virtual.rtl.specs import configuration_of
 
-    return configuration_of(interface, wanted.configuration, wanted.node)
+    return configuration_of(interface, wanted.configuration, wanted.node, unchecked=wanted.unchecked)
 
 
 def _compiled_default() -> GatewayInfo:

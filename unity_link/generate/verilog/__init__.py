@@ -6,12 +6,16 @@ knows no records (`flat.vhd.jinja`).
 
 from __future__ import annotations
 
+import logging
 from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.errors import ArgumentError
+from unity_link.gateware.cache import vhdl_sources
+from unity_link.gateware.convert import to_verilog
 from unity_link.gateware.external import temporary_folder
 from unity_link.gateware.limits import check_generics
-from unity_link.gateware.release import release
+from unity_link.gateware.own_vhdl import convert_own, read_own
+from unity_link.gateware.release import released
 from unity_link.generate import GeneratedFile, write
 from unity_link.generate.verilog.flat import MEDIA, OtherPort, flat_ports, pads, triggers
 from unity_link.generate.vhdl import FILTERS as VHDL_FILTERS
@@ -27,6 +31,7 @@ if TYPE_CHECKING:
     from unity_link.generate import Templates
     from unity_link.spec import Interface
 
+log = logging.getLogger("unity_link.generate")
 DOC = "Verilog: gateway and register bank as a netlist, one file for each medium; needs GHDL"
 _MEDIA = {
     "uart": "a UART of {baud} baud",
@@ -47,6 +52,8 @@ class Options(NamedTuple):
     """Frequency of `clk`."""
     baud: int = 1_000_000
     """Baud of the UART."""
+    unchecked: bool = False
+    """True if the VHDL of the spec's own cores is not compared with its Verilog."""
 
 
 def files(interface: Interface, templates: Templates, options: Options) -> Iterator[GeneratedFile]:
@@ -54,19 +61,22 @@ def files(interface: Interface, templates: Templates, options: Options) -> Itera
 
     Raises:
         ArgumentError: where the gateware refuses the clock or the baud rate.
-        ConversionError: if GHDL refuses the sources.
-        ToolMissingError: if there is no GHDL of version 4 or later.
+        ConversionError: if GHDL refuses the sources, or converts a core of the user's wrongly.
+        ToolMissingError: if there is no GHDL of version 4 or later, or no Yosys for cores of the user's.
         UnsupportedError: where addresses belong to two modules alike.
     """
     name = identifier(interface.name)
-    if min(options) <= 0:
+    clock = {"clock_hz": options.clock_hz, "baud": options.baud}
+    if min(clock.values()) <= 0:
         raise ArgumentError(f"clock_hz is {options.clock_hz} and baud {options.baud}: more than 0 was expected of both")
-    check_generics({**gateway_generics(interface), **options._asdict()})
+    check_generics({**gateway_generics(interface), **clock})
     groups = int(gateway_generics(interface)["groups"])
     sources = flat_design(interface, templates, _GENERICS, [*MEDIA, triggers(groups)])
     origin = list(map(hdl_comment, templates.origin))
     with temporary_folder() as scratch:
-        paths = [*write(sources, scratch), *templates.vhdl]
+        paths = write(sources, scratch)
+        own = read_own(None, templates.vhdl)._replace(unchecked=options.unchecked) if templates.vhdl else None
+        remarks: dict[str, None] = {}
         for medium, described in _MEDIA.items():
             link = described.format(baud=options.baud)
             about = [
@@ -74,9 +84,19 @@ def files(interface: Interface, templates: Templates, options: Options) -> Itera
                 "",
                 f"The gateway of {interface.name} on {link}, at {options.clock_hz / 1e6:g} MHz.",
             ]
-            generics = {"physical": medium, **options._asdict()}
-            text = release(f"{name}_on_{medium}", about, f"{name}_flat", generics, paths)
+            top = f"{name}_flat"
+            generics: dict[str, int | str] = {"physical": medium, **clock}
+            if own is None:
+                verilog = to_verilog(top, generics, paths).read_text()
+            else:
+                instances = Bank(interface).wiring.own_instances(options.clock_hz)
+                converted = convert_own(own, generics, paths, None, top, instances)
+                verilog = converted.verilog
+                remarks |= dict.fromkeys(converted.remarks)
+            text = released(f"{name}_on_{medium}", about, top, verilog, [*paths, *templates.vhdl, *vhdl_sources()])
             yield GeneratedFile(f"{name}_on_{medium}.v", text)
+    for remark in remarks:
+        log.warning("%s", remark)
 
 
 def flat_design(

@@ -10,6 +10,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.errors import UnsupportedError
+from unity_link.gateware.cache import LIBRARY
+from unity_link.gateware.own_circuits import OwnInstance
 from unity_link.generate.vhdl.names import RESERVED
 from unity_link.quoting import vhdl_literal
 from unity_link.spec import KindName, Way
@@ -158,6 +160,16 @@ class Wiring:
         # Leases look at them.
         for placements in sorted(gathered(interface.cores), key=lambda parts: EMPTY in _wants(parts)):
             self.instances.append(self._instance(placements))
+
+    def own_instances(self, clock_hz: int) -> tuple[OwnInstance, ...]:
+        """Return the instances of entities that are not the gateware's, in a design with a clock of so many Hz."""
+        return tuple(
+            OwnInstance(
+                f"{one.label}_inst", one.entity, tuple((dict(one.generics) | {"clock_hz": str(clock_hz)}).items())
+            )
+            for one in self.instances
+            if one.library != LIBRARY
+        )
 
     @property
     def wants(self) -> set[str]:

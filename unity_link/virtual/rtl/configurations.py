@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from unity_link.errors import ArgumentError
+from unity_link.gateware.own_circuits import OwnInstance  # noqa: TC001  (msgspec reads the annotations)
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.virtual.rtl import archive
 
@@ -29,6 +30,12 @@ class Design(msgspec.Struct, frozen=True):
     """Names and texts of its VHDL; the last file has its top, which is called as the file is."""
     masters: tuple[tuple[str, int], ...]
     """Its Wishbone masters: what the names of their ports begin with, and where their addresses begin."""
+    own: tuple[tuple[str, str], ...] = ()
+    """A user's files of VHDL: their names for the user, and their texts."""
+    instances: tuple[OwnInstance, ...] = ()
+    """Instances of entities of these files."""
+    unchecked: bool = False
+    """True if the Verilog of these entities is not compared with GHDL's simulation."""
 
     @property
     def top(self) -> str:

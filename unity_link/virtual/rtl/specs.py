@@ -99,13 +99,16 @@ def _clocked(
         least_hz += least_hz // 4
 
 
-def configuration_of(interface: Interface, fields: Mapping[str, int], node: int | None) -> Configuration:
+def configuration_of(
+    interface: Interface, fields: Mapping[str, int], node: int | None, *, unchecked: bool = False
+) -> Configuration:
     """Return the configuration of an interface, which is to be made: the gateway with the register bank.
 
     Args:
         interface: of a spec.
         fields: of `GatewayInfo` that are to be otherwise.
         node: its number on a medium that several share, None for a medium of its own.
+        unchecked: whether the user's VHDL is not compared with its Verilog.
 
     Raises:
         ArgumentError: for a configuration that the gateware does not have.
@@ -126,13 +129,13 @@ def configuration_of(interface: Interface, fields: Mapping[str, int], node: int 
     generics["description"] = bool(generics["description"] and interface.is_described)
     check_generics(generics)
     interface.check_clock(generics["clock_hz"])
-    design = _design_of(interface, generics)
+    design = _design_of(interface, generics, unchecked=unchecked)
     return Configuration(
         interface.name, info_of(generics), "", node, json.dumps(generics, sort_keys=True), design=design
     )
 
 
-def _design_of(interface: Interface, generics: Mapping[str, int]) -> Design:
+def _design_of(interface: Interface, generics: Mapping[str, int], *, unchecked: bool) -> Design:
     """Return the gateway of an interface with its register bank, on a FIFO, with these generics as defaults.
 
     Raises:
@@ -144,9 +147,11 @@ def _design_of(interface: Interface, generics: Mapping[str, int]) -> Design:
     files = flat_design(
         interface, Templates("verilog", None, {}), given, [*FIFO, triggers(generics["groups"])], has_pads=True
     )
-    masters = tuple((port.name, port.first) for port in Bank(interface).ports)
-    own = ((f"core_{number}.vhd", read_vhdl(Path(path))) for number, path in enumerate(interface.vhdl))
-    return Design((*own, *((file.name, file.text) for file in files)), masters)
+    bank = Bank(interface)
+    masters = tuple((port.name, port.first) for port in bank.ports)
+    own = tuple((path, read_vhdl(Path(path))) for path in interface.vhdl)
+    sources = tuple((file.name, file.text) for file in files)
+    return Design(sources, masters, own, bank.wiring.own_instances(generics["clock_hz"]), unchecked)
 
 
 def ports_of(interface: Interface) -> dict[str, dict[str, str]]:
@@ -262,7 +267,11 @@ def _making(configuration: Configuration, path: Path) -> Iterator[subprocess.Pop
 
 
 def _check(configuration: Configuration, process: subprocess.Popen[bytes], said: bytes) -> None:
-    if process.returncode:
-        lines = said.decode(errors="replace").strip().splitlines() or ["no reason given"]
-        reason = lines[-1] if "Traceback" in lines[0] else "\n".join(lines)
-        raise ConnectError(f"the gateware of {configuration.name} cannot be built: {reason}")
+    """Log what the tools say of the user's files; raise `ConnectError` if they have failed."""
+    lines = said.decode(errors="replace").strip().splitlines()
+    if not process.returncode:
+        for line in lines:
+            log.warning("%s", line)
+        return
+    reason = "\n".join(lines[-1:] if lines and "Traceback" in lines[0] else lines) or "no reason given"
+    raise ConnectError(f"the gateware of {configuration.name} cannot be built: {reason}")

@@ -1,0 +1,77 @@
+"""An entity as GHDL understands it, from the syntax tree that GHDL writes in XML."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+from xml.etree import ElementTree as ET
+
+
+class Generic(NamedTuple):
+    """A generic of an entity."""
+
+    has_default: bool
+    base: str
+    """Base type, such as integer."""
+
+
+class PortType(NamedTuple):
+    """A port of an entity."""
+
+    base: str
+    """Base type, such as std_ulogic_vector or unresolved_unsigned; empty for one without a name."""
+    bounds: ET.Element | None
+    """The range of a vector; None for a port that is no vector."""
+
+    def indexes(self, count: int) -> tuple[int, ...] | None:
+        """Return the indexes of a vector of so many elements from the rightmost one on; None if they are not known."""
+        if self.bounds is None:
+            return None
+        step = -1 if self.bounds.get("direction") == "to" else 1
+        for end in ("right", "left"):
+            limit = self.bounds.find(f"{end}_limit_expr")
+            if limit is not None and limit.get("kind") == "integer_literal":
+                right = int(str(limit.get("value"))) - (step * (count - 1) if end == "left" else 0)
+                return tuple(right + step * place for place in range(count))
+        return None
+
+
+class Entity(NamedTuple):
+    """Generics and ports of an entity, by their names in small letters."""
+
+    generics: dict[str, Generic]
+    ports: dict[str, PortType]
+
+
+def entities_of(text: str) -> dict[str, Entity]:
+    """Return the entities of a syntax tree in XML, by their names in small letters."""
+    tree = ET.fromstring(text)  # noqa: S314  (of GHDL's own writing)
+    by_id = {element.get("id"): element for element in tree.iter() if element.get("id")}
+
+    def referred(element: ET.Element, tag: str) -> ET.Element | None:
+        reference = element.find(tag)
+        return None if reference is None else by_id.get(reference.get("ref"))
+
+    def base_of(declared: ET.Element) -> str:
+        kind, base = referred(declared, "type"), ""
+        while kind is not None:
+            declarator = referred(kind, "type_declarator")
+            base = base if declarator is None else str(declarator.get("identifier"))
+            kind = referred(kind, "parent_type")
+        return base
+
+    def port_of(port: ET.Element) -> PortType:
+        kind = referred(port, "type")
+        bounds = None if kind is None else kind.find("index_constraint_list/el/range_constraint")
+        return PortType(base_of(port), bounds)
+
+    return {
+        str(unit.get("identifier")): Entity(
+            {
+                str(one.get("identifier")): Generic(one.find("default_value") is not None, base_of(one))
+                for one in unit.iterfind("generic_chain/el")
+            },
+            {str(one.get("identifier")): port_of(one) for one in unit.iterfind("port_chain/el")},
+        )
+        for unit in tree.iter("library_unit")
+        if unit.get("kind") == "entity_declaration"
+    }
