@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import unity_link
-from support.sharing import PipedLink, until
+from support.sharing import SEED, PipedLink, call, settle, until
 from support.simulated_time import on_simulated_time
 from support.valve import Valve
 from unity_link import BusError, ConnectError, LinkLostError, NotArmedError, UnityLinkError
@@ -189,6 +189,24 @@ async def test_no_way_to_write_gets_past_another_clients_lease(write: Callable[[
             with pytest.raises(BusError, match="the bus refused the access"):
                 await fenced(link, write(link))
             assert [written for written in watched.written if written[0] != 0x20] == []
+
+
+@on_simulated_time
+async def test_damaged_first_write_of_a_burst_keeps_the_client_of_a_leased_robot() -> None:
+    failures: list[Any] = []
+    asyncio.get_running_loop().set_exception_handler(lambda _, context: failures.append(context))
+    async with leased() as (shared, _):
+        client, codec = call(shared), shared._session.codec
+        client.transport.write(b"K0000001\r")
+        await settle(shared)
+        client.take()
+        writes = b"".join(codec.request("W", number, b"011%04X" % number, SEED) for number in range(16))
+        client.transport.write(writes.replace(b"0110000", b"0110008", 1))
+        await settle(shared)
+        assert failures == []
+        client.transport.write(writes)
+        await settle(shared)
+        assert client.take().count(b"w") == 16
 
 
 @on_simulated_time

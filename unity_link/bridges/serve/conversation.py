@@ -255,7 +255,7 @@ class Conversation:
         leases = self._shared.leases
         if letter == b"w" and leases is not None:
             closed, digits = leases.closed_to(self._client, codec), codec.info.address_digits
-            good = good & np.array([row.tobytes() not in closed for row in fields[:, :digits]])
+            good = good & np.array([row.tobytes() not in closed for row in fields[:, :digits]], np.bool_)
         count = len(fields) if good.all() else int(good.argmin())
         if not count:
             return start
