@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import selectors
 import socket
 from typing import TYPE_CHECKING
 
@@ -11,12 +10,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from unity_link.transport.polling import READABLE, SPIN, WRITABLE, Poller
+from unity_link.transport.polling import READABLE, SPIN, WRITABLE, Poller, PortableSelector, default_selector
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Callable
 
-    from _typeshed import FileDescriptorLike
+    from unity_link.transport.polling import Selector
 
 DESCRIPTOR = 3
 READY = [(DESCRIPTOR, READABLE)]
@@ -29,7 +28,7 @@ FEWEST_SLOW = 8
 """Slow answers in a row that end the spinning."""
 
 
-class ModelledSelector(selectors.BaseSelector):
+class ModelledSelector:
     """A selector on a clock of its own, with one descriptor that is ready at a time."""
 
     def __init__(self) -> None:
@@ -37,18 +36,17 @@ class ModelledSelector(selectors.BaseSelector):
         self.ready_at = math.inf
         self.looks = 0
         self.sleeps = 0
-        self.key = selectors.SelectorKey(DESCRIPTOR, DESCRIPTOR, READABLE, None)
 
-    def register(self, fileobj: FileDescriptorLike, events: int, data: object = None) -> selectors.SelectorKey:
+    def register(self, descriptor: int, events: int) -> None:
         raise NotImplementedError
 
-    def unregister(self, fileobj: FileDescriptorLike) -> selectors.SelectorKey:
+    def unregister(self, descriptor: int) -> None:
         raise NotImplementedError
 
-    def get_map(self) -> Mapping[FileDescriptorLike, selectors.SelectorKey]:
-        return {DESCRIPTOR: self.key}
+    def close(self) -> None:
+        """Do nothing."""
 
-    def select(self, timeout: float | None = None) -> list[tuple[selectors.SelectorKey, int]]:
+    def select(self, timeout: float | None) -> list[tuple[int, int]]:
         if timeout == 0:
             self.looks += 1
             self.now += LOOK
@@ -56,7 +54,7 @@ class ModelledSelector(selectors.BaseSelector):
             self.sleeps += 1
             end = math.inf if timeout is None else self.now + timeout
             self.now = max(self.now, min(end, self.ready_at))
-        return [(self.key, READABLE)] if self.ready_at <= self.now else []
+        return READY if self.ready_at <= self.now else []
 
 
 def modelled(processors: int = 2) -> tuple[Poller, ModelledSelector]:
@@ -122,18 +120,26 @@ def test_a_wait_that_found_nothing_is_not_a_short_one() -> None:
     assert model.looks == 0
 
 
-def test_what_is_registered_again_is_waited_for_as_was_said_last() -> None:
+SELECTORS = list(dict.fromkeys([default_selector, PortableSelector]))
+
+
+@pytest.mark.parametrize("selector", SELECTORS)
+def test_what_is_registered_again_is_waited_for_as_was_said_last(selector: Callable[[], Selector]) -> None:
     ours, theirs = socket.socketpair()
     with ours, theirs:
-        poller = Poller()
+        poller = Poller(selector())
         poller.register(ours.fileno(), READABLE | WRITABLE)
         assert poller.wait(0.0, may_spin=False) == [(ours.fileno(), WRITABLE)]
         poller.register(ours.fileno(), READABLE)
         assert poller.wait(0.0, may_spin=False) == []
         theirs.send(b"!")
         assert poller.wait(1.0, may_spin=False) == [(ours.fileno(), READABLE)]
+        theirs.close()
+        assert poller.wait(1.0, may_spin=False)[0][1] & READABLE
+        assert poller.wait(1e12, may_spin=False)
         poller.unregister(ours.fileno())
         assert poller.wait(0.0, may_spin=False) == []
+        poller.close()
 
 
 @given(

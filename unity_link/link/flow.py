@@ -214,7 +214,8 @@ class Flow:
             self._receive(data, now)
         else:
             request.settle()
-            if self.session.window.allowance.loses:
+            # With nothing in flight the deadline is never earlier than a timer that exists, which sets itself again.
+            if self._timer is None and self.session.window.allowance.loses:
                 self._set_timer()
         if self._ended:
             # When all else is done: who goes on may ask for more at once, or close the link.
