@@ -32,10 +32,11 @@ from unity_link.errors import LinkClosedError, LinkLostError, Outcome, Sealed, U
 from unity_link.link.calling_thread import CallingThread
 from unity_link.link.connecting import connect as connect_asynchronously
 from unity_link.link.connection import CONNECT_TIMEOUT
+from unity_link.link.interrupts import DEFERRED
 from unity_link.link.subscription import check_count
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Coroutine
+    from collections.abc import Awaitable, Callable, Coroutine
     from types import TracebackType
 
     from numpy.typing import ArrayLike
@@ -73,19 +74,20 @@ def _end(runtime: CallingThread, link: asynchronous.Link) -> None:
         return
     # At the end of a program the main thread is over, and some drivers can't close any more.
     patience = None if threading.main_thread().is_alive() else LAST_PATIENCE
-    with suppress(TimeoutError):
+    try:
         runtime.run(_close, runtime, link, patience)
-    runtime.close(patience)
+    finally:
+        runtime.close(patience)
 
 
 def _end_unclosed(runtime: CallingThread, link: asynchronous.Link) -> None:
     """End a link that the garbage collector finds, or the end of the program, and warn of it."""
-    if runtime.is_disowned:
+    if runtime.is_disowned or runtime.is_closed:
         return
     try:
         warnings.warn(f"{link!r} was not closed: use `with`, or `close`", ResourceWarning, stacklevel=1, source=link)
     finally:
-        _end(runtime, link)
+        DEFERRED.finalize(functools.partial(_end, runtime, link))
 
 
 async def _close_later(runtime: CallingThread, link: asynchronous.Link) -> None:
@@ -97,8 +99,19 @@ async def _close(runtime: CallingThread, link: asynchronous.Link, patience: floa
     if patience is None:
         await link.aclose()
         return
-    async with runtime.timeout(patience):
-        await link.aclose()
+    with suppress(TimeoutError):
+        async with runtime.timeout(patience):
+            await link.aclose()
+
+
+def noting(entered: list[bool], enter: Callable[[], Awaitable[object]]) -> Callable[[], Coroutine[Any, Any, None]]:
+    """Return a coroutine function that enters a block, and notes that in a list; a signal handler may raise then."""
+
+    async def note() -> None:
+        await enter()
+        entered.append(True)
+
+    return note
 
 
 class BlockingLink(Sealed):
@@ -123,16 +136,28 @@ class BlockingLink(Sealed):
         return "a blocking link"
 
     def __init__(self, target: str | Medium, *, timeout: float, reconnect: bool | Reconnect) -> None:
-        self._runtime = CallingThread()
         connecting = connect_asynchronously(target, timeout=timeout, reconnect=reconnect)
+        runtimes: list[CallingThread] = []
+        opened: list[asynchronous.Link] = []
+
+        async def open_link() -> None:
+            opened.append(await connecting.open(runtimes[0]))
+
         try:
-            self._link = self._runtime.run(connecting.open, self._runtime)
+            DEFERRED.held(lambda: runtimes.append(CallingThread()))
+            self._runtime = runtime = runtimes[0]
+            runtime.run(open_link)
+            self._link = opened[0]
+            self._end = weakref.finalize(self, _end_unclosed, runtime, self._link)
         except BaseException:
-            self._runtime.close(None)
+            # A signal handler may raise when the link is open.
+            for link in opened:
+                _end(runtimes[0], link)
+            for runtime in runtimes:
+                runtime.close(None)
             raise
-        self._end = weakref.finalize(self, _end_unclosed, self._runtime, self._link)
         # Bound once, as they are called most: a closed link refuses them by itself.
-        run: Callable[..., Any] = self._runtime.run
+        run: Callable[..., Any] = runtime.run
         self._read: Callable[[int], int] = functools.partial(run, self._link.read)
         self._write: Callable[[int, int], None] = functools.partial(run, self._link.write)
         self._post: Callable[[int, int], None] = functools.partial(run, self._link.post)
@@ -142,8 +167,11 @@ class BlockingLink(Sealed):
 
         Posted writes that are not executed yet are given up, and their errors are not raised: call `fence` before.
         """
-        if self._end.detach() is not None:
-            _end(self._runtime, self._link)
+        if self._end.alive:
+            try:
+                _end(self._runtime, self._link)
+            finally:
+                self._end.detach()
 
     def _call(self, function: Callable[..., Coroutine[Any, Any, T]], *arguments: Any) -> T:
         """Run a coroutine of the link, and return its result."""
@@ -291,23 +319,27 @@ class BlockingSubscription(Sealed):
         if count is not None:
             count = check_count(count)
         waiting = self._samples
-        taken = [waiting.popleft() for _ in range(len(waiting) if count is None else min(count, len(waiting)))]
-        if len(taken) == count or (count is None and taken):
-            return taken
-        try:
-            following: list[Sample] = self._run(self._subscription.take, count and count - len(taken))
-        except (StopAsyncIteration, UnityLinkError):
-            if not taken:
-                raise
-            return taken
-        except BaseException:
-            waiting.extendleft(reversed(taken))
-            raise
-        return taken + following
+        if len(waiting) < (count or 1):
+            try:
+                self._run(self._fill, count and count - len(waiting))
+            except (StopAsyncIteration, UnityLinkError):
+                if not waiting:
+                    raise
+        return [waiting.popleft() for _ in range(len(waiting) if count is None else min(count, len(waiting)))]
+
+    async def _fill(self, count: int | None) -> None:
+        """Take samples, in the call: a signal handler that raises at its end loses none."""
+        self._samples.extend(await self._subscription.take(count))
 
     def __enter__(self) -> Self:
-        self._call(self._subscription.__aenter__)
-        return self
+        entered: list[bool] = []
+        try:
+            self._call(noting(entered, self._subscription.__aenter__))
+            return self  # noqa: TRY300  (a signal handler may raise up to here)
+        except BaseException as error:
+            if entered:
+                self.__exit__(type(error), error, error.__traceback__)
+            raise
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
@@ -323,7 +355,7 @@ class BlockingSubscription(Sealed):
         if not self._samples:
             # All that wait at once: a call for each would be slow.
             try:
-                self._samples.extend(self._run(self._subscription.take))
+                self._run(self._fill, None)
             except StopAsyncIteration:
                 raise StopIteration from None
         return self._samples.popleft()

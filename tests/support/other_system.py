@@ -15,7 +15,7 @@ import socket
 import sys
 import threading
 
-OTHERS = ("anyio._backends._asyncio", "numpy", "serial", "serial_asyncio_fast", "typer")
+OTHERS = ("anyio._backends._asyncio", "numpy", "serial", "serial_asyncio_fast", "trio", "typer")
 """Modules that look at the system when they are imported, and are none of ours."""
 MODULES = {
     "win32": ("fcntl", "termios", "pty", "tty", "resource", "grp", "pwd", "syslog"),

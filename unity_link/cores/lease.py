@@ -10,7 +10,6 @@ from __future__ import annotations
 import contextlib
 import functools
 import secrets
-from asyncio import CancelledError
 from collections import deque
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol, Self, TypeVar
 
@@ -460,15 +459,20 @@ class Lease(Sealed):
         except UnityLinkError as lost:
             lost.add_note(self._note())
             raise
+        except BaseException as error:
+            # The write may not have been sent when this was cancelled.
+            await self._let_go(error, arming=True)
+            raise
 
     async def _let_go(self, error: BaseException, *, arming: bool = False) -> None:
         """Disarm after an error, which is not hidden by one of its own; waits no longer than the lease lasts.
 
         Args:
             error: of the block.
-            arming: whether it came before it was known that the lease is armed.
+            arming: whether it is not known that the lease is armed.
         """
-        waits = isinstance(error, (Exception, CancelledError, KeyboardInterrupt))
+        # A coroutine that is closed cannot wait.
+        waits = not isinstance(error, GeneratorExit)
         if self._session is None:
             return
         try:
@@ -479,7 +483,7 @@ class Lease(Sealed):
                 if not waits or not await self._goes_on(arming=arming):
                     return
             if waits:
-                async with running().timeout(self.timeout):
+                async with running().last_timeout(self.timeout):
                     await self._write_disarm()
             else:
                 await post_in_session(self._link, self._registers.disarm.signal.address, 1)
@@ -493,7 +497,7 @@ class Lease(Sealed):
 
     async def _goes_on(self, *, arming: bool) -> bool:
         """Return whether a lease is to be disarmed that may not be armed; waits no longer than the lease lasts."""
-        async with running().timeout(self.timeout):
+        async with running().last_timeout(self.timeout):
             if not arming:
                 return await self._is_finishing()
             # Its word may have arrived although nobody has waited for the answer.

@@ -22,7 +22,7 @@ import functools
 from types import AsyncGeneratorType
 from typing import TYPE_CHECKING, Any, Self, SupportsIndex
 
-from unity_link.blocking import BlockingLink
+from unity_link.blocking import BlockingLink, noting
 from unity_link.cores.lease import Lease
 from unity_link.cores.timeline import Done, Timeline
 from unity_link.data import groups
@@ -32,6 +32,7 @@ from unity_link.data.proxies import OPERATORS, Proxy
 from unity_link.data.robot import Component, Robot
 from unity_link.data.sampling import GroupSubscription
 from unity_link.errors import ArgumentError, OfLink
+from unity_link.link.interrupts import DEFERRED, BlockingBlock
 from unity_link.modules import Module
 
 if TYPE_CHECKING:
@@ -59,6 +60,7 @@ class View(OfLink):
 
     _thing: Any
     _link: BlockingLink
+    _block: BlockingBlock | None = None
 
     def __init__(self, thing: Any, link: BlockingLink) -> None:
         self.__dict__.update(_thing=thing, _link=link)
@@ -110,23 +112,48 @@ class View(OfLink):
                 except StopAsyncIteration:
                     return
                 yield following
-        finally:
-            # Where the garbage collector finds it, that is late, and in any thread. In a callback it is left to that.
-            begun = _plain(samples)
-            if begun is not self._thing and not self._link._runtime.is_running_here():  # noqa: SLF001  (as below)
-                _take(self._link, begun.aclose)
+        except GeneratorExit:
+            DEFERRED.finalize(functools.partial(self._leave, samples))
+            raise
+        except BaseException:
+            self._leave(samples)
+            raise
+
+    def _leave(self, samples: Any) -> None:
+        """End an iteration."""
+        # Where the garbage collector finds it, that is late, and in any thread. In a callback it is left to that.
+        begun = _plain(samples)
+        if begun is not self._thing and not self._link._runtime.is_running_here():  # noqa: SLF001  (as below)
+            _take(self._link, begun.aclose)
 
     def __enter__(self) -> Self:
         enter = getattr(self._thing, "__aenter__", None) or self._thing.__enter__
-        _call(self._link, enter)
-        return self
+        entered: list[bool] = []
+        if isinstance(self._thing, Lease | Timeline):
+            # Outputs move in it: the call that ends it is made whenever a signal comes.
+            self.__dict__["_block"] = BlockingBlock()
+        try:
+            if self._block is not None:
+                DEFERRED.begin(self._block)
+            self._link._call(noting(entered, lambda: _awaited(enter, (), {})))  # noqa: SLF001  (as below)
+            return self  # noqa: TRY300  (a signal handler may raise up to here)
+        except BaseException as error:
+            if entered:
+                self.__exit__(type(error), error, error.__traceback__)
+            elif self._block is not None:
+                DEFERRED.end(self._block)
+            raise
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        leave = getattr(self._thing, "__aexit__", None) or self._thing.__exit__
-        # A link that is closed has ended what it was for, which is no error here.
-        self._link._runtime.run(_awaited, leave, (kind, error, trace), {})  # noqa: SLF001  (as below)
+        try:
+            leave = getattr(self._thing, "__aexit__", None) or self._thing.__exit__
+            # A link that is closed has ended what it was for, which is no error here.
+            self._link._runtime.run(_awaited, leave, (kind, error, trace), {})  # noqa: SLF001  (as below)
+        finally:
+            if self._block is not None:
+                DEFERRED.end(self._block)
 
     def __eq__(self, other: object) -> bool:
         return bool(self._thing == _plain(other))

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Generic, Self, TypeVar
 from unity_link.errors import ANY_ERROR, ArgumentError
 from unity_link.link.calls import is_asynchronous
 from unity_link.link.runtime import report
+from unity_link.link.synchronisation import call_back
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -44,7 +45,7 @@ class Callback(Generic[T]):
     def __call__(self, value: T) -> None:
         """Call the function."""
         try:
-            result = self._function(value)
+            result = call_back(self._function, value)
         except ANY_ERROR as error:
             self._tell(error)
             return

@@ -9,18 +9,19 @@ is in the way of a Ctrl-C. A medium that only an event loop can open is opened i
 from __future__ import annotations
 
 import asyncio
-import inspect
 import os
 import socket
 import threading
 import time
+from _thread import get_ident
 from collections import deque
 from contextlib import asynccontextmanager, suppress
 from typing import TYPE_CHECKING, Any, Never, ParamSpec, TypeVar
 
 from unity_link.errors import ArgumentError
 from unity_link.link.connection import forked
-from unity_link.link.loop_thread import Relay, run_in_loop
+from unity_link.link.interrupts import DEFERRED
+from unity_link.link.loop_thread import Relay, complete, run_in_loop
 from unity_link.link.runtime import report, unadjusted_time
 from unity_link.link.synchronisation import CALLING
 from unity_link.link.timers import Timers
@@ -35,12 +36,19 @@ if TYPE_CHECKING:
 
     from unity_link.link.runtime import Job
     from unity_link.transport import Medium
+    from unity_link.transport.channel import Channel
     from unity_link.transport.stream import Stream
 
 P = ParamSpec("P")
 T = TypeVar("T")
 LONGEST_WAIT = 1e9
 """Seconds that a socket can be told to wait, at most; some thirty years, so a longer time is none."""
+SPARE = 1.0
+"""Seconds that a driver may take longer than the call that opens its medium, whose own error is raised so."""
+
+
+def _close(channel: Channel) -> None:
+    channel.close()
 
 
 class CallWaiter(Result):
@@ -58,22 +66,16 @@ class CallWaiter(Result):
 class _Run:
     """A coroutine under way."""
 
-    __slots__ = ("deadline", "waiter")
-
-    def __init__(self) -> None:
-        self.waiter: CallWaiter | None = None
-        """Waiter that it waits for, or waited for last."""
-        self.deadline: float | None = None
-        """Instant at which the innermost `timeout` around it ends."""
+    waiter: CallWaiter | None = None
+    """Waiter that it waits for, or waited for last."""
+    deadline: float | None = None
+    """Instant at which the innermost `timeout` around it ends."""
 
 
 class _Job(_Run):
     """A coroutine that runs beside the calls, in the link's own thread."""
 
-    __slots__ = ("_cancelled", "_coroutine", "_runtime", "ended")
-
     def __init__(self, runtime: CallingThread, coroutine: Coroutine[CallWaiter, None, None]) -> None:
-        super().__init__()
         self._runtime = runtime
         self._coroutine = coroutine
         self._cancelled = False
@@ -110,7 +112,8 @@ def _refuse() -> Never:
 
 
 def _wake(parked: threading.Lock) -> None:
-    if parked.locked():
+    # A signal handler may have woken the thread at this moment.
+    with suppress(RuntimeError):
         parked.release()
 
 
@@ -143,7 +146,8 @@ class CallingThread:
         self._relays: list[Relay] = []
         self.is_disowned = False
         """True if this process was forked from the one that the link is of."""
-        self._closed = False
+        self.is_closed = False
+        """True when the link has ended."""
         self._attended = 0
         self._attendant: threading.Thread | None = None
         self._resting: threading.Lock | None = None
@@ -176,32 +180,48 @@ class CallingThread:
         if self.is_running_here():
             raise ArgumentError("a callback runs within a call of its link, and must not call the link")
         run = _Run()
-        error: BaseException | None = None
-        with self._lock:
-            coroutine = function(*arguments, **options)
-            try:
-                while True:
-                    try:
-                        self.running = run
-                        waiter = run.waiter = coroutine.send(None) if error is None else coroutine.throw(error)
-                        error = None
-                        self._wait(waiter)
-                    except StopIteration as end:
-                        result: T = end.value
-                        return result
-                    except BaseException as interruption:
-                        if inspect.getcoroutinestate(coroutine) == inspect.CORO_CLOSED:
-                            # The coroutine itself has raised it.
-                            raise
-                        error = interruption
-                        self._take_lock()
-            finally:
+        holds = get_ident() == DEFERRED.thread and not DEFERRED.is_held
+        try:
+            # Another thread may be in a callback that never returns: a handler that raises ends this wait.
+            with self._lock:
+                if holds:
+                    DEFERRED.hold(self)
                 try:
-                    if self._ready:
-                        self._run_ready()
+                    return self._run(run, function(*arguments, **options))
                 finally:
-                    if self._parked or self._closed:
-                        self._hand_over()
+                    try:
+                        if self._ready:
+                            self._run_ready()
+                    finally:
+                        if self._parked or self.is_closed:
+                            self._hand_over()
+        finally:
+            if holds:
+                DEFERRED.release()
+
+    def _run(self, run: _Run, coroutine: Coroutine[Any, Any, T]) -> T:
+        interruption: BaseException | None = None
+        step: Callable[[Any], CallWaiter] = coroutine.send
+        given: BaseException | None = None
+        try:
+            while True:
+                self.running = run
+                waiter = run.waiter = step(given)
+                step, given = coroutine.send, None
+                try:
+                    self._wait(waiter)
+                except BaseException as error:  # noqa: BLE001  (it is raised below)
+                    # The coroutine might take what a signal handler has raised for an error of its own.
+                    interruption = error
+                    step, given = coroutine.throw, asyncio.CancelledError()
+        except StopIteration as end:
+            if interruption is None:
+                result: T = end.value
+                return result
+        except BaseException:
+            if interruption is None:
+                raise
+        raise interruption
 
     def _wait(self, waiter: CallWaiter) -> None:
         """Poll, or have another thread poll, until there is a result."""
@@ -210,15 +230,34 @@ class CallingThread:
         # Another thread may end what this one polls for.
         waiter.on_done = self._stir
         while not waiter.done():
-            if self._polling:
+            if DEFERRED.pending and DEFERRED.may_deliver(self):
+                self._deliver()
+            elif self._polling:
                 self._park(waiter)
             else:
                 self._poll_once(may_spin=True)
             if self._ready:
                 self._run_ready()
 
+    def interrupt(self) -> None:
+        """Wake this thread, the main one, from its wait; called in a signal handler."""
+        self._send_byte()
+        for parked in self._parked.copy():
+            _wake(parked)
+
+    def _deliver(self) -> None:
+        """Run the signal handlers that are pending, without the lock: they may call the link."""
+        run = self.running
+        self._hand_over()
+        self._lock.release()
+        try:
+            DEFERRED.deliver()
+        finally:
+            self._lock.acquire()
+            self.running = run
+
     def _park(self, waiter: CallWaiter | None) -> None:
-        """Wait until another thread has polled a result, or none polls."""
+        """Wait until another thread has polled a result, or none polls, or a signal has come."""
         parked = threading.Lock()
         parked.acquire()
         if waiter is None:
@@ -227,18 +266,16 @@ class CallingThread:
         else:
             self._parked.append(parked)
             waiter.on_done = lambda: _wake(parked)
-        try:
-            self._lock.release()
+        self._lock.release()
+        # A signal that has come before this thread could be woken is handled at once.
+        if waiter is None or not DEFERRED.pending or not DEFERRED.may_deliver(self):
             parked.acquire()
-        finally:
-            try:
-                self._take_lock()
-            finally:
-                self._parked.remove(parked)
-                if waiter is None:
-                    self._resting = None
-                else:
-                    waiter.on_done = self._stir
+        self._lock.acquire()
+        self._parked.remove(parked)
+        if waiter is None:
+            self._resting = None
+        else:
+            waiter.on_done = self._stir
 
     def _hand_over(self) -> None:
         """Wake another thread, to poll in place of this one."""
@@ -246,7 +283,7 @@ class CallingThread:
             return
         if self._parked:
             _wake(self._parked[0])
-        elif self._closed and self._attendant is None and self._woken.fileno() in self._handlers:
+        elif self.is_closed and self._attendant is None and self._woken.fileno() in self._handlers:
             self.unwatch(self._woken.fileno())
             self._waking.close()
             self._woken.close()
@@ -260,7 +297,14 @@ class CallingThread:
             return
         if self._ready:
             patience = 0.0
-        for descriptor, event in self._outside(self._poller.wait, patience, may_spin=may_spin):
+        self._polling = True
+        self._lock.release()
+        try:
+            found = self._poller.wait(patience, may_spin=may_spin)
+        finally:
+            self._lock.acquire()
+            self._polling = False
+        for descriptor, event in found:
             handler = self._handlers.get(descriptor)
             if handler is not None:
                 handler(event)
@@ -269,18 +313,6 @@ class CallingThread:
         # Not what these have called soon: the medium has its turn before.
         for _ in range(len(self._ready)):
             self._ready.popleft()()
-
-    def _take_lock(self) -> None:
-        """Take the lock, if this thread has not got it; a Ctrl-C comes between any two steps of a thread."""
-        interruption: BaseException | None = None
-        while not self.is_running_here():
-            try:
-                self._lock.acquire()
-                break
-            except BaseException as error:  # noqa: BLE001  (it is raised again)
-                interruption = error
-        if interruption is not None:
-            raise interruption
 
     def _stir(self) -> None:
         """Wake the thread that polls, so that it looks again at what there is to wait for."""
@@ -361,6 +393,8 @@ class CallingThread:
             run.deadline = None
             timer.cancel()
 
+    last_timeout = timeout
+
     # Media
 
     def watch(self, descriptor: int, events: int, handler: Callable[[int], None]) -> None:
@@ -378,47 +412,60 @@ class CallingThread:
     async def prepare(self, url: DriverUrl) -> None:
         """Do what must be done once before a medium of this kind can be opened."""
         if hasattr(load_driver(url.scheme), "prepare"):
-            self._aside(run_in_loop, lambda: prepare_medium(url))
+            await self._beside(lambda _: run_in_loop(lambda: prepare_medium(url)), lambda _: None)
 
     async def open_medium(self, target: DriverUrl | Medium, stream: Stream) -> None:
         """Connect a stream to a medium."""
         if has_channel(target):
             protocol, left = observed(target, stream), self.running.deadline
-            seconds = LONGEST_WAIT if left is None else max(0.001, left - self.time())
+            seconds = LONGEST_WAIT if left is None else max(0.0, left - self.time()) + SPARE
             patience = seconds if seconds < LONGEST_WAIT else None
-            channel = self._aside(open_channel, target, patience)
+            channel = await self._beside(lambda is_given_up: open_channel(target, patience, is_given_up), _close)
             make_transport(self, channel, protocol)
             return
         relay = Relay(self, target, stream)
         self._relays = [other for other in self._relays if not other.has_ended] + [relay]
         await relay.open()
 
-    def _aside(self, function: Callable[P, T], *arguments: P.args, **options: P.kwargs) -> T:
-        """Call a function that waits, without the lock, while other threads run and poll."""
-        run = self.running
-        try:
-            self._lock.release()
-            return function(*arguments, **options)
-        finally:
-            self._take_lock()
-            self.running = run
+    async def _beside(self, function: Callable[[Callable[[], bool]], T], undo: Callable[[T], object]) -> T:
+        """Call a function that waits in a thread of its own, and return its result.
 
-    def _outside(self, function: Callable[P, T], *arguments: P.args, **options: P.kwargs) -> T:
-        """Call a function that waits, without the lock; other threads wait for this one meanwhile."""
-        try:
-            self._polling = True
-            self._lock.release()
-            return function(*arguments, **options)
-        finally:
+        Args:
+            function: takes what returns whether nobody awaits the result any more.
+            undo: takes a result that nobody awaits.
+        """
+        waiter, given_up = CallWaiter(), threading.Event()
+        results: list[T] = []
+        errors: list[BaseException] = []
+
+        def work() -> None:
             try:
-                self._take_lock()
-            finally:
-                self._polling = False
+                results.append(function(given_up.is_set))
+            except BaseException as error:  # noqa: BLE001  (the call raises it)
+                errors.append(error)
+            if given_up.is_set():
+                for result in results:
+                    undo(result)
+            self.call_soon_threadsafe(lambda: complete(waiter))
+
+        thread = threading.Thread(target=work, name="unity_link.opening", daemon=True)
+        thread.start()
+        try:
+            await waiter
+        except BaseException:
+            given_up.set()
+            for result in results:
+                undo(result)
+            raise
+        thread.join()
+        if errors:
+            raise errors[0]
+        return results[0]
 
     def end(self) -> None:
         """Stop polling but for calls, when the link has ended."""
         with self._lock:
-            self._closed, self._attended = True, 0
+            self.is_closed, self._attended = True, 0
             self._stir()
             self._hand_over()
 
@@ -465,7 +512,7 @@ class CallingThread:
 
 
 def _disown_all() -> None:
-    for runtime in list(CALLING):
+    for runtime in CALLING:
         runtime.disown()
     CALLING.clear()
 

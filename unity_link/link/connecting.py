@@ -80,8 +80,9 @@ class Connecting:
     async def _open_structured(self) -> Link:
         from unity_link.link.trio_runtime import Structured
 
-        self._structured = await Structured().__aenter__()
+        self._structured = Structured()
         try:
+            await self._structured.begin()
             return await self.open(self._structured)
         except BaseException:
             await self._structured.aclose()

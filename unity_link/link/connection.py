@@ -12,7 +12,6 @@ import math
 import os
 import random
 from typing import TYPE_CHECKING, assert_never
-from weakref import WeakSet
 
 import msgspec
 
@@ -28,6 +27,7 @@ from unity_link.errors import (
     reason_of,
 )
 from unity_link.link.flow import Flow
+from unity_link.link.living import Living
 from unity_link.link.runtime import AsyncioRuntime, report
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.events import GroupsRestored, Interrupted, Opened, Taken, Unusable
@@ -440,7 +440,7 @@ class Connection:
             await self._flow.latest.close()
 
 
-_CONNECTIONS: WeakSet[Connection] = WeakSet()
+_CONNECTIONS: Living[Connection] = Living()
 
 
 def forked() -> LinkLostError:
@@ -451,7 +451,7 @@ def forked() -> LinkLostError:
 
 
 def _disown_all() -> None:
-    for connection in list(_CONNECTIONS):
+    for connection in _CONNECTIONS:
         connection.disown()
 
 

@@ -28,6 +28,7 @@ from unity_link.errors import (
 )
 from unity_link.link.calls import returns_coroutine
 from unity_link.link.connection import Connection, Reconnect
+from unity_link.link.living import LeftOpen
 from unity_link.link.runtime import told_now
 from unity_link.link.subscription import (
     LARGEST_DIVISOR,
@@ -134,6 +135,7 @@ class Link(OfLink, Connection):
     ) -> None:
         super().__init__(target, reconnect, resumes=resumes, runtime=runtime)
         self._publishing = Publishing(self._flow, self._runtime)
+        self._left_open: LeftOpen | None = None
         self._posted = False
         self._caller = self._runtime.caller
         self._posted_failures: dict[Any, PostedFailure] = {}
@@ -161,6 +163,7 @@ class Link(OfLink, Connection):
         # Where both sides share a pair of wires, each must know when its turn is.
         self._takes_turns = Feature.HALF_DUPLEX in codec.info.features
         self._publishing.start(codec)
+        self._left_open = self._left_open or LeftOpen(self._warn_of_left_open)
         codec.refusal = self._refusal
 
     def _refusal(self) -> str:
@@ -175,6 +178,9 @@ class Link(OfLink, Connection):
         self._publishing.end(error)
         for writer in self.told_by_fence.values():
             writer.drop_answers()
+        if self._left_open is not None:
+            self._left_open.end()
+            self._left_open = None
 
     if not TYPE_CHECKING:  # A type checker refuses them by itself.
         __enter__ = __exit__ = refusing("write `async with` before a link, or connect by `unity_link.blocking`")
@@ -204,9 +210,8 @@ class Link(OfLink, Connection):
         finally:
             await self.aclose()
 
-    def __del__(self) -> None:
-        """Warn of a link that was not closed."""
-        if (flow := vars(self).get("_flow")) is not None and flow.stream is not None and not self._closed:
+    def _warn_of_left_open(self) -> None:
+        if self._flow.stream is not None:
             warnings.warn(
                 f"{self!r} was not closed: use `async with`, or `aclose`", ResourceWarning, stacklevel=1, source=self
             )

@@ -1,7 +1,7 @@
 """The runtime of a link: the clock, the timers and the futures that `Connection` and `Link` wait by.
 
 Their coroutines are the same in every kind of program. `AsyncioRuntime` is the event loop that they were called in;
-`calling_thread` runs them in the threads of blocking code, and `trio_runtime` in a task group of anyio, so under trio.
+`calling_thread` runs them in the threads of blocking code, and `trio_runtime` in tasks of trio.
 """
 
 from __future__ import annotations
@@ -134,6 +134,9 @@ class Runtime(Protocol):
 
     def timeout(self, seconds: float) -> AbstractAsyncContextManager[Any]:
         """Return a context manager that has the block raise TimeoutError after some time."""
+
+    def last_timeout(self, seconds: float) -> AbstractAsyncContextManager[Any]:
+        """Return the same for what is done after a cancellation; the block may wait though its task is cancelled."""
 
     async def prepare(self, url: DriverUrl) -> None:
         """Do what must be done once before a medium of this kind can be opened."""
@@ -351,7 +354,7 @@ class AsyncioRuntime:
         """Instant at which the last lone request was sent."""
         self.create_task = loop.create_task
         self.caller = _caller_of(loop)
-        self.timeout = asyncio.timeout
+        self.timeout = self.last_timeout = asyncio.timeout
         self.sleep = asyncio.sleep
         self.prepare = prepare
 

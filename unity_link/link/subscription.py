@@ -35,7 +35,9 @@ from unity_link.errors import (
 )
 from unity_link.link.calls import is_asynchronous
 from unity_link.link.freshness import MOST_DRIFT, Freshness
+from unity_link.link.living import LeftOpen
 from unity_link.link.runtime import report
+from unity_link.link.synchronisation import call_back
 from unity_link.protocol.events import (
     GroupBegun,
     GroupEvent,
@@ -670,7 +672,7 @@ class Intake:
 
     def _call(self, callback: Callable[[Sample], object], sample: Sample) -> None:
         try:
-            callback(sample)
+            call_back(callback, sample)
         except ANY_ERROR as error:
             # It must not stop the link.
             # With each sample, it would be told thousands of times a second.
@@ -791,20 +793,20 @@ class Subscription(OfLink):
         self._intake = receiver(publishing, schedule, size, overflow, callback)
         self._entered = False
         self._group = None
-        self._waits_for_block = callback is not None
+        # One that only iterates is told when it does.
+        self._left_open = None if callback is None else LeftOpen(_warn_of_callback)
 
     _group: Any = None
-    _waits_for_block = False
-    """True if it has a callback, and its call was not arranged yet."""
 
-    def __del__(self) -> None:
-        """Warn of one that was not closed, and of one whose callback was never to be called."""
+    def _warn_of_left_open(self) -> None:
         # One whose link was lost is over without the program's doing.
         if self._group is not None and isinstance(self._intake.error, LinkClosedError | None):
             warnings.warn(f"{self!r} was not closed: use `async with`", ResourceWarning, stacklevel=1, source=self)
-        elif self._waits_for_block:
-            # One that only iterates is told when it does.
-            warnings.warn(f"no callback was called: {NOT_OPEN}", RuntimeWarning, stacklevel=1, source=self)
+
+    def _end_left_open(self) -> None:
+        if self._left_open is not None:
+            self._left_open.end()
+            self._left_open = None
 
     if not TYPE_CHECKING:  # A type checker refuses them by itself.
         __await__ = refusing(NOT_OPEN)
@@ -846,7 +848,8 @@ class Subscription(OfLink):
     async def __aenter__(self) -> Self:
         if self._entered:
             raise ArgumentError("this subscription has been entered before: make another one by `subscribe`")
-        self._entered, self._waits_for_block = True, False
+        self._entered = True
+        self._end_left_open()
         intake = self._intake
         timestamped = GroupFlag.TIMESTAMP in self.schedule.flags
         intake.words_at = SAMPLE_HEAD + (TIMESTAMP_DIGITS if timestamped else 0)
@@ -857,6 +860,7 @@ class Subscription(OfLink):
             self._entered = False
             raise
         intake.holder = self
+        self._left_open = LeftOpen(self._warn_of_left_open)
         self._publishing.runtime.attend()
         return self
 
@@ -865,6 +869,7 @@ class Subscription(OfLink):
     ) -> None:
         self._intake.ended = True
         self._intake.wake()
+        self._end_left_open()
         if self._group is not None:
             group, self._group = self._group, None
             self._intake.holder = None
@@ -898,6 +903,10 @@ class Subscription(OfLink):
     def give_back(self, samples: Sequence[Sample]) -> None:
         """Put the samples that were taken last back; those without room are lost, and counted."""
         self._intake.give_back(samples)
+
+
+def _warn_of_callback() -> None:
+    warnings.warn(f"no callback was called: {NOT_OPEN}", RuntimeWarning, stacklevel=1)
 
 
 async def so_many(

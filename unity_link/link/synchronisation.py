@@ -9,17 +9,21 @@ import asyncio
 from collections import deque
 from contextlib import suppress
 from contextvars import ContextVar
-from typing import TYPE_CHECKING, Any, Protocol
-from weakref import WeakSet
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
-from unity_link.errors import ArgumentError
-from unity_link.link.runtime import AsyncioRuntime, Runtime
+from unity_link.errors import ANY_ERROR, ArgumentError
+from unity_link.link.interrupts import DEFERRED
+from unity_link.link.living import Living
+from unity_link.link.runtime import AsyncioRuntime, Runtime, report
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine
     from types import TracebackType
 
     from unity_link.link.runtime import Waiter
+
+
+T = TypeVar("T")
 
 
 class BlockingRuntime(Runtime, Protocol):
@@ -34,7 +38,7 @@ class BlockingRuntime(Runtime, Protocol):
 
 STRUCTURED: ContextVar[Runtime] = ContextVar("STRUCTURED")
 """Runtime of the links of the innermost block, under trio."""
-CALLING: WeakSet[BlockingRuntime] = WeakSet()
+CALLING: Living[BlockingRuntime] = Living()
 """Runtimes of the links of blocking code."""
 
 
@@ -44,7 +48,7 @@ def running() -> Runtime:
     Raises:
         ArgumentError: where nothing does.
     """
-    for runtime in _calling():
+    for runtime in CALLING:
         if runtime.is_running_here():
             return runtime
     with suppress(RuntimeError):
@@ -55,11 +59,21 @@ def running() -> Runtime:
     return structured
 
 
-def _calling() -> list[BlockingRuntime]:
-    while True:
-        # Another thread may open a link at this moment.
-        with suppress(RuntimeError):
-            return list(CALLING)
+def call_back(function: Callable[[T], object], value: T) -> object:
+    """Call a callback of the program, from code of a link; return what it returns.
+
+    Raises:
+        Exception: what it raises. In blocking code SystemExit and the like are logged: they would end the wrong thread.
+    """
+    try:
+        return DEFERRED.call(function, value)
+    except ANY_ERROR:
+        raise
+    except BaseException as error:
+        if not any(runtime.is_running_here() for runtime in CALLING):
+            raise
+        report(f"a callback raised {type(error).__name__}, which ends nothing here", error)
+        return None
 
 
 async def gather(*coroutines: Coroutine[Any, Any, Any]) -> list[Any]:
