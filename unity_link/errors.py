@@ -154,7 +154,8 @@ class NotArmedError(BusError):
         super().__init__(message)
         self.reason = reason
         """Cause: ``"none_yet"`` (it was not armed since the reset), ``"disarmed"``, ``"silence"`` (its end came before
-        a kick), ``"estop"``, ``"taken"`` (another program has it), or ``"late"`` (its end came before it was armed)."""
+        a kick), ``"estop"``, ``"taken"`` (another program has it), ``"late"`` (its end came before it was armed), or
+        ``"reset"`` (the gateway was reset, or the link or the server has begun another session with it since)."""
         self.instant = instant
         """Instant of the fault in seconds of the gateway's clock; None where it was none, or is not known."""
 

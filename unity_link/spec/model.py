@@ -651,7 +651,8 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
         """Return the addresses that the owner of a lease alone writes: its kick, what it guards, and its schedules."""
         guarded = [one for one in self.signals.values() if one.safe is not None and one.safe.lease == lease]
         names = [f"{path}.{register}" for path in self.schedules_of(lease) for register in ("entry", "cancel")]
-        signals = [self.signals[name] for name in (f"{lease}.kick", *names)] + guarded
+        # A schedule may be one of another version, without these registers.
+        signals = [self.signals[name] for name in (f"{lease}.kick", *names) if name in self.signals] + guarded
         return frozenset(address for signal in signals for address in signal.addresses)
 
     @functools.cached_property
