@@ -53,6 +53,7 @@ ul_status ul_lease_arm(ul_link *link, ul_lease *lease, double seconds)
     status = look_at_lease(link, lease, &clock, &armed, &after);
     if (status != UL_OK) return status;
     lease->count = after;
+    lease->session = link->session;
     if (armed && after == ((before + 1) & 0xFFFF)) return UL_OK;
     return fail_lease(link, lease, armed ? "it cannot be armed: another program has armed it"
                          : lease->finishes
@@ -66,6 +67,8 @@ ul_status ul_lease_kick(ul_link *link, ul_lease *lease)
 {
     uint64_t clock, arms;
     bool armed;
+    /* A reset begins the count of leases again, so the count of another program's may be the same. */
+    if (link->open && lease->session != link->session) return fail_lease(link, lease, "it was armed in another session: arm it again");
     ul_status status = look_at_lease(link, lease, &clock, &armed, &arms);
     if (status != UL_OK) return status;
     if (!armed || arms != lease->count) return fail_lease(link, lease, "it is not armed any more: what it guards is safe, or finishes");
