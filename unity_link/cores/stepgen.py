@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import math
+import time
 from typing import TYPE_CHECKING, Any
 
 from unity_link.cores import AtPins, CoreRegisters, Model, Verbs
 from unity_link.cores.lease import LeaseRegisters
-from unity_link.errors import UnityLinkError
+from unity_link.errors import ArgumentError, UnityLinkError
 from unity_link.link.synchronisation import gather, running
 
 if TYPE_CHECKING:
     from unity_link.cores import Pins
     from unity_link.cores.lease import Lease
+    from unity_link.data.laps import Laps
     from unity_link.spec.model import ComponentSpec
 
 KICKS = 4
@@ -47,17 +49,13 @@ class StepgenVerbs(Verbs):
         """
         axis: Any = self
         CoreRegisters.of(self)
-        kind = axis.position_cmd.signal.kind
+        kind, laps = axis.position_cmd.signal.kind, axis.position.laps
 
         def number(value: float) -> int:
             raw: int = kind.encode(kind.wrapped(value) if kind.wraps else value)
             return raw
 
-        # Farther away than half a round, the shortest way would lead to another place that reads the same.
-        await axis.position.get()
-        axis.position_cmd.encode(position)
-        if axis.position.laps is not None:
-            axis.position.laps.check_near(position, axis.position.link.epoch, axis.position_cmd.path)
+        await _check_reach(axis, position)
         wanted = number(position)
         await axis.mode.set("position")
         await axis.position_cmd.set(position)
@@ -75,6 +73,8 @@ class StepgenVerbs(Verbs):
                 name = axis.position_cmd.path.rpartition(".")[0]
                 raise UnityLinkError(f"{name} does not go to {position:g}: it was told something else on the way")
             if is_there:
+                if laps is not None:
+                    laps.see(position, axis.position.link.epoch, time.monotonic())
                 return
             await running().sleep(LOOK_AGAIN if lease is None else min(LOOK_AGAIN, lease.timeout / KICKS))
 
@@ -89,6 +89,30 @@ class StepgenVerbs(Verbs):
         CoreRegisters.of(self)
         await axis.velocity_cmd.set(0)
         await axis.mode.set("velocity")
+
+
+async def _check_reach(axis: Any, position: float) -> None:
+    """Check that an axis can go to a position.
+
+    Raises:
+        ArgumentError: for a position that `position_cmd` cannot have, or half a round away or farther: the shortest way
+            would lead to another place, which reads the same.
+    """
+    laps: Laps | None = axis.position.laps
+
+    def check() -> None:
+        axis.position_cmd.encode(position)
+        if laps is not None:
+            laps.check_near(position, axis.position.link.epoch, axis.position_cmd.path)
+
+    try:
+        check()
+    except ArgumentError:
+        if laps is None:
+            raise
+        # The position that was read last may be an old one.
+        await axis.position.get()
+        check()
 
 
 class StepgenModel(Model):
