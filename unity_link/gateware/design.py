@@ -61,7 +61,7 @@ class OwnFile(NamedTuple):
         return digest_of(self.data)
 
 
-class Diagnostic(NamedTuple):
+class GhdlMessage(NamedTuple):
     """A line of GHDL's about a place in a source."""
 
     file: str
@@ -153,7 +153,7 @@ class GhdlDesign:
     def __init__(
         self, folder: Path, gateware: Sequence[Path] = (), others: Sequence[Path] = (), own: Sequence[OwnFile] = ()
     ) -> None:
-        self.messages: list[Diagnostic] = []
+        self.messages: list[GhdlMessage] = []
         self._ghdl = converting_ghdl()
         self.version = self._ghdl.version()
         self._folder = folder.resolve()
@@ -261,13 +261,13 @@ class GhdlDesign:
             return str(self._own[name].path), True
         return self._shown.get(file, file), False
 
-    def _messages(self, said: str) -> list[Diagnostic]:
+    def _messages(self, said: str) -> list[GhdlMessage]:
         found = []
         for line in said.splitlines():
             if match := _MESSAGE.match(line):
                 shown, is_own = self._name(match["file"])
                 words = self.renaming.plain(match["words"])
-                found.append(Diagnostic(shown, match["place"], match["kind"], words, is_own))
+                found.append(GhdlMessage(shown, match["place"], match["kind"], words, is_own))
         return found
 
 

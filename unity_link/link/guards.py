@@ -12,7 +12,6 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from unity_link.errors import NotArmedError
-    from unity_link.link.link import Link
 
 
 class Guard(Protocol):
@@ -22,18 +21,25 @@ class Guard(Protocol):
         """Return the error for a lease that the program has no more; None while it may have it."""
 
 
-def guard(link: Link, addresses: Iterable[int], by: Guard) -> None:
+class Guarded(Protocol):
+    """A link, as this module knows it."""
+
+    _guards: dict[int, Guard]
+    """The lease under which the program writes to each address."""
+
+
+def guard(link: Guarded, addresses: Iterable[int], by: Guard) -> None:
     """Refuse writes to addresses of a link once a lease is over."""
     link._guards.update(dict.fromkeys(addresses, by))  # noqa: SLF001  (the same package)
 
 
-def release(link: Link, by: Guard) -> None:
+def release(link: Guarded, by: Guard) -> None:
     """Refuse no writes for a lease any more."""
     guards = link._guards  # noqa: SLF001  (the same package)
     for address in [address for address, other in guards.items() if other is by]:
         del guards[address]
 
 
-def guard_of(link: Link, address: int) -> Guard | None:
+def guard_of(link: Guarded, address: int) -> Guard | None:
     """Return the lease under which a program writes to an address; None if it has none."""
     return link._guards.get(address)  # noqa: SLF001  (the same package)
