@@ -250,12 +250,17 @@ def test_a_token_is_what_it_is() -> None:
     assert parse_url("tcp://robot:1?token=a#%2B%23").options == {"token": "a#+#"}
 
 
-@pytest.mark.parametrize("timeout", [math.inf, 1e12])
-def test_a_connection_may_be_waited_for_for_ever_in_blocking_code(timeout: float) -> None:
+def test_the_longest_timeout_connects_in_blocking_code() -> None:
     with socket.create_server(("127.0.0.1", 0)) as taken:
         port = taken.getsockname()[1]
     with pytest.raises(ConnectError, match="is it listening"):
-        blocking.connect(f"tcp://127.0.0.1:{port}", timeout=timeout)
+        blocking.connect(f"tcp://127.0.0.1:{port}", timeout=1e9)
+
+
+@pytest.mark.parametrize("timeout", [math.inf, math.nan, 1e12])
+def test_a_timeout_that_is_no_number_of_seconds_is_refused(timeout: float) -> None:
+    with pytest.raises(ArgumentError, match="timeout is a number of seconds above 0"):
+        blocking.connect("tcp://127.0.0.1:1", timeout=timeout)
 
 
 def test_every_scheme_has_a_driver_that_says_which_options_it_takes() -> None:
