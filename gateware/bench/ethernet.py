@@ -13,8 +13,20 @@ from typing import TYPE_CHECKING
 import cocotb
 from cocotb.clock import Clock
 from cocotb.queue import Queue
-from cocotb.triggers import Event, FallingEdge, RisingEdge, SimTimeoutError, with_timeout
+from cocotb.triggers import (
+    Event,
+    FallingEdge,
+    First,
+    RisingEdge,
+    SimTimeoutError,
+    Timer,
+    ValueChange,
+    with_timeout,
+)
+from cocotb.types import Logic, LogicArray
 from cocotb.utils import get_sim_time
+
+from unity_link.gateware.pin_times import PIN_TIMES
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
@@ -75,9 +87,11 @@ class Phy:
     Args:
         dut: has the pins.
         interface: "rmii", "mii" or "rgmii".
+        timed: whether its outputs are undefined from the least to the most time that they may take to change
+            (`unity_link.gateware.pin_times`); otherwise they change at the edge.
     """
 
-    def __init__(self, dut: SimHandleBase, interface: str) -> None:
+    def __init__(self, dut: SimHandleBase, interface: str, *, timed: bool = False) -> None:
         self.received: list[bytes] = []
         """Frames of the gateware, without preamble and check."""
         self.ended_ns: list[float] = []
@@ -85,6 +99,7 @@ class Phy:
         self.began_ns: list[float] = []
         """Time at which the preamble of each frame to the gateware began."""
         self._dut, self._interface = dut, interface
+        self._timed = timed
         self._lanes = 2 if interface == "rmii" else 4
         self._waiting: Queue[tuple[Sent, Event]] = Queue()
         self._came = Event()
@@ -103,7 +118,7 @@ class Phy:
         ]
 
     def _other_edge(self) -> list[object]:
-        return [self._compare_edges()] if self._interface == "rgmii" else []
+        return [self._compare_edges(), self._time_outputs()] if self._interface == "rgmii" else []
 
     # To the gateware
 
@@ -131,13 +146,31 @@ class Phy:
         await (FallingEdge if self._interface == "rgmii" else RisingEdge)(self._dut.phy_rx_clk)
 
     async def _put(self, symbol: int, valid: int, error: int) -> None:
-        self._dut.phy_rxd.value, self._dut.phy_rx_dv.value = symbol, valid
         if self._interface == "rgmii":
+            self._change(phy_rxd=symbol, phy_rx_dv=valid)
             await RisingEdge(self._dut.phy_rx_clk)
-            self._dut.phy_rx_dv.value = valid ^ error
+            self._change(phy_rxd=symbol, phy_rx_dv=valid ^ error)
         else:
-            self._dut.phy_rx_er.value = error
+            self._change(phy_rxd=symbol, phy_rx_dv=valid, phy_rx_er=error)
         await self._edge()
+
+    def _change(self, **pins: int) -> None:
+        """Give pins values, after an edge of the clock that they belong to."""
+        if self._timed:
+            cocotb.start_soon(self._change_in_time(pins))
+        else:
+            for name, value in pins.items():
+                getattr(self._dut, name).value = value
+
+    async def _change_in_time(self, pins: dict[str, int]) -> None:
+        least, most = (round(1000 * time) for time in PIN_TIMES[self._interface][0].arrival_ns)
+        await Timer(least, "ps")
+        for name in pins:
+            pin = getattr(self._dut, name)
+            pin.value = LogicArray("X" * len(pin)) if name == "phy_rxd" else Logic("X")
+        await Timer(most - least, "ps")
+        for name, value in pins.items():
+            getattr(self._dut, name).value = value
 
     def _line(self, frame: Sent) -> list[tuple[int, int, int]]:
         """Return symbol, validity and error for each symbol's time."""
@@ -209,3 +242,18 @@ class Phy:
             rising = [pin.value for pin in pins]
             await FallingEdge(self._dut.phy_txc)
             assert [pin.value for pin in pins] == rising, "RGMII: data differ between the edges of TXC"
+
+    async def _time_outputs(self) -> None:
+        """See that data do not change within the times that a PHY needs around each edge of TXC."""
+        times = PIN_TIMES["rgmii"][1]
+        pins = (self._dut.phy_txd, self._dut.phy_tx_en)
+        changed, edge = -1e9, -1e9
+        while True:
+            seen = await First(ValueChange(self._dut.phy_txc), *map(ValueChange, pins))
+            now = get_sim_time("ns")
+            if seen.signal is self._dut.phy_txc:
+                assert now - changed >= times.setup_ns, f"RGMII: data change {now - changed} ns before an edge of TXC"
+                edge = now
+            else:
+                assert now - edge >= times.hold_ns, f"RGMII: data change {now - edge} ns after an edge of TXC"
+                changed = now

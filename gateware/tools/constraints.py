@@ -1,4 +1,4 @@
-"""The constraints of the crossings and of a synchronous FT245's pins for each vendor's tool: written by `make lists`.
+"""The constraints of the crossings, and of the pins of FT245 and PHYs, for each vendor's tool: written by `make lists`.
 
 What crosses is read from the VHDL: each `ul_synchroniser` whose label ends in `_crossing` takes bits that know nothing
 of each other, each `ul_reset_synchroniser` a reset, and the two of `ul_fifo_async` Gray pointers. So every tool is told
@@ -13,9 +13,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.gateware import LICENCE
 from unity_link.gateware.cache import vhdl_sources
+from unity_link.gateware.pin_times import PIN_TIMES, SOURCES
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable, Iterable, Iterator
 
 _ENTITY = re.compile(r"^entity (\w+) is$", re.MULTILINE)
 _BITS = re.compile(r"^ *(\w+_crossing) : entity work\.ul_synchroniser$", re.MULTILINE)
@@ -27,13 +28,11 @@ _FIFOS = ("*ft245_sync*fifo*", "*mac_inst*fifo*")
 _PADS = {"ul_ft245_async": ("receive_flag", "transmit_flag")}
 """Registers at pins of an entity that meet what comes from no clock."""
 _BOUND_NS = 10
-_PERIOD_NS = 16.667
-_FROM_CHIP = "ft_rxf_n ft_txe_n ft_data[*]"
-_TO_CHIP = "ft_rd_n ft_wr_n ft_oe_n ft_siwu_n ft_data[*]"
-_OUTPUT_NS, _SETUP_NS, _HOLD_NS = (0, 9), 7.5, 0
-"""Times of an FT232H, table 4.1 of FT_000288: when its outputs change, and what its inputs need."""
-_CHIPS = (
-    "FT232H: outputs from 0 to 9 ns after CLKOUT, setup 7.5 ns, hold 0. FT2232H: outputs from 1 to 7.15 ns, setup 8 ns."
+_PHYS = ("rmii", "mii", "rgmii")
+_LANES = {"rmii": 2, "mii": 4, "rgmii": 4}
+_MADE_CLOCK = (
+    "clk is the clock of 50 MHz that phy_tx_clk of unity_link is connected to: put the output of a PLL in its place if "
+    "one makes it."
 )
 _BOUND = (
     f"{_BOUND_NS} ns: put the period of the faster clock here. It also bounds the skew of a pointer, which has no "
@@ -50,13 +49,14 @@ class _Tool(NamedTuple):
     registers: Callable[[str], str]
     """Writes what finds registers by a pattern of their names, in which `/` stands between instances."""
     clock: str
+    """A clock by its name."""
     bound: str
     """The command for the most that a way may take."""
 
 
-_GOWIN = _Tool("Gowin's tool", "//", "[get_regs {{{}}}]".format, "ft_clkout", "set_max_delay")
-_RADIANT = _Tool("Radiant", "#", "[get_cells {{{}}}]".format, "[get_clocks ft_clkout]", "set_max_delay -datapath_only")
-_EFINITY = _Tool("Efinity", "#", "[get_cells {{{}}}]".format, "ft_clkout", "set_max_delay")
+_GOWIN = _Tool("Gowin's tool", "//", "[get_regs {{{}}}]".format, "{}", "set_max_delay")
+_RADIANT = _Tool("Radiant", "#", "[get_cells {{{}}}]".format, "[get_clocks {}]", "set_max_delay -datapath_only")
+_EFINITY = _Tool("Efinity", "#", "[get_cells {{{}}}]".format, "{}", "set_max_delay")
 
 
 def crossings() -> dict[str, tuple[list[str], list[str]]]:
@@ -79,9 +79,19 @@ def constraints() -> dict[str, str]:
         "lattice/unity_link.pdc": _sdc(_RADIANT),
         "efinity/unity_link.sdc": _sdc(_EFINITY),
         "lattice/unity_link.lpf": _lpf(),
-        "vivado/ul_ft245_sync_pins.xdc": _vivado_pins(),
+        "vivado/ul_ft245_sync_pins.xdc": _vivado_pins(
+            "ft245_sync", "a synchronous FT245", ("# Of gateware/pads/xilinx; the attribute IOB asks for it already.",)
+        ),
         f"vivado/{_FIFO}.xdc": _vivado_fifo(),
     }
+    for medium in _PHYS:
+        files |= {
+            f"vivado/ul_mac_{medium}_pins.xdc": _vivado_pins(medium, f"a PHY by {medium.upper()}"),
+            f"quartus/{medium}_pins.sdc": _phy_sdc("Quartus", "#", "{}", medium),
+            f"lattice/{medium}_pins.lpf": _phy_lpf(medium),
+        }
+        for tool, path in ((_GOWIN, "gowin/{}.sdc"), (_RADIANT, "lattice/{}.pdc"), (_EFINITY, "efinity/{}.sdc")):
+            files[path.format(f"{medium}_pins")] = _phy_sdc(tool.name, tool.comment, tool.clock, medium)
     known = crossings()
     for entity in sorted({*known, *_PADS}):
         files[f"vivado/{entity}.xdc"] = _vivado(entity, *known.get(entity, ([], [])))
@@ -107,12 +117,10 @@ def _sdc(tool: _Tool) -> str:
         (
             f"unity_link in {tool.name}. {_MADE}",
             _BOUND,
-            _CHIPS,
+            SOURCES["ft245_sync"],
         ),
         (
-            f"create_clock -name ft_clkout -period {_PERIOD_NS} [get_ports {{ft_clkout}}]",
-            "",
-            *_pins(tool.clock, f"[get_ports {{{_FROM_CHIP}}}]", f"[get_ports {{{_TO_CHIP}}}]"),
+            *_pins(tool.clock, "ft245_sync"),
             "",
             f"{tool.comment} Gray pointers, and the memory of a FIFO where it is one of LUTs.",
             *(bound.format(registers(f"*{way}_gray*"), registers(f"*{way}_crossing/meta*")) for way in _POINTERS),
@@ -129,26 +137,75 @@ def _sdc(tool: _Tool) -> str:
     )
 
 
-def _pins(clock: str, from_chip: str, to_chip: str) -> tuple[str, ...]:
-    return (
-        f"set_input_delay -clock {clock} -max {_OUTPUT_NS[1]} {from_chip}",
-        f"set_input_delay -clock {clock} -min {_OUTPUT_NS[0]} {from_chip}",
-        f"set_output_delay -clock {clock} -max {_SETUP_NS} {to_chip}",
-        f"set_output_delay -clock {clock} -min {-_HOLD_NS} {to_chip}",
-    )
+def _pins(clock: str, medium: str, source: str = "[get_ports {clk}]") -> Iterator[str]:
+    """Yield the clocks of a medium and the delays of its pins.
+
+    Args:
+        clock: form of a clock, of which the name is put in.
+        medium: one of `PIN_TIMES`.
+        source: the pin that a clock which the FPGA makes comes from.
+    """
+    for pins in PIN_TIMES[medium]:
+        made = f"create_generated_clock -name {pins.clock} -source {source} -divide_by 2"
+        named = f"create_clock -name {pins.clock} -period {pins.period_ns:g}"
+        yield f"{made if pins.is_made else named} [get_ports {{{pins.clock}}}]"
+    yield ""
+    for pins in PIN_TIMES[medium]:
+        for edge in ("", " -clock_fall -add_delay")[: 1 + pins.both_edges]:
+            of_clock = f"-clock {clock.format(pins.clock)}{edge}"
+            for command, ends, most, least in (
+                ("set_input_delay", pins.from_chip, pins.arrival_ns[1], pins.arrival_ns[0]),
+                ("set_output_delay", pins.to_chip, pins.setup_ns, -pins.hold_ns),
+            ):
+                if ends:
+                    ports = f"[get_ports {{{' '.join(ends)}}}]"
+                    yield f"{command} {of_clock} -max {most:g} {ports}"
+                    yield f"{command} {of_clock} -min {least:g} {ports}"
+
+
+def _about_phy(tool: str, medium: str) -> tuple[str, ...]:
+    head = f"The pins of a PHY by {medium.upper()} in {tool}, for the top, with ports named as those of unity_link"
+    named = f"{head}; phy_clk is REF_CLK, which both phy_rx_clk and phy_tx_clk are connected to" * (medium == "rmii")
+    made = (_MADE_CLOCK,) if any(pins.is_made for pins in PIN_TIMES[medium]) else ()
+    return (f"{named or head}.", _MADE, SOURCES[medium], *made)
+
+
+def _phy_sdc(tool: str, comment: str, clock: str, medium: str) -> str:
+    return _lines(comment, _about_phy(tool, medium), _pins(clock, medium))
+
+
+def _phy_lpf(medium: str) -> str:
+    return _lines("#", _about_phy("Diamond", medium), _preferences(medium))
+
+
+def _preferences(medium: str) -> Iterator[str]:
+    """Yield the lines of Diamond, which has a time for each bit, and none for the way to a made clock."""
+    for pins in PIN_TIMES[medium]:
+        if not pins.is_made:
+            yield f'FREQUENCY PORT "{pins.clock}" {1000 / pins.period_ns:g} MHZ;'
+    for pins in PIN_TIMES[medium]:
+        setup, hold = pins.interval_ns - pins.arrival_ns[1], pins.arrival_ns[0]
+        last, first = pins.interval_ns - pins.setup_ns, pins.hold_ns
+        clock = f'CLKPORT "clk" CLKOUT PORT "{pins.clock}"' if pins.is_made else f'CLKPORT "{pins.clock}"'
+        for port in _bits(pins.from_chip, medium):
+            yield f'INPUT_SETUP PORT "{port}" {setup:g} NS HOLD {hold:g} NS {clock};'
+        for port in _bits(pins.to_chip, medium):
+            yield f'CLOCK_TO_OUT PORT "{port}" MAX {last:g} NS MIN {first:g} NS {clock};'
+
+
+def _bits(ports: Iterable[str], medium: str) -> Iterator[str]:
+    for port in ports:
+        yield from (port.replace("*", str(bit)) for bit in range(_LANES[medium] if "*" in port else 1))
 
 
 def _quartus() -> str:
     pads = (f"*{entity}*|*{label}|*" for entity, labels in _PADS.items() for label in labels)
     return _lines(
         "#",
-        (f"unity_link in Quartus. {_MADE}", _CHIPS),
+        (f"unity_link in Quartus. {_MADE}", SOURCES["ft245_sync"]),
         (
             "if {[get_collection_size [get_ports -nowarn ft_clkout]]} {",
-            f"    create_clock -name ft_clkout -period {_PERIOD_NS} [get_ports ft_clkout]",
-            f"    set from_chip [get_ports {{{_FROM_CHIP}}}]",
-            f"    set to_chip   [get_ports {{{_TO_CHIP}}}]",
-            *(f"    {line}" for line in _pins("ft_clkout", "$from_chip", "$to_chip")),
+            *(f"    {line}" for line in _pins("{}", "ft245_sync") if line),
             "}",
             "",
             "# Gray pointers: within a cycle of the clock that takes them, by less than one of the other apart.",
@@ -269,27 +326,22 @@ def _vivado_fifo() -> str:
     )
 
 
-def _vivado_pins() -> str:
+def _vivado_pins(medium: str, chip: str, more: Iterable[str] = ()) -> str:
+    last = PIN_TIMES[medium][-1]
+    file = "ul_ft245_sync_pins" if medium == "ft245_sync" else f"ul_mac_{medium}_pins"
+    registers = [f"set_property IOB TRUE [get_ports {{{' '.join(ports)}}}]" for ports in (last.from_chip, last.to_chip)]
     return _lines(
         "#",
         (
             (
-                "The pins of a synchronous FT245 in Vivado: read_xdc ul_ft245_sync_pins.xdc, for the top, with ports "
-                "named as those of unity_link."
+                f"The pins of {chip} in Vivado: read_xdc {file}.xdc, for the top, with ports named as those of "
+                "unity_link."
             ),
             _MADE,
-            _CHIPS,
+            SOURCES[medium],
         ),
         (
-            f"create_clock -name ft_clkout -period {_PERIOD_NS} [get_ports ft_clkout]",
-            "",
-            f"set from_chip [get_ports {{{_FROM_CHIP}}}]",
-            f"set to_chip   [get_ports {{{_TO_CHIP}}}]",
-            "",
-            *_pins("ft_clkout", "$from_chip", "$to_chip"),
-            "",
-            "# Of gateware/pads/xilinx; the attribute IOB asks for it already.",
-            "set_property IOB TRUE $from_chip",
-            "set_property IOB TRUE $to_chip",
+            *_pins("{}", medium, "[get_pins -hierarchical -filter {NAME =~ *phy_txc_reg/C}]"),
+            *(["", *more, *registers] if more else []),
         ),
     )

@@ -38,8 +38,17 @@ _WHOLE = {
     "Gowin EDA": ["gowin/unity_link.sdc"],
     "Diamond": ["lattice/unity_link.lpf"],
     "Radiant": ["lattice/unity_link.pdc"],
+    "Efinity": ["efinity/unity_link.sdc"],
 }
 """The files of all entities, of tools that have no others."""
+_PINS_OF_PHY = {
+    "Quartus": "quartus/MEDIUM_pins.sdc",
+    "Gowin EDA": "gowin/MEDIUM_pins.sdc",
+    "Diamond": "lattice/MEDIUM_pins.lpf",
+    "Radiant": "lattice/MEDIUM_pins.pdc",
+    "Efinity": "efinity/MEDIUM_pins.sdc",
+}
+"""The files for the pins of a PHY, for each of `rmii`, `mii` and `rgmii`."""
 
 
 def entity(name: str) -> Entity:
@@ -161,16 +170,24 @@ def _plain(value: object) -> str:
 def _constraints(name: str, _: Sequence[str]) -> list[str]:
     below = sorted(_with_all_below(name))
     scoped = [f"`vivado/{part}.xdc`" for part in below if (_CONSTRAINTS / "vivado" / f"{part}.xdc").exists()]
-    pins = ["`vivado/ul_ft245_sync_pins.xdc` once for the top"] if "ul_ft245_sync" in below else []
+    pins = [
+        f"`vivado/{entity}_pins.xdc` once for the top"
+        for entity, chip in (("ul_ft245_sync", "ul_ft245_sync"), ("ul_mac_MEDIUM", "ul_mac"))
+        if chip in below
+    ]
+
+    def of_phy(tool: str) -> list[str]:
+        return [_PINS_OF_PHY[tool]] if "ul_mac" in below else []
+
     if not scoped:
         return ["The period of its clock, and no more: nothing in it crosses from one clock to another."]
     rows = [
         ("Vivado", ", ".join([*scoped, *pins])),
-        *((tool, ", ".join(f"`{path}`" for path in paths)) for tool, paths in _WHOLE.items()),
+        *((tool, ", ".join(f"`{path}`" for path in (*paths, *of_phy(tool)))) for tool, paths in _WHOLE.items()),
     ]
     return [
         "The period of each clock, and these of `gateware/constraints`; its `README.md` says what they hold, and that",
-        "no vendor's tool has read them here.",
+        "no vendor's tool has read them here." + " MEDIUM is `rmii`, `mii` or `rgmii`." * ("ul_mac" in below),
         "",
         *_table(("tool", "files"), rows),
     ]

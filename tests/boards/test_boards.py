@@ -17,7 +17,7 @@ import pytest
 
 from unity_link.boards import build as building
 from unity_link.boards.board import PINS, Board
-from unity_link.boards.build import BuildError, Built, build, program, refusal, top_text
+from unity_link.boards.build import BuildError, Built, build, program, refusal, too_late, top_text
 from unity_link.boards.clocks import pll
 from unity_link.boards.families import FAMILIES, YOSYS
 from unity_link.boards.loading import board_names, load_board
@@ -31,12 +31,13 @@ from unity_link.gateware.convert import ConversionError
 from unity_link.gateware.design import OwnFile
 from unity_link.gateware.limits import ETHERNET
 from unity_link.gateware.own_vhdl import Converted, Own, Port
+from unity_link.gateware.pin_times import PIN_TIMES
 from unity_link.gateware.yowasp import RefusedError
 from unity_link.generate import generate
 from unity_link.spec import compile_text
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable, Mapping, Sequence
 
 PROGRAM = str(Path(sys.executable).parent / "unity-link")
 LAMP_TEXT = "public lamp() { @on = 0[7:0]: unsigned READWRITE(); @current = 1: signed 16 READ(PUBLISH(1, 100)); }\n"
@@ -486,7 +487,17 @@ def test_what_nextpnr_refuses_becomes_a_sentence(output: str, sentence: str) -> 
 # All or nothing
 
 
-def stand_in(mhz: float = 80.0, failing: str = "", clocks: Mapping[str, float] | None = None) -> Callable[..., str]:
+def way(begin: str, end: str, *delays: float) -> dict[str, object]:
+    """Return a critical path as nextpnr reports it."""
+    return {"from": begin, "to": end, "path": [{"type": "routing", "delay": delay} for delay in delays]}
+
+
+def stand_in(
+    mhz: float = 80.0,
+    failing: str = "",
+    clocks: Mapping[str, float] | None = None,
+    ways: Sequence[Mapping[str, object]] = (),
+) -> Callable[..., str]:
     """Return what does as Yosys, nextpnr and the packer do, but at once."""
 
     def run(work: Path, tool: str, *arguments: str, explained: str) -> str:
@@ -496,7 +507,8 @@ def stand_in(mhz: float = 80.0, failing: str = "", clocks: Mapping[str, float] |
             reached = clocks or {"clk$SB_IO_IN_$glb_clk": mhz}
             fmax = {net: {"achieved": achieved, "constraint": 12.0} for net, achieved in reached.items()}
             cells = {"ICESTORM_LC": {"used": 3015, "available": 7680}}
-            (work / "report.json").write_text(json.dumps({"utilization": cells, "fmax": fmax}))
+            report = {"utilization": cells, "fmax": fmax, "critical_paths": ways}
+            (work / "report.json").write_text(json.dumps(report))
         if "pack" in tool:
             (work / "bitstream").write_bytes(b"bits")
         return ""
@@ -527,6 +539,49 @@ def test_a_build_leaves_a_bitstream_and_a_report_of_size_speed_and_pins(
     assert f"build identifier: {LAMP.interface().fingerprint:08X}" in report
     for row in ("| logic cells | 3015 | 7680 |", "| clk | 12.000 | 80.0 |", "| uart_rxd | input | B10 |"):
         assert row in report
+
+
+REF_CLK = "posedge $glbnet$design.gateway_inst.phy_rx_clk"
+
+
+def test_a_report_says_that_the_times_of_a_phys_pins_are_not_checked(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    ways = [
+        way("<async>", REF_CLK, 0.4, 1.2),
+        way(REF_CLK, "<async>", 0.5, 2.0),
+        way(REF_CLK, REF_CLK, 9.0),
+        way("<async>", "posedge $glbnet$core_clk", 7.0),
+    ]
+    clocks = {"$glbnet$core_clk": 70.0, "$glbnet$design.gateway_inst.phy_rx_clk": 130.0}
+    tools.setattr(building, "place", stand_in(clocks=clocks, ways=ways))
+    said: list[str] = []
+    built = build(LAMP, *load_board("ulx3s_rmii"), tmp_path, note=said.append)
+    (note,) = said
+    assert note.startswith("the times of phy_rxd[*], phy_rx_dv, phy_txd[*], phy_tx_en are not checked, because nextpnr")
+    assert note.endswith(": lamp_ulx3s_rmii.md lists the times that these pins need")
+    report = built.report.read_text()
+    assert "**The times of these pins are not checked**" in report
+    assert "| phy_rxd[*], phy_rx_dv | change 2 to 14 ns after a rising edge of phy_clk | 1.6 |" in report
+    needed = "must be stable 4 ns before and 2 ns after a rising edge of phy_clk"
+    assert f"| phy_txd[*], phy_tx_en | {needed} | 2.5 |" in report
+
+
+def test_wires_to_a_phy_that_alone_take_too_long_are_an_error(tools: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    clocks = {"$glbnet$core_clk": 70.0, "$glbnet$design.gateway_inst.phy_rx_clk": 130.0}
+    tools.setattr(building, "place", stand_in(clocks=clocks, ways=[way("<async>", REF_CLK, 6.1)]))
+    words = r"the wires of phy_rxd\[\*\], phy_rx_dv take 6.1 ns, and the chip leaves 6 ns of phy_clk"
+    with pytest.raises(BuildError, match=f"lamp is too slow on ulx3s_rmii: {words}"):
+        build(LAMP, *load_board("ulx3s_rmii"), tmp_path)
+
+
+@pytest.mark.parametrize("medium", PIN_TIMES)
+def test_a_way_within_what_a_chip_leaves_is_none_that_is_too_late(medium: str) -> None:
+    for pins in PIN_TIMES[medium]:
+        if not pins.is_made:
+            left = {"in": pins.interval_ns - pins.arrival_ns[1], "out": pins.interval_ns - pins.setup_ns}
+            ends = {"in": pins.from_chip, "out": pins.to_chip}
+            for direction, most in left.items():
+                assert too_late(medium, {(pins.clock, direction): most}) == []
+                assert bool(too_late(medium, {(pins.clock, direction): most + 0.1})) == bool(ends[direction])
 
 
 def test_a_build_takes_a_users_top_and_its_report_lists_files_and_the_pins_that_they_use(

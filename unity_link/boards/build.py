@@ -22,6 +22,7 @@ from unity_link.gateware.external import temporary_folder
 from unity_link.gateware.ghdl import converting_ghdl
 from unity_link.gateware.limits import ETHERNET, check_generics
 from unity_link.gateware.own_vhdl import check_entities, convert_own
+from unity_link.gateware.pin_times import PIN_TIMES, SOURCES
 from unity_link.gateware.yowasp import EndlessError, RefusedError, place, run, script, version
 from unity_link.generate import Templates, vhdl, write
 from unity_link.generate.vhdl.bank import Bank
@@ -30,7 +31,7 @@ from unity_link.protocol.finding import DEFAULT_PORT
 from unity_link.quoting import markdown
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping, Sequence
+    from collections.abc import Callable, Iterable, Mapping, Sequence
 
     from unity_link.boards.board import Board, Pin
     from unity_link.files import Overwrite
@@ -48,6 +49,8 @@ _GATEWARES_MEMORIES = "setattr -set no_rw_check 1 ul_*/m:*"
 """No memory of the gateware uses a word that it reads while that is being written; one of a user's may."""
 _MHZ = 1e6
 _LOADER = "openFPGALoader"
+_PAD = "<async>"
+"""Begin or end of a way at a pad, in nextpnr's report."""
 _ANY = ""
 """Warnings of the tools do not fail a build: `make synth` checks the same gateware, and they are errors there."""
 
@@ -89,6 +92,8 @@ class _Placed(NamedTuple):
     """Number used and number available, for each kind of cell."""
     clocks: dict[str, tuple[float, float]]
     """Frequency reached and frequency needed, in MHz, for each clock."""
+    ways: dict[tuple[str, str], float]
+    """Longest way in the fabric in ns between registers of a clock and pads: by clock, and `in` or `out`."""
     seed: int
 
 
@@ -145,6 +150,12 @@ def build(
                 for remark in design.remarks:
                     note(remark)
                 made = _make(spec, chosen, board_name, board, work, design, own, note)
+            if board.medium in PIN_TIMES:
+                ends = [end for pins in PIN_TIMES[board.medium] for end in (*pins.from_chip, *pins.to_chip)]
+                note(
+                    f"the times of {', '.join(dict.fromkeys(ends))} are not checked, because nextpnr has no delays of "
+                    f"pads: {built.report.name} lists the times that these pins need"
+                )
             for path, data in zip(built, made, strict=True):
                 with writing.open(path) as file:
                     file.write(data)
@@ -305,13 +316,47 @@ def _place(
         # A user's design may have further clocks, made of the board's: the slowest counts.
         clocks[clock] = min(clocks.get(clock, (reached, needed_of)), (reached, needed_of))
     used = {kind: (int(count["used"]), int(count["available"])) for kind, count in report["utilization"].items()}
-    placed = _Placed(used, clocks, seed)
+    placed = _Placed(used, clocks, _ways(report.get("critical_paths", ()), board), seed)
     slow = [
         f"{clock} reaches {mhz:.1f} MHz of {least:.1f}" for clock, (mhz, least) in placed.clocks.items() if mhz < least
     ]
+    slow += too_late(board.medium, placed.ways)
     if slow:
         raise BuildError(f"{name} is too slow on {board_name}: {', '.join(slow)}")
     return placed
+
+
+def _ways(paths: Iterable[Mapping[str, Any]], board: Board) -> dict[tuple[str, str], float]:
+    """Return the longest ways of nextpnr's report between pads and registers."""
+    found: dict[tuple[str, str], float] = {}
+    for path in paths:
+        begin, end = path["from"], path["to"]
+        if (begin == _PAD) == (end == _PAD):
+            continue
+        place = (_clock(end, board), "in") if begin == _PAD else (_clock(begin, board), "out")
+        found[place] = max(found.get(place, 0.0), sum(float(step["delay"]) for step in path["path"]))
+    return found
+
+
+def too_late(medium: str, ways: Mapping[tuple[str, str], float]) -> list[str]:
+    """Return a sentence for each way in the fabric that alone takes longer than a chip leaves between two edges.
+
+    Args:
+        medium: of the board.
+        ways: longest ways in ns, by clock, and `in` or `out`.
+    """
+    found = []
+    for pins in PIN_TIMES.get(medium, ()):
+        if pins.is_made:
+            continue
+        for way, ends, taken in (("in", pins.from_chip, pins.arrival_ns[1]), ("out", pins.to_chip, pins.setup_ns)):
+            left, spent = pins.interval_ns - taken, ways.get((pins.clock, way), 0.0)
+            if ends and spent > left:
+                found.append(
+                    f"the wires of {', '.join(ends)} take {spent:.1f} ns, and the chip leaves {left:g} ns of "
+                    f"{pins.clock}"
+                )
+    return found
 
 
 def _place_with(seed: int, board: Board, work: Path) -> None:
@@ -391,10 +436,37 @@ def report_text(
 {_rows(sizes)}
 | clock | needed, MHz | reached, MHz |
 |---|---|---|
-{speed}
+{speed}{_pin_times(board.medium, placed.ways)}
 | pin | direction | site |
 |---|---|---|
 {_rows([(pin, way, design.pins[pin].site) for pin, way in design.ways.items()])}"""
+
+
+def _pin_times(medium: str, ways: Mapping[tuple[str, str], float]) -> str:
+    """Return the part of a report about pins whose times nextpnr does not check."""
+    if medium not in PIN_TIMES:
+        return ""
+    rows = []
+    for pins in PIN_TIMES[medium]:
+        edge = f"{'an' if pins.both_edges else 'a rising'} edge of {pins.clock}"
+        registers = "clk" if pins.is_made else pins.clock
+        (least, most), setup, hold = pins.arrival_ns, pins.setup_ns, pins.hold_ns
+        for way, ends, times in (
+            ("in", pins.from_chip, f"change {least:g} to {most:g} ns after {edge}"),
+            ("out", pins.to_chip, f"must be stable {setup:g} ns before and {hold:g} ns after {edge}"),
+        ):
+            if ends:
+                longest = ways.get((registers, way))
+                rows.append((", ".join(ends), times, "-" if longest is None else f"{longest:.1f}"))
+    return f"""
+**The times of these pins are not checked**: nextpnr has no delays of pads and of the clock network. The last column is
+the longest way in the fabric between a pad and a register, which is a part of the delay.
+
+{SOURCES[medium]}
+
+| pins | times at the pins of the FPGA | longest way in the fabric, ns |
+|---|---|---|
+{_rows(rows)}"""
 
 
 def _description(interface: Interface) -> str:

@@ -15,6 +15,7 @@ from unity_link.gateware.cache import LIBRARY, board_sources
 from unity_link.gateware.external import temporary_folder
 from unity_link.gateware.limits import check_generics
 from unity_link.gateware.own_vhdl import check_entities, convert_own
+from unity_link.gateware.pin_times import PIN_TIMES
 from unity_link.gateware.sources import in_compile_order
 from unity_link.gateware.vendors import add_vhdl
 from unity_link.generate import GeneratedFile, Templates, vhdl, write
@@ -41,6 +42,9 @@ _SCOPED = {
     "w5500": ("ul_subscription_manager",),
 }
 """Entities of a medium whose crossings Vivado is told of."""
+_PHYS = ("rmii", "mii", "rgmii")
+_PINS_OF_VIVADO = {"ft245_sync": "ul_ft245_sync_pins"} | {medium: f"ul_mac_{medium}_pins" for medium in _PHYS}
+"""Files with the clocks and the delays of the pins of a medium."""
 _ATTENTION = "No tool of a vendor has read this file yet: see gateware/constraints/README.md."
 
 
@@ -181,17 +185,19 @@ def _period_ns(hz: int) -> str:
 
 
 def _clock_lines(board: Board) -> list[str]:
-    """Return what both tools are told of the clocks; that of an FT245 stands in constraints of its own."""
+    """Return the commands of both tools for the clocks without those of a chip, which are in constraints of its own."""
+    of_chips = {pins.clock for pins in PIN_TIMES.get(board.medium, ())}
     return [
         f"create_clock -name {clock} -period {_period_ns(hz)} [get_ports {clock}]"
         for clock, hz in board.clocks.items()
-        if clock != "ft_clkout"
+        if clock not in of_chips
     ]
 
 
 def _false_paths(pins: Iterable[str]) -> list[str]:
-    """Return what both tools are told of pins whose other side is in no clock."""
-    ends = {"-from": ("uart_rxd", "chain_in"), "-to": ("uart_txd", "chain_clk", "chain_load_n", "chain_out")}
+    """Return the commands of both tools for pins whose other side is in no clock."""
+    chain, phy = ("chain_clk", "chain_load_n", "chain_out"), ("phy_rst_n", "phy_clk_25")
+    ends = {"-from": ("uart_rxd", "chain_in"), "-to": ("uart_txd", *chain, *phy)}
     found = {way: [pin for pin in pins if pin in asynchronous] for way, asynchronous in ends.items()}
     return [f"set_false_path {way} [get_ports {{{' '.join(some)}}}]" for way, some in found.items() if some]
 
@@ -208,7 +214,7 @@ def _vivado(design: Design) -> Iterator[GeneratedFile]:
         f"{generic}={value}" if isinstance(value, int) else f"{generic}={len(value)}'b{value}"
         for generic, value in design.generics.items()
     )
-    too_slow = f"{design.top} is too slow on {board.title}: see the timing report of impl_1"
+    too_slow = f"{design.top} does not keep its times on {board.title}: see the timing report of impl_1"
     constraints = f"[file join $here {GATEWARE_FOLDER} constraints vivado"
     yield GeneratedFile(
         f"{name}.tcl",
@@ -220,15 +226,18 @@ def _vivado(design: Design) -> Iterator[GeneratedFile]:
             f"create_project -force {name} [file join $here vivado] -part {board.device}",
             *(add_vhdl("vivado", f"[file join $here {path}]", library) for path, library in design.sources),
             f"read_xdc [file join $here {name}.xdc]",
+            # All clocks come before the files of entities, which ask for their periods.
+            *(f"read_xdc {constraints} {file}.xdc]" for file in filter(None, [_PINS_OF_VIVADO.get(board.medium)])),
             *(f"read_xdc -ref {entity} {constraints} {entity}.xdc]" for entity in _SCOPED[board.medium]),
-            *([f"read_xdc {constraints} ul_ft245_sync_pins.xdc]"] if board.medium == "ft245_sync" else ()),
             f"set_property top {design.top} [current_fileset]",
             f"set_property generic {{{generics}}} [current_fileset]",
             'if {[lindex $argv 0] eq "bitstream"} {',
             "    launch_runs impl_1 -to_step write_bitstream",
             "    wait_on_run impl_1",
-            "    if {[get_property STATS.WNS [get_runs impl_1]] < 0} {",
-            f"        error {tcl_string(too_slow)}",
+            "    foreach slack {STATS.WNS STATS.WHS} {",
+            "        if {[get_property $slack [get_runs impl_1]] < 0} {",
+            f"            error {tcl_string(too_slow)}",
+            "        }",
             "    }",
             "}",
         ),
@@ -253,6 +262,7 @@ def _vivado(design: Design) -> Iterator[GeneratedFile]:
 
 def _quartus(design: Design) -> Iterator[GeneratedFile]:
     name, board = design.name, design.board
+    sdc = f"set_global_assignment -name SDC_FILE {GATEWARE_FOLDER}/constraints/quartus"
     yield GeneratedFile(f"{name}.qpf", _lines(f'PROJECT_REVISION = "{name}"'))
     yield GeneratedFile(
         f"{name}.qsf",
@@ -268,7 +278,8 @@ def _quartus(design: Design) -> Iterator[GeneratedFile]:
             ),
             *(add_vhdl("quartus", path, library) for path, library in design.sources),
             f"set_global_assignment -name SDC_FILE {name}.sdc",
-            f"set_global_assignment -name SDC_FILE {GATEWARE_FOLDER}/constraints/quartus/unity_link.sdc",
+            f"{sdc}/unity_link.sdc",
+            *([f"{sdc}/{board.medium}_pins.sdc"] if board.medium in _PHYS else ()),
             *(
                 line
                 for port, pin in design.pins.items()

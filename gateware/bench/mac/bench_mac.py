@@ -34,7 +34,7 @@ class Bench:
     async def begin(self) -> Phy:
         self._dut.rx_ready.value = 1
         self._dut.tx_valid.value = self._dut.tx_last.value = self._dut.tx_data.value = 0
-        phy = Phy(self._dut, _INTERFACE)
+        phy = Phy(self._dut, _INTERFACE, timed=True)
         # The PHY's clocks are slower, and are to be reset as well before anything counts.
         self._dut.rst.value = 1
         cocotb.start_soon(Clock(self._dut.clk, round(_PERIOD_NS * 1000), unit="ps").start())

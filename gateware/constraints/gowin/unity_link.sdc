@@ -5,7 +5,8 @@
 // 10 ns: put the period of the faster clock here. It also bounds the skew of a pointer, which has no command of its
 // own.
 //
-// FT232H: outputs from 0 to 9 ns after CLKOUT, setup 7.5 ns, hold 0. FT2232H: outputs from 1 to 7.15 ns, setup 8 ns.
+// FT232H, table 4.1 of FT_000288: outputs from 0 to 9 ns after CLKOUT, setup 7.5 ns, hold 0. FT2232H: outputs from 1 to
+// 7.15 ns, setup 8 ns.
 
 create_clock -name ft_clkout -period 16.667 [get_ports {ft_clkout}]
 

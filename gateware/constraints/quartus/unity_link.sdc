@@ -2,16 +2,15 @@
 #
 # unity_link in Quartus. Made by `make lists` from the VHDL. Unchecked: see README.md.
 #
-# FT232H: outputs from 0 to 9 ns after CLKOUT, setup 7.5 ns, hold 0. FT2232H: outputs from 1 to 7.15 ns, setup 8 ns.
+# FT232H, table 4.1 of FT_000288: outputs from 0 to 9 ns after CLKOUT, setup 7.5 ns, hold 0. FT2232H: outputs from 1 to
+# 7.15 ns, setup 8 ns.
 
 if {[get_collection_size [get_ports -nowarn ft_clkout]]} {
-    create_clock -name ft_clkout -period 16.667 [get_ports ft_clkout]
-    set from_chip [get_ports {ft_rxf_n ft_txe_n ft_data[*]}]
-    set to_chip   [get_ports {ft_rd_n ft_wr_n ft_oe_n ft_siwu_n ft_data[*]}]
-    set_input_delay -clock ft_clkout -max 9 $from_chip
-    set_input_delay -clock ft_clkout -min 0 $from_chip
-    set_output_delay -clock ft_clkout -max 7.5 $to_chip
-    set_output_delay -clock ft_clkout -min 0 $to_chip
+    create_clock -name ft_clkout -period 16.667 [get_ports {ft_clkout}]
+    set_input_delay -clock ft_clkout -max 9 [get_ports {ft_rxf_n ft_txe_n ft_data[*]}]
+    set_input_delay -clock ft_clkout -min 0 [get_ports {ft_rxf_n ft_txe_n ft_data[*]}]
+    set_output_delay -clock ft_clkout -max 7.5 [get_ports {ft_rd_n ft_wr_n ft_oe_n ft_siwu_n ft_data[*]}]
+    set_output_delay -clock ft_clkout -min 0 [get_ports {ft_rd_n ft_wr_n ft_oe_n ft_siwu_n ft_data[*]}]
 }
 
 # Gray pointers: within a cycle of the clock that takes them, by less than one of the other apart.
