@@ -187,8 +187,8 @@ def test_a_wrong_parameter_is_one_error_at_the_argument_by_its_name(core: str, m
     with pytest.raises(SpecError) as caught:
         interface_of(line)
     (error,) = (one for one in caught.value.diagnostics if one.severity == "error")
-    told = f"{message} with 1 axis in one instance" if "MAXVEL is" in message else message
-    assert (error.message, error.span.file, error.text) == (f"x: {told}", "<text>", line)
+    expected = f"{message} with 1 axis in one instance" if "MAXVEL is" in message else message
+    assert (error.message, error.span.file, error.text) == (f"x: {expected}", "<text>", line)
     name = message.partition(" ")[0].rstrip(":")
     value = core.partition(f"{name}=")[2].partition(",")[0].rstrip(")")
     assert line[error.span.column - 1 : error.span.end_column - 1] == value
@@ -203,7 +203,7 @@ def test_a_default_that_does_not_fit_is_an_error_at_the_placement() -> None:
 
 
 @pytest.mark.parametrize(("core", "name", "last"), [("ENCODER", "COUNTS", "2"), ("STEPGEN", "STEPS", "2")])
-def test_each_of_several_wrong_parameters_is_told(core: str, name: str, last: str) -> None:
+def test_each_of_several_wrong_parameters_is_reported(core: str, name: str, last: str) -> None:
     with pytest.raises(SpecError) as caught:
         interface_of(f"x: {core}({name}=0) @(0x10); y: {core}({name}={last}) @(0x20); z: PWM(LIMIT=0) @(0x30);")
     messages = [one.message for one in caught.value.diagnostics if one.severity == "error"]
@@ -244,8 +244,8 @@ def test_a_board_with_another_clock_is_told_by_build_before_any_tool_runs(tmp_pa
     spec = compile_text("public robot() { GATEWAY(CLOCK=10000000); x: LEASE(TIMEOUT=60) @(0); }")
     board = load_board("ulx3s")[1]
     most = (1 << 30) / board.core_hz
-    told = f"x: TIMEOUT is 60, expected 1e-06 to {most:.12g} at a clock of {board.core_hz:,} Hz"
-    with pytest.raises(ArgumentError, match=f"^{re.escape(told)}$"):
+    expected = f"x: TIMEOUT is 60, expected 1e-06 to {most:.12g} at a clock of {board.core_hz:,} Hz"
+    with pytest.raises(ArgumentError, match=f"^{re.escape(expected)}$"):
         build(spec, "ulx3s", board, tmp_path)
 
 

@@ -1,4 +1,4 @@
-"""Quick models beside the compiled gateware: what the same motion of encoders and pins leaves in the registers."""
+"""Quick models and the compiled gateware have the same registers after the same motion of encoders and pins."""
 
 from __future__ import annotations
 
@@ -144,7 +144,7 @@ def test_edges_of_a_pin_and_indexes_go_round_at_16_bits(both: Both) -> None:
     both.begin()
     bare: Any = both.compiled._gateway
     number, space = (1 << 16) + 3, 4
-    # At the index, where the robot begins.
+    # The robot begins at the index.
     both.compiled.ports["index_alone_z"].drive(0)
     bare.run(SPACE)
     for place in range(number):

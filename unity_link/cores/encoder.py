@@ -22,7 +22,7 @@ LONGEST = 0.5
 class EncoderModel(Model):
     """Velocity by the time between counts, and the index once a turn, from the position that a plant sets.
 
-    What the pins that are `none` do not show is not counted, as the entity has it.
+    A pin that is `none` is an input of 0: the model counts the edges of the other pins alone, as the entity does.
     """
 
     def __init__(self, component: ComponentSpec, part: Any, around: Surroundings) -> None:

@@ -24,7 +24,7 @@ LOOK_AGAIN = 0.005
 _ROUND = 1 << 24
 """Steps at which a position goes round."""
 _SLICE = 0.001
-"""Seconds after which the shortest way is looked for again, where that may be another one."""
+"""Seconds after which the shortest way is looked for again, if that may be another one."""
 _CLOSE = 1e-9
 """Part of a way, a speed or a step that is none."""
 

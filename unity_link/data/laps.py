@@ -90,7 +90,7 @@ class Laps:
         Args:
             value: a finite number.
             epoch: the session.
-            name: of what is given the value.
+            name: of the signal that the value is for, in the error.
 
         Raises:
             ArgumentError: for a value farther away.
@@ -131,7 +131,7 @@ class ColumnLaps:
     Args:
         signals: of the samples.
         addresses: of the words of a sample.
-        keys: what each signal is known by; their paths without them.
+        keys: the key of each signal in `bases` and `known`; its path without them.
         bases: keys of the signals whose rounds are counted for each; by the paths of the spec without them.
         known: laps of signals by their keys, which the stream goes on from and keeps up to date.
     """
@@ -170,7 +170,7 @@ class ColumnLaps:
             if base != key and base in counted:
                 counted[key] = laps.near_each(column, counted[base])
                 continue
-            # A signal whose base is not in the samples goes on from what was seen of that elsewhere.
+            # A signal whose base is not in the samples goes on from the last value of the base that was read elsewhere.
             if base in self._known and (base != key or not self._has_begun):
                 laps.begin(self._known[base])
             counted[key] = laps.count(column, epochs, at)

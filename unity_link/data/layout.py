@@ -115,7 +115,7 @@ class GroupLayout:
         return row
 
     def laps(self) -> ColumnLaps | None:
-        """Return the rounds of a stream of samples, from what was seen; None without a signal with WRAPS."""
+        """Return the rounds of a stream of samples, from the last values; None without a signal with WRAPS."""
         if not self._wrapping:
             return None
         bases = [

@@ -232,8 +232,8 @@ class Proxy(Sealed, Generic[T]):
         """Return the words of a value, one for each address, as `Signal.encode`; with WRAPS also beyond the range.
 
         Raises:
-            ArgumentError: for a value that its kind cannot say, outside of the limits, or too far from what was seen
-                last of a signal with WRAPS.
+            ArgumentError: for a value that its kind cannot say, outside of the limits, or, with WRAPS, too far from the
+                value that was read last.
         """
         laps = self.laps
         given: object = value

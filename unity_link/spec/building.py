@@ -116,7 +116,7 @@ class Builder:
 
         Args:
             path: of the component.
-            place: of what the message is about.
+            place: place of the argument, for the error.
             message: returns why a parameter is not allowed for a number of axes and a clock in Hz; empty if it is.
         """
         placing = self.context.reporter.current

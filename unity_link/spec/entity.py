@@ -347,7 +347,7 @@ def _span(low: float, high: float) -> str:
     if low == high:
         return _plain(low)
     least, most = _plain(low), _plain(high)
-    # What is written is allowed.
+    # The bounds as written are allowed values.
     least = least if float(least) >= low else repr(low)
     most = most if float(most) <= high else repr(high)
     if high == math.inf:

@@ -88,7 +88,7 @@ class AxesLimit(NamedTuple):
     path: str
     """Path of the component."""
     place: SignalPlace
-    """Place of what the message is about."""
+    """Place of the argument, for the error."""
     message: Callable[[int, int], str]
     """Returns why the parameter is not allowed for a number of axes and a clock in Hz; empty if it is."""
     placing: Placing
@@ -137,9 +137,9 @@ class InterfaceDraft:
         for path, place, message, placing in self.limits_of_axes:
             limit = functools.partial(message, axes.get(path, 1))
             self.limits.append(limit)
-            if told := limit(self.clock_hz):
+            if refusal := limit(self.clock_hz):
                 self.reporter.refuse(placing)
-                self._error(place, "out-of-range", told)
+                self._error(place, "out-of-range", refusal)
 
     def check_timed(self, schedules: set[str]) -> None:
         """Check the signals that schedules write.

@@ -314,12 +314,12 @@ class Contents:
         arguments, places = _with_base(member, node) if core is not None else (member.arguments, member.addresses or [])
         values = self._bind(member, node.parameters, arguments, scope, "argument")
         path = self._builder.path_of(self._where, member.name, index)
-        stands = {name: SignalPlace(self._source, place) for name, (_, place) in values.items()}
+        arguments_at = {name: SignalPlace(self._source, place) for name, (_, place) in values.items()}
         known = dict(self._builder.context_of(declared.source).globals)
         self._context.reporter.spend(_EFFORT_OF_A_COMPONENT + len(known) // 8)
         given: dict[str, Result] = {}
         # The lines of a core are not the author's, whose arguments are.
-        placing = Placing(declared.source, node.place, path, {} if core is None else stands)
+        placing = Placing(declared.source, node.place, path, {} if core is None else arguments_at)
         with self._context.reporter.placing(placing):
             for parameter in node.parameters:
                 name = str(parameter.name)
@@ -335,7 +335,7 @@ class Contents:
             chain = (*self._where.chain, node)
             folder = None if core is None else core.folder
             put = SignalPlace(self._source, member.type.place)
-            where = Where(path, addresses, inner, module, base, chain, pins, folder, stands, put)
+            where = Where(path, addresses, inner, module, base, chain, pins, folder, arguments_at, put)
             component = put_component(self._builder, declared, where, str(member.name), index, given)
         if not index:
             self._warn_of_no_lease(member, component)

@@ -374,7 +374,7 @@ class SignalReader:
             self._fault(place, "bad-wraps", f"no {kind.name} wraps", "signed, unsigned and fixed numbers do")
         elif kind.width > MOST_WRAPPED:
             message = f"a signal with WRAPS has at most {MOST_WRAPPED} bits, and this one has {kind.width}"
-            self._fault(place, "bad-wraps", message, "leave it out: nobody counts so far")
+            self._fault(place, "bad-wraps", message, "leave it out: no counter gets so far")
         elif refused is not None:
             self._fault(binder.places[refused], "bad-wraps", f"no signal with WRAPS has {refused}", "leave it out")
         else:
