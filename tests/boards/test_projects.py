@@ -55,6 +55,9 @@ def evaluated(path: Path, commands: tuple[str, ...], arguments: str = "", slack:
         tcl.createcommand(command, functools.partial(note, command))
     tcl.createcommand("get_property", lambda *_: slack)
     tcl.createcommand("get_collection_size", lambda *_: "1")
+    for bit in range(8):
+        # Quartus writes and reads names of pins such as led[0] without braces.
+        tcl.createcommand(str(bit), lambda bit=bit: f"[{bit}]")
     tcl.setvar("argv", arguments)
     # Not by `cd`, which would move the whole process: the paths of a .qsf, which are relative to it, are joined later.
     tcl.eval(f"source {path}")
