@@ -77,7 +77,8 @@ def _end(runtime: CallingThread, link: asynchronous.Link) -> None:
     try:
         runtime.run(_close, runtime, link, patience)
     finally:
-        runtime.close(patience)
+        if runtime.is_closed:
+            runtime.close(patience)
 
 
 def _end_unclosed(runtime: CallingThread, link: asynchronous.Link) -> None:
@@ -96,12 +97,16 @@ async def _close_later(runtime: CallingThread, link: asynchronous.Link) -> None:
 
 
 async def _close(runtime: CallingThread, link: asynchronous.Link, patience: float | None) -> None:
-    if patience is None:
-        await link.aclose()
-        return
-    with suppress(TimeoutError):
-        async with runtime.timeout(patience):
+    try:
+        if patience is None:
             await link.aclose()
+            return
+        with suppress(TimeoutError):
+            async with runtime.timeout(patience):
+                await link.aclose()
+    finally:
+        # In this call, which no signal handler interrupts.
+        runtime.end()
 
 
 def noting(entered: list[bool], enter: Callable[[], Awaitable[object]]) -> Callable[[], Coroutine[Any, Any, None]]:
@@ -171,7 +176,8 @@ class BlockingLink(Sealed):
             try:
                 _end(self._runtime, self._link)
             finally:
-                self._end.detach()
+                if self._runtime.is_closed:
+                    self._end.detach()
 
     def _call(self, function: Callable[..., Coroutine[Any, Any, T]], *arguments: Any) -> T:
         """Run a coroutine of the link, and return its result."""
