@@ -72,7 +72,7 @@ def test_the_examples_show_every_error_that_a_short_example_can_show() -> None:
     assert shown == set(ErrorCode) - {ErrorCode.TOO_LONG, ErrorCode.RECEIVE_OVERFLOW}
 
 
-def test_the_chances_of_a_number_that_comes_again_are_those_of_what_programs_draw() -> None:
+def test_the_chances_of_a_number_that_comes_again_follow_from_the_numbers() -> None:
     text = DOCUMENT.read_text(encoding="utf-8")
     chances = [
         [int(number.replace(",", "")) for number in pair]

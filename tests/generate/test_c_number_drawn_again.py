@@ -24,7 +24,7 @@ TEXT = GatewayInfo(id_digits=2)
 
 
 class Line:
-    """A client on simulated time, its gateway, and what it sends."""
+    """A client on simulated time, its gateway, and the frames that it sends."""
 
     def __init__(self, driver: Path, info: GatewayInfo = TEXT, *, echoes: bool = False) -> None:
         self.gateway = VirtualGateway(info)
@@ -128,7 +128,7 @@ def test_a_client_that_holds_a_group_proves_its_session_each_second(driver: Path
         assert ANOTHER in line.client("poll 2.5")
 
 
-def test_a_client_leaves_a_gateway_that_never_tells_the_next_id(driver: Path) -> None:
+def test_a_client_leaves_a_gateway_that_never_answers_n(driver: Path) -> None:
     line = Line(driver)
     with line.client:
         line.idle()

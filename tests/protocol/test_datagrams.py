@@ -316,7 +316,7 @@ def test_a_session_goes_on_if_another_host_sends_a_bare_k_under_the_offer() -> N
     assert (told, begun[0]) == ((CHECKED(b"X0A"), "A"), CHECKED(b"K00022221111"))
 
 
-def test_a_datagram_to_which_nothing_is_answered_brings_none() -> None:
+def test_a_datagram_without_a_response_brings_none_back() -> None:
     model, sent = VirtualGateway(), list[tuple[bytes, str]]()
     side: GatewayDatagrams[str] = GatewayDatagrams(
         Codec(model.info), lambda frames: side.put(model.receive(frames, 0.0)), lambda *answer: sent.append(answer)

@@ -56,7 +56,7 @@ class Line:
         self._count = 0
 
     def exchange(self, now: float) -> None:
-        """Carry frames in both directions until the host has nothing more to send."""
+        """Carry frames in both directions until the host has no more to send."""
         while data := self.session.take_output():
             for frame in data.splitlines(keepends=True):
                 self.sent.append(frame)
@@ -94,7 +94,7 @@ class Line:
         self.sent.clear()
 
     def ends(self) -> list[type]:
-        """Return the kinds of what has become of the session."""
+        """Return the kinds of events about the session."""
         return [type(event) for event in self.events if isinstance(event, Interrupted | Taken | Opened | Unusable)]
 
     def draw_again(self, ahead: int) -> None:
@@ -146,7 +146,7 @@ def test_a_host_that_was_answered_within_a_second_sends_its_request_at_once() ->
     assert heads(line.sent) == [b"w00", b"w01", b"w02"]
 
 
-def test_what_asks_for_the_round_trip_is_part_of_the_proof() -> None:
+def test_a_ping_is_part_of_the_proof() -> None:
     line = Line()
     ping = line.submit(Confirmation(line.session.codec, of_session=True), IDLE)
     assert ping.done
@@ -184,8 +184,8 @@ def test_requests_made_during_a_proof_wait_for_it() -> None:
     assert line.bus.writes == [(ADDRESS, 7)]
 
 
-def test_a_gateway_that_never_tells_the_next_id_is_left_to_another_program() -> None:
-    """It has told of a gap already, and so answers nothing that is ahead."""
+def test_a_gateway_that_never_answers_n_is_left_to_another_program() -> None:
+    """The gateway has reported a gap already, and so answers no request that is ahead."""
     line = Line()
     line.draw_again(RING // 4)
     number = line.session.codec.session

@@ -1,4 +1,4 @@
-"""What docs/protocol.md says in a sentence that no example shows, on the model and on the compiled gateware."""
+"""Sentences of docs/protocol.md that no example shows, on the model and on the compiled gateware."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Person:
         self.number = 0
 
     def ask(self, body: bytes) -> bytes:
-        """Return what a checked frame is answered, without the checks."""
+        """Return the answers to a checked frame, without their checks."""
         answers = self.gateway.receive(self.frame(body), 0.0)
         return b" ".join(self.open(answer) for answer in answers.split(b"\n")[:-1])
 
@@ -72,14 +72,14 @@ def test_the_number_under_way_is_0b_whatever_its_highest_bit(make: Maker, fields
 
 
 @BOTH
-def test_without_the_compact_form_a_number_with_the_highest_bit_is_out_of_range(make: Maker) -> None:
+def test_a_number_with_the_highest_bit_is_out_of_range_without_compact(make: Maker) -> None:
     person = Person(make())
     person.begin()
     assert person.ask(b"K0009235") == b"X06"
 
 
 @BOTH
-def test_a_repetition_is_answered_by_what_stands_at_its_id(make: Maker) -> None:
+def test_the_command_of_a_repetition_decides_its_answer(make: Maker) -> None:
     """A host repeats the request itself. The answers to another one with its ID follow from how that ended."""
     person = Person(with_failing(make()))
     gateway = person.gateway

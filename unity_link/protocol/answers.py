@@ -80,7 +80,7 @@ class Answers:
         self._sample = codec.framing.prefix + b"P"
         """First letters of samples, which carry nothing about requests."""
         self._next = self._ahead = _NOWHERE
-        """While a proof is pending, the ID that `n` tells in this session, and the ID of the ``h`` that asks for it."""
+        """While a proof is pending, the ID that `n` has in this session, and the ID of the ``h`` that asks for it."""
         self._is_proven = False
         self._error_size = codec.framing.overhead + 3
         self._sizes = _answer_sizes(codec)

@@ -512,8 +512,8 @@ class Session:
     def _prove(self, now: float) -> None:
         """Ask whether the session under way is this one and not another program's of the same number, if that is due.
 
-        `K` asks for the number. An ``h`` far ahead of the next ID asks for that ID, which `n` tells. The ``h`` with the
-        next ID is a request like any other: `n` has come before its answer, or was lost.
+        `K` asks for the number. An ``h`` far ahead of the next ID asks for that ID: the gateway answers it by `n`. The
+        ``h`` with the next ID is a request like any other: `n` has come before its answer, or was lost.
         """
         waiting, window = self._waiting, self.window
         is_due = self._proofs or (waiting and now >= window.since + KEEP_ALIVE)

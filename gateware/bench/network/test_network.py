@@ -222,7 +222,7 @@ def test_a_malformed_k_with_something_behind_it_takes_the_offer(frame: bytes) ->
     assert is_lost
 
 
-def test_a_datagram_to_which_nothing_is_answered_brings_none() -> None:
+def test_a_datagram_without_a_response_brings_none_back() -> None:
     wire = Wire()
     assert wire.ask(udp(b"WS0A00000001\r"), 6000) == []
     assert wire.writes() == [(0x0A, 1)]

@@ -20,8 +20,8 @@
 --
 -- The frames of a datagram without a header go to the core as well, which is told by `asking` that they have no session.
 -- So do those of a bare `K` under the session on offer. Its characters pass while they are `K` and the digits of its
--- check. The first other character is one of a field: it takes the offer before it passes, and so before the core has a
--- whole frame.
+-- check. The first other character begins a field: the offer is taken before this character passes, and so before the
+-- core has the whole frame.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -531,7 +531,7 @@ begin
             headless <= '1';
             state    <= pass;
           elsif in_valid = '1' and passes = '0' and still = '1' then
-            -- Who had the session is told.
+            -- The former opener is sent a refusal.
             candidate   <= opener_i;
             opener_i    <= requester_i;
             requester_i <= candidate;

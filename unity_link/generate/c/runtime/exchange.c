@@ -192,7 +192,7 @@ static void ask_whose(ul_link *link)
     note_question(link);
 }
 
-/* Nothing is under way, and no answer has come for so long that the session may be another program's by now. */
+/* No request is in flight, and no answer has come for so long that the session may be another program's by now. */
 static bool is_stale(const ul_link *link, double now)
 {
     return places_held(link) == 0 && now >= link->since + KEEP_ALIVE;
@@ -205,9 +205,9 @@ static uint32_t ahead_of_proof(const ul_link *link)
 }
 
 /* Prove that the session under way is this one, and not another program's of the same number. `K` asks for the number. An
- * `h` far ahead of the next ID asks for that ID, which `n` tells. The `h` with the next ID is a request like any other: `n`
- * has come before its answer, or was lost. On a half-duplex medium, where one frame is sent at a time, it is sent again
- * after `n`. */
+ * `h` far ahead of the next ID asks for that ID: the gateway answers it by `n`. The `h` with the next ID is a request like
+ * any other: `n` has come before its answer, or was lost. On a half-duplex medium one frame is sent at a time, and this
+ * last one after `n`. */
 static void begin_proof(ul_link *link)
 {
     link->proof = link->next;
@@ -219,7 +219,7 @@ static void begin_proof(ul_link *link)
     else send_fence(link);
 }
 
-/* The last `h` of a proof is answered: requests go on, or the next proof begins. */
+/* The `h` with the next ID was answered: let requests go on, or begin the next proof. */
 static void end_proof(ul_link *link)
 {
     if (link->is_proven) link->proofs = 0;
