@@ -20,6 +20,7 @@ from unity_link.protocol import compact, trial
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.constants import TABLE
 from unity_link.protocol.frames import LARGEST_DATAGRAM
+from unity_link.protocol.numbers import MOST_SECONDS
 from unity_link.transport.polling import REMEMBERED_WAITS, SPIN
 from unity_link.transport.udp import RECEIVE_BUFFER
 
@@ -44,6 +45,7 @@ RUNTIME_VALUES = {
     "SPIN": SPIN,
     "REMEMBERED_WAITS": REMEMBERED_WAITS,
     "LARGEST_DATAGRAM": LARGEST_DATAGRAM,
+    "MOST_SECONDS": MOST_SECONDS,
     "RECEIVE_BUFFER": RECEIVE_BUFFER,
     "COMPACT": {
         "START": compact.START[0],

@@ -485,8 +485,10 @@ ul_status ul_open(ul_link *link, const ul_transport *transport, int node, double
     link->posts = UL_BATCH;
     link->open_until = now_of(link) + timeout;
     opening opens = {.link = link, .patience = FIRST_TRY};
-    ul_status status =
-        node > 0xFE ? fail(link, UL_BAD_ARGUMENT, "node", "0 to 254 was expected") : learn(&opens);
+    /* Written so that NaN is refused; a time that is over has no answer. */
+    ul_status status = !(timeout <= MOST_SECONDS) ? fail(link, UL_BAD_ARGUMENT, "timeout", "1e9 seconds at most were expected")
+                     : node > 0xFE ? fail(link, UL_BAD_ARGUMENT, "node", "0 to 254 was expected")
+                                   : learn(&opens);
     if (status == UL_OK) status = start_session(&opens);
     link->open = status == UL_OK;
     if (!link->open) shut(link);
