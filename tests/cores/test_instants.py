@@ -153,7 +153,7 @@ async def test_a_timeline_that_fails_to_start_leaves_its_schedule_free() -> None
                 await asyncio.sleep(0)
             starting.cancel()
             await asyncio.wait([starting])
-            # What was cancelled ends within cycles, which do not pass while nobody waits.
+            # Cancelled writes end within cycles, and no time passes until a task waits.
             await asyncio.sleep(0.001)
             await start()
 

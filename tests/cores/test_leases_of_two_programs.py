@@ -118,7 +118,7 @@ class Program:
                 finally:
                     self.within = None
         except UnityLinkError:
-            # Of what it does without the lease, nothing may act either, where the server knows the lease.
+            # A server that knows the lease refuses writes of programs without it.
             if world.knows_lease:
                 with contextlib.suppress(UnityLinkError):
                     await robot.speed.set(self.value())
@@ -184,7 +184,7 @@ class World:
 
     @property
     def holder(self) -> int | None:
-        """Program whose token is in the lease; None while nothing is armed."""
+        """Program whose token is in the lease; None while the lease is not armed."""
         robot = self.gateway.robot
         token = robot.cores._of_signal["drive.arm"][0]._token
         return self.programs[token & (1 << 23) - 1] if robot.drive.armed else None
@@ -195,7 +195,7 @@ class World:
             self.wrong.append(f"{path} = {value} acted under the lease of {self.holder}")
 
     def judge_disarm(self) -> None:
-        # It is told before the lease takes it. A server disarms leases of a session that is over.
+        # This is called before the lease takes the write. A server disarms leases of a session that is over.
         holder = self.holder
         program = None if holder is None else self.two[holder]
         if program is None or program.within is None or program.began != self.shared.interruptions:

@@ -57,7 +57,7 @@ class Instant(msgspec.Struct, frozen=True, order=True):
         """Return the instant so much later, in the nearest cycle; earlier, for a number below 0.
 
         Raises:
-            ArgumentError: for what is no finite number of seconds, and an instant 2 ** 64 ticks or more from 0.
+            ArgumentError: if `seconds` is no finite number, or the instant is 2 ** 64 ticks or more from 0.
         """
         return Instant(round(ticks_after(self.ticks, seconds, self.clock_hz)), self.clock_hz)
 
@@ -70,7 +70,7 @@ def ticks_after(ticks: int | Fraction, seconds: float, hertz: int) -> Fraction:
     """Return the ticks of a clock so many seconds after some ticks, before them for a number below 0.
 
     Raises:
-        ArgumentError: for what is no finite number of seconds, and ticks that no clock counts.
+        ArgumentError: if `seconds` is no finite number, or no clock counts so many ticks.
     """
     passed = real_number(seconds, "instants are a finite number of seconds apart")
     after = ticks + Fraction(passed) * hertz
@@ -174,7 +174,7 @@ class TickClock:
         """Return the instant at a time of this machine's clock (seconds), as near as is known.
 
         Raises:
-            ArgumentError: for what is no time of that clock: a number of seconds up to 1e9.
+            ArgumentError: if `time` is no number of seconds from 0 to 1e9.
         """
         bounds = self._bounds
         time = seconds_from(time, "a time of this machine's clock is a number of seconds from 0 on", zero=True)
@@ -196,7 +196,7 @@ class TickClock:
         """Return when an instant is by this machine's clock (seconds).
 
         Raises:
-            ArgumentError: for what is no instant, and one of a clock with another frequency.
+            ArgumentError: if `instant` is no instant, or one of a clock with another frequency.
         """
         self.check(instant)
         now = self.time()
@@ -206,7 +206,7 @@ class TickClock:
         """Return an instant of this clock.
 
         Raises:
-            ArgumentError: for what is none, or one of a clock with another frequency.
+            ArgumentError: if the argument is no instant, or one of a clock with another frequency.
         """
         given: object = instant
         if not isinstance(given, Instant):

@@ -365,10 +365,10 @@ class Lease(Sealed):
         raise _LateError(message, "late")
 
     def _check_free(self, condition: _Condition) -> None:
-        """Check that nobody has the lease.
+        """Check that no program has the lease.
 
         Raises:
-            NotArmedError: if somebody has.
+            NotArmedError: if a program has it.
         """
         if not condition.armed:
             return
@@ -425,10 +425,10 @@ class Lease(Sealed):
             raise error
 
     async def _in_session(self, answer: Awaitable[T]) -> T:
-        """Wait for an answer that says something of the lease.
+        """Wait for an answer about the lease.
 
         Raises:
-            NotArmedError: if another session has begun, of which the answer may be.
+            NotArmedError: if another session has begun: the answer may come from it.
         """
         try:
             answered = await answer
@@ -500,7 +500,7 @@ class Lease(Sealed):
         async with running().last_timeout(self.timeout):
             if not arming:
                 return await self._is_finishing()
-            # Its word may have arrived although nobody has waited for the answer.
+            # The gateway may have executed the arm, although its answer was not awaited.
             return self.ended() is None and self.is_of(await self._registers.condition())
 
     def _note(self) -> str:
@@ -622,7 +622,7 @@ class Lease(Sealed):
 
         Args:
             condition: of the registers.
-            refused: whether a kick was refused, which a gateway does not do.
+            refused: whether a kick was refused: a server refuses kicks, a gateway does not.
 
         Raises:
             NotArmedError: where it has; also where another one has begun since.

@@ -46,14 +46,14 @@ class ScheduleVerbs(Verbs):
             lease: that guards what is written; it is kicked as the line is fed.
 
         Raises:
-            ArgumentError: for a lead that is no number of seconds from 0 on, or that takes half of what the schedule's
-                clock counts: 10995 s at 50 MHz.
+            ArgumentError: if the lead is no number of seconds from 0 on, or half the range of the schedule's clock or
+                more: 10995 s at 50 MHz.
         """
         registers = ScheduleRegisters.of(self)
         what, most = f"the lead of {registers.name} is a number of seconds", registers.reach_seconds
         seconds = seconds_from(lead, f"{what} from 0 on", zero=True)
         if seconds >= most:
-            raise ArgumentError(f"{what} below {most:.0f}, half of what its clock counts, not {shown(lead)}")
+            raise ArgumentError(f"{what} below {most:.0f}, half the range of its clock, not {shown(lead)}")
         return Timeline(registers, seconds, lease)
 
     async def play(

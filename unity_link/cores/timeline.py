@@ -79,7 +79,7 @@ class ScheduleRegisters(CoreRegisters):
         self.lease = next((signal.safe.lease for signal in timed.values() if signal.safe is not None), None)
         """Path of the lease that guards what it writes."""
         self.reach_seconds = AHEAD / self.link.gateway.clock_hz
-        """Seconds by which an instant can be ahead of the gateway's clock, less than half of what that counts."""
+        """Seconds by which an instant can be ahead of the gateway's clock: half the range of its 40 bits."""
 
     def timed(self, proxy: Proxy[Any]) -> Signal:
         """Return the declaration of a signal that it can write.
@@ -240,7 +240,7 @@ class ScheduleFeed:
         await self._empty()
 
     async def leave(self, error: BaseException) -> None:
-        """Cancel what was sent and has not acted, at the end of a block that has failed; its error is not hidden."""
+        """Cancel the writes that have not acted, at the end of a block that has failed; its error is not hidden."""
         has_queued = self.has_begun and self._resets == self._link.resets
         self.give_up()
         self._failed.clear()
@@ -251,11 +251,13 @@ class ScheduleFeed:
                 # The end of a lease, and a reset, cancel all by themselves.
                 pass
             except UnityLinkError as failed:
-                error.add_note(f"what {self.registers.name} has queued may act: it could not be cancelled ({failed})")
+                error.add_note(
+                    f"writes that wait in {self.registers.name} may act: they could not be cancelled ({failed})"
+                )
 
     async def _empty(self) -> None:
         signal = self.registers.cancel.signal
-        # It ends with its session: in the next one it could cancel what another program has scheduled.
+        # The write ends with its session: in the next session it could cancel the schedule of another program.
         await self._executed(Asked(self._link, signal.address, write=signal.encode(1)))
 
     async def _executed(self, asked: Asked) -> None:
@@ -344,7 +346,7 @@ class ScheduleFeed:
     # Feeding
 
     async def check(self, instant: Instant, poster: object) -> None:
-        """Raise what there is to say before a write at an instant, to the task or thread that writes it.
+        """Raise the errors of earlier writes of a task or thread, before its next write at an instant.
 
         Raises:
             LateError: for an earlier write that has not acted, and whose error was not raised.
@@ -766,8 +768,8 @@ class Timeline(Sealed):
         """Move the line on; below 0, back.
 
         Raises:
-            ArgumentError: for what is no finite number of seconds, an instant that no clock counts, and outside of the
-                block.
+            ArgumentError: if `seconds` is no finite number, if no clock counts the ticks of the new instant, and
+                outside of the block.
         """
         self._check_on()
         self._at = ticks_after(self._at, seconds, self._feed.time.clock_hz)

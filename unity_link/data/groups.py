@@ -149,7 +149,7 @@ class Group(Sealed):
         """Make a group that the host reads by itself.
 
         Raises:
-            ArgumentError: for what is no rate.
+            ArgumentError: if `rate_hz` is no rate.
         """
         rate = _host_rate(rate_hz, "what is polled")
         made = cls(*proxies, name=f"what is polled at {rate:g} Hz")
@@ -368,7 +368,7 @@ def _host_rate(rate_hz: float, name: str) -> float:
     """Return a rate that a program asks for, in Hz, as a float.
 
     Raises:
-        ArgumentError: where it is none, or outside of `RATE`.
+        ArgumentError: if `rate_hz` is no number, or outside of `RATE`.
     """
     what = f"{name}: a rate is a number of Hz above 0"
     rate = real_number(rate_hz, what)

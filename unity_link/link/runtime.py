@@ -100,7 +100,7 @@ class Runtime(Protocol):
         """Return the time in seconds of an unadjusted clock: `unadjusted_time`, in models of time the modelled one."""
 
     def caller(self) -> Any:
-        """Return the task or thread that runs now; None where neither does."""
+        """Return the task or thread that runs now; None if neither does."""
 
     def is_over(self, caller: Any, /) -> bool:
         """Return whether a task or thread has ended, so that it will never call again."""

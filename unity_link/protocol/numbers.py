@@ -36,7 +36,7 @@ def whole_number(value: int, what: str) -> int:
     """Return a whole number of whatever type as an `int`: one of numpy wraps where it is reckoned with.
 
     Raises:
-        ArgumentError: where it is none, or takes more than 64 bits; a bool is none, though Python counts with it.
+        ArgumentError: if the value is no whole number, is a bool, or takes more than 64 bits.
     """
     try:
         whole = index(value)
@@ -53,8 +53,7 @@ def real_number(value: float, what: str) -> float:
     """Return a number of whatever type as a finite `float`.
 
     Raises:
-        ArgumentError: where it is none, NaN, an infinity, or beyond all floats; a bool is none, though Python counts
-            with it.
+        ArgumentError: if the value is no number, is a bool, NaN or an infinity, or is beyond all floats.
     """
     given: object = value
     if not isinstance(given, bool) and isinstance(given, Real):
@@ -71,7 +70,7 @@ def seconds_from(value: float, what: str, *, zero: bool = False) -> float:
     """Return a number of seconds from above 0 to `MOST_SECONDS`, or from 0 on.
 
     Raises:
-        ArgumentError: where it is none.
+        ArgumentError: if the value is no such number.
     """
     seconds = real_number(value, what)
     if seconds < 0 or (seconds == 0 and not zero) or seconds > MOST_SECONDS:
