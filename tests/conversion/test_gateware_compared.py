@@ -10,7 +10,7 @@ import pytest
 from unity_link.gateware.cache import LIBRARY, vhdl_sources
 from unity_link.gateware.comparing import Comparison, Subject, UncomparedError
 from unity_link.gateware.design import GhdlDesign
-from unity_link.gateware.entity import entities_of
+from unity_link.gateware.entity import SyntaxTree
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -27,7 +27,7 @@ UNCOMPARED = {
 }
 CHANGES = {
     "ul_gpio": ("settled ^ ", "settled & "),
-    "ul_pwm": (" - ", " + "),
+    "ul_encoder_axis": (" + ", " - "),
     "ul_word_ring": (" + ", " - "),
     "ul_fifo_sync": (" == ", " != "),
 }
@@ -39,7 +39,7 @@ def compared(name: str, folder: Path, change: tuple[str, str] | None = None) -> 
     design = GhdlDesign(folder / "design", vhdl_sources())
     design.make(name, LIBRARY)
     source = next(path for path in vhdl_sources() if path.stem == name)
-    ports = entities_of(design.description(source, library=LIBRARY))[name].ports
+    ports = SyntaxTree(design.description(source, library=LIBRARY)).entities()[name].ports
     verilog = design.verilog(name, {}, LIBRARY)
     if change is not None:
         assert change[0] in verilog

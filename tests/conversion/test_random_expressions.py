@@ -21,8 +21,8 @@ import pytest
 from support.random_vhdl import HEAD, Entity, Expression, entity
 from unity_link.gateware.comparing import Comparison, Subject
 from unity_link.gateware.design import ConversionError, GhdlDesign, OwnFile
-from unity_link.gateware.entity import entities_of
-from unity_link.gateware.refused import refusals
+from unity_link.gateware.entity import SyntaxTree
+from unity_link.gateware.refused import INTEGER_MINUS_SIGNED, refusals
 
 EXPRESSIONS = 40
 """Expressions of an entity."""
@@ -56,8 +56,9 @@ def converted(found: Entity, folder: Path, counts: Counter[str]) -> tuple[Entity
             refused = _at(lines, text) or {one.name for one in found.outputs if is_refused(found, one, folder)}
             counts["refused by GHDL"] += len(refused)
         else:
-            places = [refusal.place for refusal in refusals(verilog, design, lambda: design.netlist(found.name, {}))]  # noqa: B023
-            refused = _at({int(place.split(":")[1]) for place in places}, text)
+            turned = SyntaxTree(design.description(*design.copies.values())).operators(INTEGER_MINUS_SIGNED)
+            wrong = refusals(verilog, design, lambda: design.netlist(found.name, {}), turned)  # noqa: B023
+            refused = _at({int(refusal.place.split(":")[1]) for refusal in wrong}, text)
             counts["refused by its place"] += len(refused)
             if not refused:
                 return found, design, verilog
@@ -87,7 +88,8 @@ def judge(seed: int, folder: Path) -> Judged:
     counts: Counter[str] = Counter()
     found, design, verilog = converted(entity("mine", seed, EXPRESSIONS), folder, counts)
     types = {
-        name: port.base for name, port in entities_of(design.description(*design.copies.values()))["mine"].ports.items()
+        name: port.base
+        for name, port in SyntaxTree(design.description(*design.copies.values())).entities()["mine"].ports.items()
     }
     comparison = Comparison(Subject("mine", "mine.vhd", "mine", {}), types, design, verilog, folder)
     differing = {deviation.output for deviation in comparison.deviations(seed)}

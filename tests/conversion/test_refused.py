@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from unity_link.gateware.design import GhdlDesign, OwnFile
-from unity_link.gateware.refused import Refusal, refusals
+from unity_link.gateware.entity import SyntaxTree
+from unity_link.gateware.refused import INTEGER_MINUS_SIGNED, Refusal, refusals
 
 HEAD = "library ieee; use ieee.std_logic_1164.all; use ieee.numeric_std.all;"
 DECLARED = """\
@@ -33,6 +34,8 @@ WRONG = {
     "signed(rotate_left(u, 11))": "a rotation by up to 11 of 8 bits",
     "resize(signed(rotate_left(six, k)), 8)": "a rotation by up to 7 of 6 bits",
     'signed\'(x"01") when wide < -5 else s': "a negative integer beside a signed number of more than 32 bits",
+    "5 - s": "an integer minus a signed number",
+    "k - s": "an integer minus a signed number",
     "maximum(s, t)": "this expression, which has no Verilog",
 }
 BEFORE = "  q <= "
@@ -46,6 +49,10 @@ RIGHT = [
     "to_signed((n / 3) mod 5, 8)",
     "to_signed(n mod (k + 1), 8)",
     "resize(s(3 downto 0), 8)",
+    "s - 5",
+    "s - some",
+    "signed(5 - u)",
+    "to_signed(5, 8) - s",
     "signed(resize(resize(u, 4), 8))",
     "signed(rotate_left(u, k))",
     "signed(u rol 11)",
@@ -69,7 +76,8 @@ def refused(expression: str, folder: Path) -> list[Refusal]:
     )
     design = GhdlDesign(folder, own=[OwnFile(Path("my core.vhd"), text.encode())])
     design.make("one")
-    return refusals(design.verilog("one", {}), design, lambda: design.netlist("one", {}))
+    turned = SyntaxTree(design.description(*design.copies.values())).operators(INTEGER_MINUS_SIGNED)
+    return refusals(design.verilog("one", {}), design, lambda: design.netlist("one", {}), turned)
 
 
 @pytest.mark.rtl
@@ -79,7 +87,7 @@ def test_a_wrong_conversion_is_refused_with_file_line_and_column(expression: str
     place = re.fullmatch(r"my core\.vhd:17:(\d+)", refusal.place)
     assert place is not None
     operator = f"{BEFORE}{expression}"[int(place[1]) - 1 :]
-    assert operator.startswith(("mod", "rem", "resize", "rotate", "<", "maximum"))
+    assert operator.startswith(("mod", "rem", "resize", "rotate", "<", "-", "maximum"))
     assert refusal.words.startswith(words)
 
 

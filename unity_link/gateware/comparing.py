@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from unity_link.gateware.design import GhdlDesign
     from unity_link.gateware.netlist import Netlist, Unknown
 
-CYCLES = 3000
+CYCLES = 4000
 """Cycles that are compared, of an entity that is small."""
 _LEAST_CYCLES = 300
 _OPERATIONS = 15_000_000

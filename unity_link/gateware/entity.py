@@ -1,4 +1,4 @@
-"""An entity as GHDL understands it, from the syntax tree that GHDL writes in XML."""
+"""Entities and operators as GHDL understands them, from the syntax tree that GHDL writes in XML."""
 
 from __future__ import annotations
 
@@ -42,36 +42,50 @@ class Entity(NamedTuple):
     ports: dict[str, PortType]
 
 
-def entities_of(text: str) -> dict[str, Entity]:
-    """Return the entities of a syntax tree in XML, by their names in small letters."""
-    tree = ET.fromstring(text)  # noqa: S314  (of GHDL's own writing)
-    by_id = {element.get("id"): element for element in tree.iter() if element.get("id")}
+class SyntaxTree:
+    """The syntax tree of some files, as GHDL writes it in XML."""
 
-    def referred(element: ET.Element, tag: str) -> ET.Element | None:
+    def __init__(self, text: str) -> None:
+        self._tree = ET.fromstring(text)  # noqa: S314  (of GHDL's own writing)
+        self._by_id = {element.get("id"): element for element in self._tree.iter() if element.get("id")}
+
+    def entities(self) -> dict[str, Entity]:
+        """Return the entities, by their names in small letters."""
+        return {
+            str(unit.get("identifier")): Entity(
+                {
+                    str(one.get("identifier")): Generic(one.find("default_value") is not None, self._base_of(one))
+                    for one in unit.iterfind("generic_chain/el")
+                },
+                {str(one.get("identifier")): self._port_of(one) for one in unit.iterfind("port_chain/el")},
+            )
+            for unit in self._tree.iter("library_unit")
+            if unit.get("kind") == "entity_declaration"
+        }
+
+    def operators(self, function: str) -> set[tuple[str, str, str]]:
+        """Return file, line and column of each use of a function that GHDL knows, as an operator."""
+        return {
+            (str(element.get("file")), str(element.get("line")), str(element.get("col")))
+            for element in self._tree.iter()
+            if str(element.get("kind")).endswith("_operator")
+            and (declared := self._referred(element, "implementation")) is not None
+            and declared.get("implicit_definition") == function
+        }
+
+    def _referred(self, element: ET.Element, tag: str) -> ET.Element | None:
         reference = element.find(tag)
-        return None if reference is None else by_id.get(reference.get("ref"))
+        return None if reference is None else self._by_id.get(reference.get("ref"))
 
-    def base_of(declared: ET.Element) -> str:
-        kind, base = referred(declared, "type"), ""
+    def _base_of(self, declared: ET.Element) -> str:
+        kind, base = self._referred(declared, "type"), ""
         while kind is not None:
-            declarator = referred(kind, "type_declarator")
+            declarator = self._referred(kind, "type_declarator")
             base = base if declarator is None else str(declarator.get("identifier"))
-            kind = referred(kind, "parent_type")
+            kind = self._referred(kind, "parent_type")
         return base
 
-    def port_of(port: ET.Element) -> PortType:
-        kind = referred(port, "type")
+    def _port_of(self, port: ET.Element) -> PortType:
+        kind = self._referred(port, "type")
         bounds = None if kind is None else kind.find("index_constraint_list/el/range_constraint")
-        return PortType(base_of(port), bounds)
-
-    return {
-        str(unit.get("identifier")): Entity(
-            {
-                str(one.get("identifier")): Generic(one.find("default_value") is not None, base_of(one))
-                for one in unit.iterfind("generic_chain/el")
-            },
-            {str(one.get("identifier")): port_of(one) for one in unit.iterfind("port_chain/el")},
-        )
-        for unit in tree.iter("library_unit")
-        if unit.get("kind") == "entity_declaration"
-    }
+        return PortType(self._base_of(port), bounds)

@@ -12,10 +12,10 @@ from unity_link.errors import ArgumentError
 from unity_link.gateware.cache import LIBRARY, vhdl_sources
 from unity_link.gateware.convert import cleaned
 from unity_link.gateware.design import ConversionError, GhdlDesign, OwnFile
-from unity_link.gateware.entity import entities_of
+from unity_link.gateware.entity import SyntaxTree
 from unity_link.gateware.external import temporary_folder
 from unity_link.gateware.own_circuits import OwnInstance, Sources, Top, compare_own
-from unity_link.gateware.refused import refusals
+from unity_link.gateware.refused import INTEGER_MINUS_SIGNED, refusals
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
@@ -169,7 +169,8 @@ def convert_own(
         top = own.top or generated_top
         design.make(top)
         of_top = [] if own.top else [next(path for path in generated if path.stem == top)]
-        entities = entities_of(design.description(*design.copies.values(), *of_top))
+        tree = SyntaxTree(design.description(*design.copies.values(), *of_top))
+        entities = tree.entities()
         described = entities[top]
         given = {name: value for name, value in generics.items() if name in described.generics}
         for name, generic in described.generics.items():
@@ -187,7 +188,8 @@ def convert_own(
         module, ports = _ports(verilog, top, described)
         compared: list[str] = []
         if instances is not None:
-            faults = refusals(verilog, design, lambda: design.netlist(top, given))
+            turned = tree.operators(INTEGER_MINUS_SIGNED)
+            faults = refusals(verilog, design, lambda: design.netlist(top, given), turned)
             if faults:
                 raise ConversionError(f"{faults[0]}{f' (and {len(faults) - 1} more)' if faults[1:] else ''}")
             if not own.unchecked:

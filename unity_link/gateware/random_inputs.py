@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 _EPOCH = 128
 """Cycles of an epoch."""
-_RESETS = (0, 128, 256, 640)
+_RESETS = (0, 64, 192, 448)
 """Cycles in which resets begin; until the last one a reset may also come in each cycle."""
 _RESET_CYCLES = 4
 _RESET_CHANCE = 1 / 64

@@ -12,7 +12,7 @@ import re
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Callable, Collection, Iterator
 
     from unity_link.gateware.design import GhdlDesign
 
@@ -24,6 +24,7 @@ _WIDTH = re.compile(
 _ASSIGNED = re.compile(r"^  (?:assign|localparam \[\d+:0\]) (\w+) = (.*?);", re.MULTILINE)
 _REST = re.compile(r"  assign \w+ = ([\w']+) % ([\w']+); // s(mod|rem)$")
 _OUTPUT = re.compile(r"  assign (\w+) = ")
+_DIFFERENCE = re.compile(r"  assign \w+ = \S+ - (\S+);")
 _SHIFT = re.compile(r"  assign (?P<output>\w+) = .* (?P<way><<|>>) (?P<amount>[\w']+);")
 _EXTENDED = re.compile(r"\{\d+'b0+, (\w+|\\\S+ )\}")
 _SAME = re.compile(r"(\w+)|\{\{\d+\{\w+(?:\[\d+\])?\}\}, (\w+)\}|(\w+)\[\d+:0\]")
@@ -62,22 +63,41 @@ class Refusal(NamedTuple):
         return f"{self.place}: GHDL makes another circuit of {self.words}"
 
 
-def refusals(verilog: str, design: GhdlDesign, netlist: Callable[[], str]) -> list[Refusal]:
+INTEGER_MINUS_SIGNED = "IIR_PREDEFINED_IEEE_NUMERIC_STD_SUB_INT_SGN"
+"""GHDL's name for the difference of an integer and a signed number."""
+
+
+def refusals(
+    verilog: str,
+    design: GhdlDesign,
+    netlist: Callable[[], str],
+    turned: Collection[tuple[str, str, str]] = (),
+) -> list[Refusal]:
     """Return the places of a design that GHDL converts wrongly, in the order of the Verilog.
 
     Args:
         verilog: the design as GHDL writes it, with its comments.
         design: the sources.
         netlist: returns GHDL's dump of the same design. It is called only if the Verilog leaves a question open.
+        turned: file, line and column of each difference of an integer and a signed number.
     """
     dump = functools.cache(lambda: _Dump(netlist()))
     found: dict[Refusal, None] = {}
     for module in _MODULE.findall(verilog):
         nets = _Nets(module)
-        for gate in _GATE.finditer(module):
+        gates = {match: (match["file"], match["line"], match["column"]) for match in _GATE.finditer(module)}
+        places = {output[1]: place for gate, place in gates.items() if (output := _OUTPUT.match(gate["text"]))}
+        for gate, place in gates.items():
             shown, source = design.line(gate["file"], int(gate["line"]))
             word = _WORD.match(source, int(gate["column"]) - 1)
-            for words in _faults(gate["text"], word[0].lower() if word else "", nets, dump):
+            faults = list(_faults(gate["text"], word[0].lower() if word else "", nets, dump))
+            difference = _DIFFERENCE.fullmatch(gate["text"])
+            # On the right must not be the integer, which is a constant, or is converted at the place of the difference.
+            if place in turned and difference and ("'b" in difference[1] or places.get(difference[1]) == place):
+                faults.append(
+                    "an integer minus a signed number, which is turned round: take to_signed(..., x'length) - x"
+                )
+            for words in faults:
                 found[Refusal(f"{shown}:{gate['line']}:{gate['column']}", words)] = None
     return list(found)
 

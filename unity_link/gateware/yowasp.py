@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 _ROW = re.compile(r"Info:\s+(?:\d+ \|[^|]*\|[^|]*\|\s*(\d+)\||iter=\d+ .*\boverused=(\d+) )")
 _ROWS = {1: 50, 2: 1000}
 """Rows without a lower number after which a router does not end any more, by router."""
+_REMARK = re.compile(r"^Info:|[Ww]arning:")
 _SILENT_S = 3600.0
 _LOOK_S = 0.2
 
@@ -77,8 +78,7 @@ def run(work: Path, tool: str, *arguments: str, explained: str = "(?!)") -> str:
         ToolMissingError: if it is not installed.
     """
     done = external.run([script(tool), *arguments], work, cwd=work)
-    last_words = done.stderr.strip().splitlines()[-1:]
-    _judge(tool, done.returncode, (done.stdout + done.stderr).splitlines(), last_words, explained)
+    _judge(tool, done.returncode, (done.stdout + done.stderr).splitlines(), explained)
     return done.stdout
 
 
@@ -103,7 +103,7 @@ def place(work: Path, tool: str, *arguments: str, explained: str = "(?!)") -> No
     ):
         _watch(tool, process, printed)
     lines = path.read_text(errors="replace").splitlines()
-    _judge(tool, process.returncode, lines, lines[-1:], explained)
+    _judge(tool, process.returncode, lines, explained)
 
 
 def _watch(tool: str, process: subprocess.Popen[bytes], printed: TextIO) -> None:
@@ -131,16 +131,17 @@ def _watch(tool: str, process: subprocess.Popen[bytes], printed: TextIO) -> None
             process.wait(_LOOK_S)
 
 
-def _judge(tool: str, status: int, lines: Sequence[str], last_words: Sequence[str], explained: str) -> None:
+def _judge(tool: str, status: int, lines: Sequence[str], explained: str) -> None:
     """Look whether a tool has done what it should.
 
     Raises:
-        RefusedError: if it has failed.
+        RefusedError: if it has failed; the sentence has its first error, or its last line that is no remark.
         ConversionError: if it warns of something that is not explained.
     """
-    faults = [line for line in lines if "ERROR" in line]
     if status:
-        raise RefusedError(f"{tool}: {(faults or [*last_words, 'no reason given'])[0]}", "\n".join(lines))
+        errors = [line for line in lines if "ERROR" in line]
+        last = [line for line in lines if line.strip() and not _REMARK.search(line)][-1:]
+        raise RefusedError(f"{tool}: {(errors or last or ['no reason given'])[0]}", "\n".join(lines))
     faults = [line for line in lines if re.search(r"[Ww]arning:", line) and not re.search(explained, line)]
     if faults:
         raise ConversionError(f"{tool} warns: {faults[0]}")
