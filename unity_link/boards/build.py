@@ -460,7 +460,7 @@ def _pin_times(medium: str, ways: Mapping[tuple[str, str], float]) -> str:
                 rows.append((", ".join(ends), times, "-" if longest is None else f"{longest:.1f}"))
     return f"""
 **The times of these pins are not checked**: nextpnr has no delays of pads and of the clock network. The last column is
-the longest way in the fabric between a pad and a register, which is a part of the delay.
+the longest way in the fabric between a pad and a register of their clock, which is a part of the delay.
 
 {SOURCES[medium]}
 
