@@ -114,6 +114,7 @@ def test_any_names_make_vhdl_that_can_be_analysed(text: str, tmp_path_factory: p
         assert (done.returncode, done.stderr) == (0, ""), path.name
 
 
+@QUICKLY
 @given(text=awkward_specs(sorted(SYSTEMVERILOG)))
 def test_no_name_of_a_spec_is_a_word_of_systemverilog_in_its_vhdl(text: str) -> None:
     for file in generate("vhdl", compile_text(text)):

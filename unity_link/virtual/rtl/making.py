@@ -33,12 +33,8 @@ TOP = "unity_link_fifo"
 # Lines of comments, which name places in files that nobody has, are half of what Yosys writes.
 _COMMENT_LINES = re.compile(r"^\s*//.*\n|[ \t]+$", re.MULTILINE)
 
-# Registers that shim.cc looks into, by their names in VHDL: it skips time in which nothing happens, and tells accesses
-# of samples from those of requests. The first ones are in every gateway, the others where there are groups.
-_REGISTERS = {
-    "rx_fifo_inst.count": "UL_HELD",
-    "bus_master_inst.timed_out": "UL_RESTS",
-}
+# Registers of groups that shim.cc looks into, by their names in VHDL: it skips time in which no group runs, and tells
+# accesses of samples from those of requests.
 _REGISTERS_OF_GROUPS = {
     "subscription_manager_inst.running": "UL_RUNNING",
     "subscription_manager_inst.number": "UL_GROUP",
@@ -67,7 +63,7 @@ _FLIP_FLOP = re.compile(r"n\d+_(q|data)")
 # GHDL counts its nets through the whole design. Counted from the first of their instance, those of an instance that is
 # the same in two configurations have the same names, and the archive needs its text once.
 _NET = re.compile(r"\b(p_(?:\w+_2e_)?n)(\d+)(?=__)")
-_FORM = f"{_COMMENT_LINES.pattern} {_REGISTERS} {_REGISTERS_OF_GROUPS} {_SIGNALS} {_NET.pattern}"
+_FORM = f"{_COMMENT_LINES.pattern} {_REGISTERS_OF_GROUPS} {_SIGNALS} {_NET.pattern}"
 
 # `splitnets -driver` cuts buses into the parts that are driven together: without it CXXRTL sees feedback where there is
 # none. Registers keep their enables and resets as logic (`-nodffe -nosdff`): inferred, they bring feedback back.
@@ -260,7 +256,7 @@ def _names(verilog: str, text: str) -> str:
     rows = "".join(f' \\\n\tsignal("{name}", {member})' for name, member in sorted(signals.items()))
     lines = [f"#define {_SIGNALS}(signal){rows}"]
     has_groups = any("subscription_manager_inst" in name for name in signals)
-    for register, macro in {**_REGISTERS, **(_REGISTERS_OF_GROUPS if has_groups else {})}.items():
+    for register, macro in (_REGISTERS_OF_GROUPS if has_groups else {}).items():
         lines.append(f"#define {macro} {_register(signals, register)}")
     return "\n" + "\n".join(lines) + "\n"
 
