@@ -126,12 +126,21 @@ class Points:
 
     Args:
         at: number of the instant at which SIGUSR1 comes; None: it does not come.
+        place: beginning of the file names of the code in which it comes.
+        after: beginnings of the names of instructions after which it comes.
     """
 
-    def __init__(self, at: int | None) -> None:
+    def __init__(
+        self,
+        at: int | None,
+        place: str = PACKAGE,
+        after: tuple[str, ...] = ("CALL", "RESUME", "JUMP_BACKWARD", "SEND"),
+    ) -> None:
         self.count = 0
         self.has_come = False
         self._at = at
+        self._place = place
+        self._after = after
         self._names: dict[Any, dict[int, str]] = {}
 
     def __enter__(self) -> Self:
@@ -142,7 +151,7 @@ class Points:
         sys.settrace(None)
 
     def _trace(self, frame: FrameType, event: str, _: object) -> Any:
-        if not frame.f_code.co_filename.startswith(PACKAGE):
+        if not frame.f_code.co_filename.startswith(self._place):
             return None
         frame.f_trace_opcodes, frame.f_trace_lines = True, False
         if event == "opcode":
@@ -151,7 +160,7 @@ class Points:
                 before = [("RESUME"), *(instruction.opname for instruction in dis.get_instructions(frame.f_code))]
                 offsets = [instruction.offset for instruction in dis.get_instructions(frame.f_code)]
                 names = self._names[frame.f_code] = dict(zip(offsets, before, strict=False))
-            if names.get(frame.f_lasti, "RESUME").startswith(("CALL", "RESUME", "JUMP_BACKWARD", "SEND")):
+            if names.get(frame.f_lasti, "RESUME").startswith(self._after):
                 self.count += 1
                 if self.count == self._at:
                     self.has_come = True
@@ -474,6 +483,32 @@ def test_cancelled_block_disarms_under_trio(url: str) -> None:
             assert (await robot["drive.reason"].get()).name == "disarmed"
 
     trio.run(program)
+
+
+# The call that the signal has come after is dropped.
+@pytest.mark.filterwarnings("ignore:coroutine 'Writable._set' was never awaited:RuntimeWarning")
+@pytest.mark.usefixtures("handled")
+def test_signal_at_any_instant_of_a_program_leaves_nothing_armed_under_trio(url: str) -> None:
+    async def move(points: Points) -> None:
+        async with unity_link.connect(url) as link:
+            robot: Any = Rover(link)
+            try:
+                with points:
+                    async with robot.drive.armed(timeout=10):
+                        await robot.voltage.set(3)
+            finally:
+                with trio.fail_after(PATIENCE, shield=True):
+                    armed.append(await robot["drive.armed"].get())
+
+    armed: list[bool] = []
+    for at in itertools.count(1):
+        points = Points(at, __file__, ("CALL",))
+        with contextlib.suppress(StoppedError):
+            trio.run(move, points)
+        if not points.has_come:
+            break
+    assert armed == [False] * len(armed)
+    assert len(armed) > 2
 
 
 @pytest.mark.parametrize("kind", [TimeoutError, StoppedError])

@@ -28,6 +28,7 @@ from unity_link.errors import (
 )
 from unity_link.link.asked import Asked, post_in_session
 from unity_link.link.guards import guard, guard_of, release
+from unity_link.link.interrupts import whole_exit
 from unity_link.link.synchronisation import running
 from unity_link.protocol.numbers import real_number
 from unity_link.spec.kinds import name_of
@@ -383,6 +384,7 @@ class Lease(Sealed):
     def _word(self) -> int:
         return self._token << TIME_BITS | self._end % (1 << TIME_BITS)
 
+    @whole_exit
     async def __aexit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:

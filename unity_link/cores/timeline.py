@@ -30,6 +30,7 @@ from unity_link.errors import (
 )
 from unity_link.link.asked import Asked, post_in_session
 from unity_link.link.calls import returns_coroutine
+from unity_link.link.interrupts import whole_exit
 from unity_link.link.runtime import told_now
 from unity_link.link.synchronisation import Lock, running
 from unity_link.modules import caller_on
@@ -700,6 +701,7 @@ class Timeline(Sealed):
         self._is_on = True
         return self
 
+    @whole_exit
     async def __aexit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:

@@ -24,6 +24,7 @@ from unity_link.errors import (
     missing_attribute,
     refusing,
 )
+from unity_link.link.interrupts import whole_exit
 from unity_link.link.runtime import AsyncioRuntime
 from unity_link.link.subscription import INSTEAD, NOT_OPEN, Sample, so_many
 from unity_link.link.synchronisation import Event, gather, running
@@ -299,6 +300,7 @@ class GroupSubscription(Sealed):
         self._entered = True
         return self
 
+    @whole_exit
     async def __aexit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:

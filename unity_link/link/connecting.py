@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from unity_link.errors import ArgumentError, refusing
 from unity_link.link.connection import CONNECT_TIMEOUT, Reconnect
+from unity_link.link.interrupts import whole_exit
 from unity_link.link.link import NOT_CONNECTED, Link
 from unity_link.link.runtime import AsyncioRuntime
 from unity_link.protocol.numbers import seconds_from
@@ -67,6 +68,7 @@ class Connecting:
             self._link = await self.open(AsyncioRuntime())
         return self._link
 
+    @whole_exit
     async def __aexit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:

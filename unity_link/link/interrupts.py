@@ -23,17 +23,18 @@ from _signal import getsignal  # type: ignore[import-not-found]
 from _signal import signal as set_handler
 from _thread import get_ident, interrupt_main, start_new_thread
 from contextlib import suppress
-from typing import TYPE_CHECKING, Any, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, ParamSpec, Protocol, TypeVar, cast
 
 from unity_link.errors import ANY_ERROR
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Coroutine, Generator
     from types import FrameType
 
     Handler = Callable[[int, FrameType | None], Any]
 
 T = TypeVar("T")
+P = ParamSpec("P")
 _OF_CALLBACK = 0
 """Number in place of a signal's, for what is raised in a callback."""
 _SOON = 0.001
@@ -99,6 +100,8 @@ class Deferred:
         self.raised: BaseException | None = None
         """Error that a handler has raised in a callback."""
         self._blocks: list[Block] = []
+        self.exits = 0
+        """Calls of an `__aexit__` that are not awaited yet: no handler runs between the call and the `await`."""
         self._seen: tuple[object, ...] = ()
         """Handlers of all signals before they were last replaced, in the order of `_NUMBERS`."""
         self._replaced: tuple[object, ...] = ()
@@ -108,7 +111,9 @@ class Deferred:
     def add(self, number: int, handler: Handler, frame: FrameType | None) -> bool:
         """Defer a handler if the signal has interrupted code of a link, and return whether it did."""
         if not self.is_held and (
-            self.is_in_callback or not self._blocks or not (_is_inside(frame) or self._blocks[-1].is_protected())
+            self.is_in_callback
+            or not self._blocks
+            or not (self.exits or _is_inside(frame) or self._blocks[-1].is_protected())
         ):
             return False
         self._add(number, handler)
@@ -252,6 +257,10 @@ class Deferred:
         elif self._blocks and self.pending:
             self._blocks[-1].interrupt()
 
+    def defers_in_blocks(self) -> bool:
+        """Return whether this thread runs handlers, and a block is open."""
+        return bool(self._blocks) and get_ident() == self.thread
+
     # Replacing
 
     def replace(self) -> None:
@@ -279,7 +288,7 @@ class Deferred:
         """Begin anew in a process that was forked, whose main thread may be another."""
         self.thread = get_ident()
         self.is_held, self._caller, self.is_in_callback = False, None, False
-        self._delivering = self._finalizing = 0
+        self._delivering = self._finalizing = self.exits = 0
         self.pending.clear()
         self._blocks.clear()
         self.release()
@@ -315,6 +324,40 @@ class BlockingBlock:
     def is_protected(self) -> bool:
         """Return False."""
         return False
+
+
+class _Exit:
+    """Coroutine of an `__aexit__` that has been called. Handlers are deferred until it is awaited, or dropped."""
+
+    __slots__ = ("_coroutine", "_is_awaited")
+
+    def __init__(self, coroutine: Coroutine[Any, Any, Any]) -> None:
+        self._coroutine = coroutine
+        self._is_awaited = False
+        DEFERRED.exits += 1
+
+    def __await__(self) -> Generator[Any, Any, Any]:
+        self.__del__()
+        return self._coroutine.__await__()
+
+    def __del__(self) -> None:
+        if not self._is_awaited:
+            self._is_awaited = True
+            DEFERRED.exits -= 1
+
+
+def whole_exit(exit_block: Callable[P, Coroutine[Any, Any, T]]) -> Callable[P, Coroutine[Any, Any, T]]:
+    """Return an `__aexit__` that runs even if a signal comes between its call and the `await` of its coroutine.
+
+    CPython may run a handler there, in the code of the program. If the handler raises, the coroutine never runs.
+    """
+
+    @functools.wraps(exit_block)
+    def called(*arguments: P.args, **named: P.kwargs) -> Coroutine[Any, Any, T]:
+        coroutine = exit_block(*arguments, **named)
+        return cast("Coroutine[Any, Any, T]", _Exit(coroutine)) if DEFERRED.defers_in_blocks() else coroutine
+
+    return called
 
 
 DEFERRED = Deferred()

@@ -28,6 +28,7 @@ from unity_link.errors import (
 )
 from unity_link.link.calls import returns_coroutine
 from unity_link.link.connection import Connection, Reconnect
+from unity_link.link.interrupts import whole_exit
 from unity_link.link.living import LeftOpen
 from unity_link.link.runtime import told_now
 from unity_link.link.subscription import (
@@ -191,6 +192,7 @@ class Link(OfLink, Connection):
     async def __aenter__(self) -> Self:
         return self
 
+    @whole_exit
     async def __aexit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:

@@ -35,6 +35,7 @@ from unity_link.errors import (
 )
 from unity_link.link.calls import is_asynchronous
 from unity_link.link.freshness import MOST_DRIFT, Freshness
+from unity_link.link.interrupts import whole_exit
 from unity_link.link.living import LeftOpen
 from unity_link.link.runtime import report
 from unity_link.link.synchronisation import call_back
@@ -864,6 +865,7 @@ class Subscription(OfLink):
         self._publishing.runtime.attend()
         return self
 
+    @whole_exit
     async def __aexit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
