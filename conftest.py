@@ -25,9 +25,12 @@ from xdist.scheduler import LoadScopeScheduling
 from docs.walkthrough import WALKTHROUGHS, run, typed
 from support.searching import QUICK
 
-# A suite that was started in the background of a script ignores Ctrl-C, and so would the programs that it interrupts.
+# A suite that was started in the background of a script ignores Ctrl-C, one that `nohup` started SIGHUP, and so would the
+# programs that it interrupts.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
+if hasattr(signal, "SIGHUP") and signal.getsignal(signal.SIGHUP) is signal.SIG_IGN:
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
 # Tests start Python a thousand times. Without bytecode each start takes three times as long, so where the machine wants
 # none beside the sources it is kept elsewhere.
