@@ -300,7 +300,6 @@ class Retrace(RtlGateway):
 
     def _divide(self, step: SnoopedFrame) -> None:
         """Send a command behind the samples that were taken before it, and have it done."""
-        self._settle()
         self._await_samples(step.samples_before)
         self._send(step)
         self._settle()
