@@ -28,8 +28,8 @@ CONSTRAINTS = GATEWARE / "constraints"
 _COMMANDS = ("set_false_path", "set_max_delay")
 _FINDERS = ("get_cells", "get_regs", "get_registers", "get_pins")
 _OTHERS = (
-    *("create_clock", "get_ports", "get_clocks", "get_property", "set_input_delay", "set_output_delay", "set_bus_skew"),
-    *("set_net_delay", "set_max_skew", "set_property"),
+    *("create_clock", "create_generated_clock", "get_ports", "get_clocks", "get_property", "set_input_delay"),
+    *("set_output_delay", "set_bus_skew", "set_net_delay", "set_max_skew", "set_property"),
 )
 
 

@@ -31,8 +31,9 @@ from gateware.bench.verilog.simulators import (
 )
 from gateware.tools import verilog
 from gateware.tools.verilog import RELEASES
+from unity_link.gateware.convert import to_verilog
 from unity_link.gateware.ghdl import ToolMissingError
-from unity_link.gateware.release import release
+from unity_link.gateware.release import release, released
 from unity_link.gateware.words import SYSTEMVERILOG
 from unity_link.generate.vhdl.names import RESERVED
 from unity_link.protocol.configuration import GatewayInfo
@@ -107,7 +108,8 @@ def test_names_that_are_words_of_systemverilog_are_read_in_each_language(tmp_pat
             outputs="\n".join(f"  {port} <= {registers[place % len(registers)]};" for place, port in enumerate(ports)),
         )
     )
-    text = release("given_words", ["For this test."], "words", {}, [path])
+    converted = to_verilog("words", {}, [path]).read_text()
+    text = released("given_words", ["For this test."], "words", converted, [path])
     assert complaints(text, "given_words") == {}
     found = re.findall(r"^//   \.(\w+)\(", text, re.MULTILINE)
     assert sorted(found) == sorted(["clk", "given", *(f"{port}_x" for port in ports)])
