@@ -26,7 +26,7 @@ PYTEST_ARGS ?=
 # Tests run in so many processes side by side; 0 for none beside pytest's own.
 PYTEST_PROCESSES ?= auto
 
-.PHONY: help venv demo test test-all test-next coverage campaign fuzz mutants lint check format bench bench-peers bench-beside bench-noise bench-ros bench-live ros-packages table1 release docs docs-images lock upgrade clean
+.PHONY: help venv demo test test-all test-next coverage campaign fuzz mutants lint check format bench bench-peers bench-beside bench-noise bench-ros bench-live ros-packages table1 release docs docs-images docs-tables lock upgrade clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -141,6 +141,9 @@ docs: $(ALL) ## the documentation as HTML, warnings are errors
 PICTURES ?=
 docs-images: $(ALL) ## the pictures of the documentation, from what they show; two minutes
 	@$(BIN)/python -m docs.images.make $(PICTURES)
+
+docs-tables: $(ALL) ## the tables and listings of pages that follow from sources: cores, boards, Python interface
+	@$(BIN)/python -m docs.tables
 
 # Versions with hashes and nothing else: the files name neither a registry nor a machine.
 UV_LOCK := $(BIN)/uv pip compile pyproject.toml --universal --python-version 3.11 --generate-hashes \

@@ -4,6 +4,7 @@ Pages follow Diataxis: tutorials teach, how-to guides help with a task, referenc
 why. Python and console blocks in them are tests; the conftest.py at the top of the repository says how.
 """
 
+import re
 import sys
 from importlib.metadata import version as installed_version
 from pathlib import Path
@@ -18,6 +19,8 @@ from unity_link.protocol.arrays import Words
 # Known to type checkers alone, since numpy is imported late; here the signature of a sample needs it.
 vars(unity_link.link.subscription)["Words"] = Words
 
+_DIRECTIVE = re.compile(r"^<!-- (\{[\w-]+\}.*?)^-->$", re.DOTALL | re.MULTILINE)
+_DATASHEET = re.compile(r"\]\((?:\.\./)+gateware/cores/(\w+)/README\.md")
 _CORES = Path(__file__).parents[1] / "gateware" / "cores"
 
 project = "Unity-Link"
@@ -29,7 +32,7 @@ extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon"]
 exclude_patterns = ["_build"]
 nitpicky = False
 
-myst_enable_extensions = ["colon_fence", "deflist"]
+myst_enable_extensions = ["colon_fence", "deflist", "html_image"]
 myst_heading_anchors = 4
 
 autoclass_content = "both"
@@ -52,8 +55,19 @@ def write_pages_of_cores(folder: Path) -> None:
         (folder / f"{name}.md").write_text(f"```{{include}} ../../../../gateware/cores/{name}/README.md\n```\n")
 
 
+def show_directives(_: Sphinx, __: str, text: list[str]) -> None:
+    """Make a page that is readable on a forge one for Sphinx.
+
+    Directives are in comments, `<!-- {toctree}` to `-->`, which a forge hides. Links to the datasheets of cores and
+    to the list of changes lead to files outside of this folder, which Sphinx has as pages.
+    """
+    shown = _DIRECTIVE.sub(r"```\1```", text[0]).replace("](../CHANGELOG.md)", "](/changelog.md)")
+    text[0] = _DATASHEET.sub(r"](/reference/cores/pages/\1.md", shown)
+
+
 def setup(app: Sphinx) -> None:
-    """Register the lexer for blocks of `ul`, and have pages of the cores."""
+    """Register the lexer for blocks of `ul`, uncomment directives, and have pages of the cores."""
+    app.connect("source-read", show_directives)
     app.add_lexer("ul", UlLexer)
     # A test makes single pages, from a copy of this file.
     if _CORES.is_dir():

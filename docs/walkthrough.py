@@ -1,8 +1,8 @@
 """A page as its reader follows it, from an empty folder: its files are written, and its commands typed.
 
-A block with a caption is a file of that name. In a block of `console` each `$ command` is typed and must print what
-stands below it, where `...` is any text; those of "Terminal 2" go on beside the others until the end of the page, where
-they are ended by Ctrl-C.
+A name in bold in the line before a block is that of the file which has this text, or of the terminal. In a block of
+`console` each `$ command` is typed and must print what stands below it, where `...` is any text; those of
+"Terminal 2" go on beside the others until the end of the page, where they are ended by Ctrl-C.
 """
 
 from __future__ import annotations
@@ -26,12 +26,16 @@ WALKTHROUGHS = [
 ]
 """The pages that are one."""
 _ROOT = Path(__file__).parents[1]
-PAGES = [_ROOT / "README.md", *(page for page in sorted(_ROOT.glob("docs/**/*.md")) if "_build" not in page.parts)]
-"""All pages."""
+_BUILT = (_ROOT / "docs" / "_build", _ROOT / "docs" / "reference" / "cores" / "pages")
+PAGES = [
+    _ROOT / "README.md",
+    *(page for page in sorted(_ROOT.glob("docs/**/*.md")) if not any(page.is_relative_to(built) for built in _BUILT)),
+]
+"""All pages that are not built."""
 BESIDE = "Terminal 2"
 PATIENCE = 120.0
 """Seconds that a command may take."""
-_BLOCK = re.compile(r"^```(?:\{code-block\} )?(\w+)\n(?::caption: ([^\n]*)\n+)?(.*?)^```$", re.DOTALL | re.MULTILINE)
+_BLOCK = re.compile(r"^(?:\*\*`?([^\n`]+)`?\*\*\n)?```(\w+)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 _BY_CTRL_C = 128 + signal.SIGINT
 
 
@@ -70,8 +74,13 @@ def blocks(page: Path) -> Iterator[Block]:
     """Yield the blocks of code of a page."""
     text = page.read_text(encoding="utf-8")
     for found in _BLOCK.finditer(text):
-        language, caption, code = found.groups()
+        caption, language, code = found.groups()
         yield Block(language, caption or "", code, text.count("\n", 0, found.start(3)) + 1)
+
+
+def files_of(page: Path) -> dict[str, str]:
+    """Return the texts of the files that a page has its reader save, by their names."""
+    return {block.caption: block.text for block in blocks(page) if block.caption and block.language != "console"}
 
 
 def typed(block: str) -> Iterator[tuple[str, str]]:

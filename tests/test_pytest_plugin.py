@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import shutil
 import subprocess
 import sys
@@ -10,6 +9,8 @@ import textwrap
 from pathlib import Path
 
 import pytest
+
+from docs.walkthrough import files_of
 
 EXAMPLES = Path(__file__).parent.parent / "examples"
 SERVER = Path(__file__).parent / "transport" / "serve.py"
@@ -157,11 +158,9 @@ def test_a_robot_is_tested_on_every_medium_with_noise_faults_and_modelled_time_u
 
 @pytest.mark.slow
 def test_the_how_to_page_is_right(folder: Path) -> None:
-    page = (EXAMPLES.parent / "docs" / "how-to" / "test-my-robot.md").read_text()
-    (test,) = re.findall(r":caption: test_rover.py\n\n(.*?)```", page, re.DOTALL)
-    (ini,) = re.findall(r":caption: pytest.ini\n\n(.*?)```", page, re.DOTALL)
-    (folder / "test_rover.py").write_text(test)
-    (folder / "pytest.ini").write_text(ini)
+    page = files_of(EXAMPLES.parent / "docs" / "how-to" / "test-my-robot.md")
+    for name in ("test_rover.py", "pytest.ini"):
+        (folder / name).write_text(page[name])
     said = run(folder)
     assert "4 passed" in said, said
 

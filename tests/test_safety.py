@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import re
 import signal
 import subprocess
 import sys
@@ -13,6 +12,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from docs.walkthrough import files_of
 from unity_link import blocking
 
 if TYPE_CHECKING:
@@ -20,13 +20,12 @@ if TYPE_CHECKING:
 
 DOCS = Path(__file__).parents[1] / "docs"
 PROGRAM = str(Path(sys.executable).parent / "unity-link")
-_FILES = re.compile(r"^```\{code-block\} \w+\n:caption: (\w+\.\w+)\n+(.*?)^```$", re.MULTILINE | re.DOTALL)
 PATIENCE = 60.0
 
 
 def save(page: str, folder: Path) -> None:
     """Write the files that a tutorial has one save."""
-    for name, text in _FILES.findall((DOCS / "tutorials" / page).read_text(encoding="utf-8")):
+    for name, text in files_of(DOCS / "tutorials" / page).items():
         (folder / name).write_text(text, encoding="utf-8")
 
 
@@ -69,7 +68,7 @@ def test_the_lamp_is_off_at_ctrl_c(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("page", ["rover.md", "board.md"])
 def test_a_tutorials_program_that_moves_something_ends_with_it_at_rest(page: str) -> None:
-    programs = [text for name, text in _FILES.findall((DOCS / "tutorials" / page).read_text()) if ".set(" in text]
+    programs = [text for name, text in files_of(DOCS / "tutorials" / page).items() if ".set(" in text]
     moving = [text for text in programs if "import asyncio" in text]
     assert moving
     for text in moving:

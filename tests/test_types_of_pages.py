@@ -1,7 +1,7 @@
 """The programs of the pages have types: mypy --strict and pyright find nothing in them, and see wrong ones elsewhere.
 
-The blocks of a page are one program, as its reader types them one by one; those with a caption are files. Where
-a program loads a spec it gets the generated class of it here, so that each signal has its type.
+The blocks of a page are one program, as its reader types them one by one; those under the name of a file are
+files. Where a program loads a spec it gets the generated class of it here, so that each signal has its type.
 """
 
 from __future__ import annotations

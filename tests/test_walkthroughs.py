@@ -35,13 +35,13 @@ def test_the_rover_goes_from_nothing_to_a_plot_and_a_test_on_a_page_of_135_lines
 )
 def test_a_page_that_is_wrong_is_told(block: str, words: str, tmp_path: Path) -> None:
     page = tmp_path / "page.md"
-    page.write_text(f"```{{code-block}} text\n:caption: hello.txt\n\nhello\n```\n\n```console\n{block}\n```\n")
+    page.write_text(f"**`hello.txt`**\n```text\nhello\n```\n\n```console\n{block}\n```\n")
     with pytest.raises(AssertionError, match=words):
         follow(page, tmp_path)
 
 
 def test_what_is_not_ready_in_the_other_terminal_is_told(tmp_path: Path) -> None:
     page = tmp_path / "page.md"
-    page.write_text("```{code-block} console\n:caption: Terminal 2\n$ cat goodbye.txt\nready\n```\n")
+    page.write_text("**Terminal 2**\n```console\n$ cat goodbye.txt\nready\n```\n")
     with pytest.raises(AssertionError, match=r"prints\n\nwhere the page says\nready"):
         follow(page, tmp_path)

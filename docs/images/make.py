@@ -6,6 +6,7 @@ the rover's tutorial plots. `peers.png` and those of docs/paper.md are made by w
 """
 
 import contextlib
+import functools
 import io
 import os
 import re
@@ -25,7 +26,9 @@ from docs.images import wiring
 from docs.images.balancer import draw_balancer
 from docs.images.gantry import draw_gantry
 from docs.images.live import draw_live
+from docs.tables import SYMBOL, CoreEntry, installed_cores
 from docs.walkthrough import follow
+from unity_link.spec import Way
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
@@ -96,6 +99,13 @@ def rover(picture: Path) -> None:
         picture.write_bytes(Path(folder, "run.png").read_bytes())
 
 
+def symbol(core: CoreEntry, picture: Path) -> None:
+    """Draw a core with its pins."""
+    assert core.component.core is not None
+    arrows = {Way.IN: "<-", Way.OUT: "->", Way.INOUT: "<->"}
+    wiring.symbol(core.word, {pin.name: arrows[pin.way] for pin in core.component.core.pins}, picture)
+
+
 PICTURES: dict[str, Callable[[Path], None]] = {
     "demo.svg": demo,
     "balancer.svg": draw_balancer,
@@ -103,6 +113,7 @@ PICTURES: dict[str, Callable[[Path], None]] = {
     "wiring-uart.svg": wiring.uart,
     "wiring-ft245.svg": wiring.ft245,
     "wiring-rs485.svg": wiring.rs485,
+    **{SYMBOL.format(core.folder): functools.partial(symbol, core) for core in installed_cores()},
     "doctor.svg": doctor,
     "watch.svg": watch,
     "rover.png": rover,

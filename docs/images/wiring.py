@@ -81,6 +81,20 @@ def _side_by_side(left: str, right: str, wires: list[tuple[str, str, str]]) -> s
     return _picture(680, 60 + _HEAD + _ROW * len(wires) - 20, [one.draw(), other.draw(), *lines])
 
 
+def symbol(name: str, pins: dict[str, str], picture: Path) -> None:
+    """Draw a core as a box: signals of programs on its left side, pins on its right.
+
+    Args:
+        name: in the box.
+        pins: an arrow for each, by its name.
+        picture: file to write.
+    """
+    box = Box(name, 40, 10, 130, left=("signals",), right=tuple(pins))
+    lines = [_wire((10, box.at("signals")[1]), box.at("signals"), "<->")]
+    lines += [_wire(box.at(pin), (200, box.at(pin)[1]), arrow) for pin, arrow in pins.items()]
+    picture.write_text(_picture(210, 20 + _HEAD + _ROW * max(1, len(pins)), [box.draw(), *lines]))
+
+
 def uart(picture: Path) -> None:
     """Draw a UART through a USB adapter."""
     wires = [("TXD", "->", "uart_rxd"), ("RXD", "<-", "uart_txd"), ("GND", "", "GND")]

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import re
 import subprocess
 from typing import TYPE_CHECKING
 
+from docs.walkthrough import files_of
 from gateware.bench.runner import GATEWARE, run_bench
 from unity_link.gateware.cache import LIBRARY, vhdl_sources
 
@@ -14,11 +14,10 @@ if TYPE_CHECKING:
 
 
 def test_the_design_in_the_documentation_works(tmp_path: Path) -> None:
-    text = (GATEWARE.parent / "docs" / "gateware.md").read_text()
-    ((name, code),) = re.findall(r"```\{code-block\} vhdl\n:caption: (\w+)\.vhd\n\n(.*?)```", text, re.DOTALL)
-    source = tmp_path / f"{name}.vhd"
+    ((name, code),) = files_of(GATEWARE.parent / "docs" / "gateware.md").items()
+    source = tmp_path / name
     source.write_text(code)
-    run_bench(name, "gateware.bench.unity_link.bench_example", extra_sources=[source])
+    run_bench(source.stem, "gateware.bench.unity_link.bench_example", extra_sources=[source])
 
 
 def test_the_boards_elaborate(tmp_path: Path) -> None:

@@ -198,7 +198,7 @@ def _records(*_: object) -> list[str]:
     found = re.findall(
         r"^  (type \w+ is record\n.*?end record \w+;)$", generated.texts()[generated.PACKAGE], _WHOLE_TEXT
     )
-    return ["```{code-block} vhdl", *"\n\n".join(found).replace("\n  ", "\n").split("\n"), "```"]
+    return ["```vhdl", *"\n\n".join(found).replace("\n  ", "\n").split("\n"), "```"]
 
 
 _PARTS: dict[str, Callable[[str, Sequence[str]], list[str]]] = {

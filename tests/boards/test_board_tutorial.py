@@ -10,9 +10,11 @@ from pathlib import Path
 
 import pytest
 
+from docs.walkthrough import files_of
 from unity_link.boards.loading import load_board
 
-TEXT = (Path(__file__).resolve().parents[2] / "docs" / "tutorials" / "board.md").read_text()
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "tutorials" / "board.md"
+TEXT = PAGE.read_text()
 BOARD_URL = "serial:/dev/ttyUSB1?baud=3000000"
 _SHELL = re.findall(r"^```shell\n(.*?)^```$", TEXT, re.MULTILINE | re.DOTALL)
 TYPED = dict.fromkeys(
@@ -27,7 +29,7 @@ TYPED = dict.fromkeys(
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
     """Return a folder with the files that the tutorial has one save."""
-    saved = dict(re.findall(r"^```\{code-block\} \w+\n:caption: (\S+)\n\n(.*?)^```$", TEXT, re.MULTILINE | re.DOTALL))
+    saved = files_of(PAGE)
     assert sorted(saved) == ["blink.py", "lamp.ul"]
     for name, text in saved.items():
         (tmp_path / name).write_text(text)

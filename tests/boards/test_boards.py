@@ -7,7 +7,6 @@ import os
 import re
 import subprocess
 import sys
-import tomllib
 from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -198,28 +197,6 @@ def test_the_wiring_page_says_the_pins_that_the_bitstreams_have(name: str, colum
     for board in boards:
         wired = {pin: site for pin, site in board.pins.items() if pin.startswith("ft_")}
         assert {pin: told[pin] for pin in wired} == wired
-
-
-def io_rows() -> str:
-    """Return the rows of the table of LEDs, buttons and headers that the boards' files make."""
-    shared = {name: tomllib.loads((DATA / f"{name}.toml").read_text())["io"] for name in board_names()}
-    rows = []
-    for base in (name for name in shared if not isinstance(shared[name], str)):
-        title = f"`{base}...`" if base in shared.values() else f"`{base}`"
-        for name, io in load_board(base)[1].io.items():
-            pins = list(io.named(name))
-            named = f"`{pins[0]}`" if len(pins) == 1 else f"`{pins[0]}` to `{pins[-1].removeprefix(name)}`"
-            pull = f"pulled {io.pull}" if io.pull != "none" else ""
-            remarks = "; ".join(filter(None, (io.about, pull)))
-            rows.append(f"| {title} | {named} | {' '.join(io.named(name).values())} | {remarks} |\n")
-            title = ""
-    return "".join(rows)
-
-
-def test_the_page_of_boards_has_the_leds_buttons_and_headers_that_their_files_have() -> None:
-    page = (HOW_TO / "boards.md").read_text()
-    table = page[page.index("## LEDs, buttons and headers") :].partition("\n|---|---|---|---|\n")[2]
-    assert table.partition("\n\n")[0] + "\n" == io_rows()
 
 
 @pytest.mark.parametrize("name", board_names())

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from docs.walkthrough import blocks
+from docs.walkthrough import files_of
 from unity_link.boards.build import design_of
 from unity_link.boards.loading import load_board
 from unity_link.boards.projects import VENDORS, make_project
@@ -61,11 +61,11 @@ end architecture;
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
     """Return a folder with the files of the page."""
-    for block in blocks(PAGE):
-        if block.language in {"ul", "vhdl"}:
-            file = tmp_path / block.caption
+    for name, text in files_of(PAGE).items():
+        if name.endswith((".ul", ".vhd")):
+            file = tmp_path / name
             file.parent.mkdir(parents=True, exist_ok=True)
-            file.write_text(block.text)
+            file.write_text(text)
     return tmp_path
 
 

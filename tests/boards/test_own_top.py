@@ -16,7 +16,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from docs.walkthrough import blocks
+from docs.walkthrough import files_of
 from unity_link.boards.board import PINS, Board, Io, Pin
 from unity_link.boards.build import design_of, top_text
 from unity_link.boards.loading import board_names, load_board
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from unity_link.gateware.own_vhdl import Own
 
 ROOT = Path(__file__).parents[2]
-PAGE = {block.caption: block.text.lstrip("\n") for block in blocks(ROOT / "docs/how-to/own-vhdl.md") if block.caption}
+PAGE = files_of(ROOT / "docs/how-to/own-vhdl.md")
 PROGRAM = str(Path(sys.executable).parent / "unity-link")
 PANEL = compile_text(PAGE["panel.ul"])
 TOP = PAGE["panel_ulx3s.vhd"]

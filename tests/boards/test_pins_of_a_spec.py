@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from docs.walkthrough import blocks
+from docs.walkthrough import files_of
 from unity_link.boards.loading import load_board
 from unity_link.boards.pins import generated_pins
 from unity_link.errors import ArgumentError
@@ -17,7 +17,7 @@ from unity_link.spec import compile_text
 ROOT = Path(__file__).parents[2]
 DATA = ROOT / "unity_link" / "boards" / "data"
 HOW_TO = ROOT / "docs" / "how-to" / "boards.md"
-(CART,) = (block.text for block in blocks(HOW_TO) if block.caption == "cart.ul")
+CART = files_of(HOW_TO)["cart.ul"]
 REFUSED = [line for line in HOW_TO.read_text().splitlines() if re.match(r"cart has pins|\S+ is at gp", line)]
 CHAINED = """\
 public lamp() {

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import unity_link
-from docs.walkthrough import blocks
+from docs.walkthrough import files_of
 from support.bridge_programs import PROGRAM, line_of, wait_until
 from unity_link import blocking
 from unity_link.data.blocking import put
@@ -20,9 +20,8 @@ PAGE = Path(__file__).parents[2] / "docs" / "tutorials" / "rover.md"
 
 @pytest.mark.parametrize("way", ["SIGINT", "SIGTERM", "SIGKILL", "SIGSTOP"])
 def test_its_wheels_have_no_duty_when_its_program_has_ended(way: str, tmp_path: Path) -> None:
-    for block in blocks(PAGE):
-        if block.caption.partition(".")[2] in {"ul", "py"}:
-            (tmp_path / block.caption).write_text(block.text)
+    for name, text in files_of(PAGE).items():
+        (tmp_path / name).write_text(text)
     # Still far away when it is ended.
     program = (tmp_path / "drive.py").read_text()
     assert "drive(rover, 1)" in program

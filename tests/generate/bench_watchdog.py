@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from pathlib import Path
 from typing import Any
 
@@ -10,11 +9,12 @@ import cocotb
 from cocotb.triggers import ClockCycles, FallingEdge, RisingEdge
 from cocotb.utils import get_sim_time
 
+from docs.walkthrough import files_of
 from generate.bench_boards import BIT_CYCLES, PERIOD_NS, ByUart
 from unity_link.spec import compile_text
 
-PAGE = (Path(__file__).parents[2] / "docs" / "safety.md").read_text(encoding="utf-8")
-LISTINGS = dict(re.findall(r"```\{code-block\} \w+\n:caption: (\w+\.\w+)\n\n(.*?)```", PAGE, re.DOTALL))
+PAGE = Path(__file__).parents[2] / "docs" / "safety.md"
+LISTINGS = files_of(PAGE)
 MOTOR = compile_text(LISTINGS["motor.ul"])
 PATIENCE = 20 * 10 * BIT_CYCLES
 """Longer than a write of 14 characters and its answer take."""

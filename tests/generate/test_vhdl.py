@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, TypeVar
 import pytest
 from hypothesis import given, settings
 
+from docs.walkthrough import files_of
 from gateware.bench.runner import GATEWARE, run_bench, simulator_available
 from generate.bench_boards import ECHO, WALKER
 from generate.bench_nodes import LAMP, PAIR
@@ -43,6 +44,7 @@ if TYPE_CHECKING:
 
 ROOT = Path(__file__).resolve().parents[2]
 BOARDS = GATEWARE / "boards"
+_HOW_TO = ROOT / "docs" / "how-to" / "vhdl-from-a-spec.md"
 PROBE = Path(__file__).with_name("probe.vhd")
 
 EVERYTHING = """\
@@ -478,7 +480,7 @@ def test_the_watchdog_of_the_documentation_has_the_sixteen_lines_that_are_promis
     text = LISTINGS["motor_board.vhd"]
     watchdog = text[text.index("  watch : process") : text.index("end architecture")].strip()
     assert len(watchdog.splitlines()) == 16
-    assert "sixteen lines" in PAGE
+    assert "sixteen lines" in PAGE.read_text(encoding="utf-8")
 
 
 @rtl
@@ -546,7 +548,7 @@ def test_the_style_is_that_of_the_gateware(tmp_path: Path) -> None:
 @rtl
 def test_the_commands_of_the_documentation_try_the_walker(tmp_path: Path) -> None:
     write(generate("vhdl", SPECS["walker"]), tmp_path)
-    (commands,) = re.findall(r"```\{code-block\} shell\n:caption: in build/walker\n\n(.*?)```", _how_to(), re.DOTALL)
+    (commands,) = re.findall(r"In `build/walker`:\n\n```shell\n(.*?)```", _HOW_TO.read_text(), re.DOTALL)
     done = subprocess.run(
         ["sh", "-e", "-c", commands],
         cwd=tmp_path,
@@ -561,7 +563,7 @@ def test_the_commands_of_the_documentation_try_the_walker(tmp_path: Path) -> Non
 
 @rtl
 def test_the_design_of_the_documentation_elaborates(tmp_path: Path) -> None:
-    listings = dict(re.findall(r"```\{code-block\} \w+\n:caption: (\w+\.\w+)\n\n(.*?)```", _how_to(), re.DOTALL))
+    listings = files_of(_HOW_TO)
     paths = write(generate("vhdl", compile_text(listings["lamp.ul"])), tmp_path)
     (tmp_path / "lamp_board.vhd").write_text(listings["lamp_board.vhd"])
     sources = (*BOARDS.glob("*.vhd"), *paths, tmp_path / "lamp_board.vhd")
@@ -569,10 +571,6 @@ def test_the_design_of_the_documentation_elaborates(tmp_path: Path) -> None:
     assert ghdl(tmp_path, "-i", *map(str, sources)).returncode == 0
     done = ghdl(tmp_path, "-m", "lamp_board")
     assert (done.returncode, done.stderr) == (0, "")
-
-
-def _how_to() -> str:
-    return (ROOT / "docs" / "how-to" / "vhdl-from-a-spec.md").read_text()
 
 
 def test_each_file_keeps_the_length_of_a_line() -> None:
