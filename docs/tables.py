@@ -22,6 +22,7 @@ from docs.walkthrough import PAGES
 from unity_link.boards import loading
 from unity_link.boards.board import CHAIN
 from unity_link.boards.loading import board_names, load_board
+from unity_link.cli.families import PANELS
 from unity_link.cores import RobotVerbs, Verbs, classes_of
 from unity_link.spec import compile_text
 from unity_link.spec.cores import core_folders
@@ -72,7 +73,7 @@ def filled(page: Path) -> str:
 
     def written(part: re.Match[str]) -> str:
         lines = _PARTS[part[2]](shlex.split(part[3] or ""), text[part.end() :])
-        return "\n".join([part[1], *lines, "", part[4]]).replace("\n\n\n", "\n\n")
+        return "\n".join([part[1], *lines, "", part[4]])
 
     return _PART.sub(written, text)
 
@@ -255,6 +256,15 @@ def _chain(_: Sequence[str], __: str) -> list[str]:
     return _table(("board", *(f"`{pin}`" for pin in CHAIN)), rows)
 
 
+def _commands(_: Sequence[str], rest: str) -> list[str]:
+    """Return the commands of each panel of the help, with links to the headings that follow."""
+    rows = [
+        (panel, ", ".join(f"[`{name}`](#{name})" if f"\n## {name}\n" in rest else f"`{name}`" for name in commands))
+        for panel, commands in PANELS.items()
+    ]
+    return _table(("", "commands"), rows)
+
+
 def _excerpt(given: Sequence[str], _: str) -> list[str]:
     """Return lines of a file as a listing.
 
@@ -272,6 +282,7 @@ def _excerpt(given: Sequence[str], _: str) -> list[str]:
 _PARTS: dict[str, Callable[[Sequence[str], str], list[str]]] = {
     "calls": _calls,
     "chain": _chain,
+    "commands": _commands,
     "cores": _cores,
     "excerpt": _excerpt,
     "io": _io,

@@ -11,6 +11,7 @@ import pytest
 
 from docs.tables import calls_of, filled, installed_cores
 from docs.walkthrough import PAGES, files_of
+from unity_link import blocking
 
 ROOT = Path(__file__).parents[1]
 SHOWN = [*PAGES, *ROOT.glob("*.md"), *ROOT.glob("gateware/**/README.md"), *ROOT.glob("examples/**/*.md")]
@@ -76,6 +77,14 @@ def test_one_table_has_all_cores_one_click_from_the_first_pages() -> None:
     assert {name for name in methods if f"`{name}`" not in text} == set()
     for page in (ROOT / "README.md", ROOT / "docs" / "index.md"):
         assert re.search(r"\]\((?:docs/)?reference/cores/index\.md\)", page.read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize(("option", "clock_hz"), [("", 50_000_000), ("?clock_hz=25000000", 25_000_000)])
+def test_the_clock_of_sim_is_that_of_its_url_and_not_of_the_spec(option: str, clock_hz: int, tmp_path: Path) -> None:
+    spec = tmp_path / "arm.ul"
+    spec.write_text("public arm() { GATEWAY(CLOCK=12000000); @on = 0x10: bool READWRITE(); }")
+    with blocking.connect(f"sim:{spec}{option}", timeout=60) as link:
+        assert link.gateway.clock_hz == clock_hz
 
 
 def test_the_program_of_the_first_page_prints_where_the_robot_is(tmp_path: Path) -> None:

@@ -18,6 +18,15 @@ def test_a_picture_is_what_its_script_draws(name: str, tmp_path: Path) -> None:
     assert (tmp_path / name).read_text(encoding="utf-8") == (IMAGES / name).read_text(encoding="utf-8")
 
 
+def test_the_drawing_of_a_motor_has_the_pins_of_the_spec_beside_it() -> None:
+    page = (IMAGES.parent / "how-to" / "stop-safely.md").read_text(encoding="utf-8")
+    listing = re.search(r"```ul\n(drive: LEASE.*?)```\n\n!\[[^\]]*\]\(\.\./images/wiring-motor\.svg\)", page, re.DOTALL)
+    assert listing is not None
+    shown = re.findall(r">(\w+)  (gp\d+)<", (IMAGES / "wiring-motor.svg").read_text(encoding="utf-8"))
+    assert sorted(shown) == sorted(re.findall(r'(\w+)="(gp\d+)"', listing[1]))
+    assert {pin for _, pin in shown} <= load_board("ulx3s")[1].io_pins.keys()
+
+
 @pytest.mark.parametrize(("name", "board"), [("wiring-uart.svg", "ulx3s"), ("wiring-ft245.svg", "ulx3s_ft245_sync")])
 def test_a_picture_has_the_ports_that_a_build_wires(name: str, board: str) -> None:
     _, described = load_board(board)

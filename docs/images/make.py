@@ -113,6 +113,7 @@ PICTURES: dict[str, Callable[[Path], None]] = {
     "wiring-uart.svg": wiring.uart,
     "wiring-ft245.svg": wiring.ft245,
     "wiring-rs485.svg": wiring.rs485,
+    "wiring-motor.svg": wiring.motor,
     **{SYMBOL.format(core.folder): functools.partial(symbol, core) for core in installed_cores()},
     "doctor.svg": doctor,
     "watch.svg": watch,

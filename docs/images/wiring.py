@@ -141,3 +141,54 @@ def rs485(picture: Path) -> None:
     parts.append(_text(20, 150, "120 Ω between A and B at both", "start"))
     parts.append(_text(20, 168, "ends, bias at one; GND to all.", "start"))
     picture.write_text(_picture(700, bottom, parts))
+
+
+def motor(picture: Path) -> None:
+    """Draw a motor with its driver, encoder and e-stop at the board of a PC."""
+    pins = (
+        "pwm  gp0",
+        "dir  gp1",
+        "enable  gp8",
+        "GND",
+        "",
+        "",
+        "a  gp4",
+        "b  gp5",
+        "GND ",
+        "3.3 V ",
+        "",
+        "",
+        "3.3 V",
+        "estop  gp9",
+    )
+    pc = Box("PC", 20, 98, 110, right=("USB",))
+    board = Box("FPGA board", 210, 20, 150, left=("", "", "", "USB"), right=pins)
+    driver = Box("motor driver", 530, 20, 150, left=("PWM", "DIR", "enable", "GND"), right=("supply", "M+", "M-"))
+    turned = Box("motor, encoder", 530, 176, 150, left=("A", "B", "GND", "supply"), right=("M-", "M+"))
+    button = Box("e-stop", 530, 332, 150, left=("contact 1", "contact 1 "), right=("contact 2", "contact 2 "))
+    supply = Box("motor supply", 790, 358, 130, left=("+", "GND"))
+    wires = [
+        (pc.at("USB"), board.at("USB"), "<->"),
+        (board.at("pwm  gp0"), driver.at("PWM"), "->"),
+        (board.at("dir  gp1"), driver.at("DIR"), "->"),
+        (board.at("enable  gp8"), driver.at("enable"), "->"),
+        (board.at("GND"), driver.at("GND"), ""),
+        (board.at("a  gp4"), turned.at("A"), "<-"),
+        (board.at("b  gp5"), turned.at("B"), "<-"),
+        (board.at("GND "), turned.at("GND"), ""),
+        (board.at("3.3 V "), turned.at("supply"), ""),
+        (board.at("3.3 V"), button.at("contact 1"), ""),
+        (board.at("estop  gp9"), button.at("contact 1 "), "<-"),
+        (button.at("contact 2 "), supply.at("+"), ""),
+    ]
+    parts = [_wire(*wire) for wire in wires]
+    bends = [("M-", turned, "M-", 720), ("M+", turned, "M+", 740), ("supply", button, "contact 2", 760)]
+    for pin, other, to, rail in bends:
+        (x, y), (to_x, to_y) = driver.at(pin), other.at(to)
+        parts.append(_path(f"M {x} {y} H {rail} V {to_y} H {to_x}"))
+    x, y = supply.at("GND")
+    parts += [_path(f"M {x} {y} H {x - 30} V {y + 22}"), _text(x - 30, y + 38, "GND of all", "middle")]
+    for pin in ("enable  gp8", "estop  gp9"):
+        parts.append(_text(445, board.at(pin)[1] - 7, "4.7 kΩ to GND", "middle"))
+    boxes = [box.draw() for box in (pc, board, driver, turned, button, supply)]
+    picture.write_text(_picture(940, 468, [*parts, *boxes]))

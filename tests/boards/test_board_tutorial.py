@@ -12,6 +12,7 @@ import pytest
 
 from docs.walkthrough import files_of
 from unity_link.boards.loading import load_board
+from unity_link.spec import compile_text
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "tutorials" / "board.md"
 TEXT = PAGE.read_text()
@@ -21,9 +22,10 @@ TYPED = dict.fromkeys(
     # A virtual gateway stands in for the board.
     line.replace(f'"{BOARD_URL}"', "sim:lamp.ul")
     for line in "".join(_SHELL).splitlines()
-    if re.match(r"unity-link (?!build)|python ", line)
+    if re.match(r"unity-link (?!build)|python (?!.* rtl:)", line)
 )
 """The lines that one types and that need neither a board nor a minute."""
+(ON_RTL,) = re.findall(r"^python .* rtl:.*$", TEXT, re.MULTILINE)
 
 
 @pytest.fixture
@@ -36,12 +38,17 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def _type(folder: Path, line: str) -> str:
+def _type(folder: Path, line: str, seconds: float = 60) -> str:
     """Run a line of the tutorial, and return what it prints."""
     words = shlex.split(line)
     program = [] if words[0] == "python" else ["-m", "unity_link"]
     done = subprocess.run(
-        [sys.executable, *program, *words[1:]], cwd=folder, check=False, capture_output=True, text=True, timeout=60
+        [sys.executable, *program, *words[1:]],
+        cwd=folder,
+        check=False,
+        capture_output=True,
+        text=True,
+        timeout=seconds,
     )
     assert done.returncode == 0, done.stderr
     return done.stdout
@@ -57,10 +64,20 @@ def test_what_is_typed_works_and_prints_what_the_tutorial_shows(folder: Path) ->
     assert printed[2].split() == shown[1].split()
 
 
+@pytest.mark.slow
+@pytest.mark.rtl
+@pytest.mark.timeout(600)
+def test_the_program_of_the_tutorial_runs_on_its_gateware(folder: Path) -> None:
+    shown = re.findall(r"^```text\n(.*?)^```$", TEXT, re.MULTILINE | re.DOTALL)
+    assert _type(folder, ON_RTL, 500).split() == shown[1].split()
+
+
 def test_the_board_is_what_the_tutorial_says_of_it() -> None:
     (name,) = set(re.findall(r"--board (\w+)", TEXT))
     _, board = load_board(name)
     assert f"baud={board.baud}" in BOARD_URL
     assert BOARD_URL in TEXT
-    for pin in ("chain_out", "chain_in"):
-        assert re.search(rf"`{pin}`\s+is {board.pins[pin]}|`{pin}` {board.pins[pin]}", TEXT), pin
+    pins = {signal.pin for signal in compile_text(files_of(PAGE)["lamp.ul"]).interface().signals.values()}
+    assert pins == {"led0", "j2_0"}
+    assert re.search(rf"`j2_0`, which the report places at the site {board.io_pins['j2_0'].site}\b", TEXT)
+    assert "led0" in board.io_pins

@@ -2,17 +2,30 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
+from unity_link.cli.families import PANELS
+
 PROGRAM = str(Path(sys.executable).parent / "unity-link")
 
 
 def run(*arguments: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=120, check=False)
+
+
+def test_help_has_each_command_once_in_the_panel_of_its_group() -> None:
+    result = run("--help")
+    assert result.returncode == 0
+    panels = re.findall(r"╭─ ([^─]*) ─[^╮]*╮\n(.*?)╰", result.stdout, re.DOTALL)
+    shown = {title: re.findall(r"^│ ([a-z]\w*) ", body, re.MULTILINE) for title, body in panels}
+    assert {title: names for title, names in shown.items() if title != "Options"} == {
+        title: list(commands) for title, commands in PANELS.items()
+    }
 
 
 @pytest.mark.parametrize(("command", "extra"), [("ros2", "ros2"), ("zenoh", "zenoh")])

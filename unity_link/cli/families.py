@@ -1,7 +1,7 @@
 """The commands of `unity-link`, each made when it is asked for: `read` does not wait for what only `live` needs.
 
-A family is a file of commands, which its ``add_to`` adds to an app. Here stands which family has which commands, in the
-order of the help, so that one is imported to run a command, and all to show the help.
+A family is a file of commands, which its ``add_to`` adds to an app. `PANELS` lists the commands of each family, so that
+one family is imported to run a command, and all of them to show the help.
 """
 
 from __future__ import annotations
@@ -19,38 +19,50 @@ if TYPE_CHECKING:
 
 MARKUP: Any = "markdown"
 """Markup of help texts; "rich" would take the brackets of unity-link[zenoh] for its own."""
-FAMILIES = {
-    "demo": "demo",
-    "info": "info",
-    "doctor": "doctor",
-    "find": "find",
-    "read": "access",
-    "write": "access",
-    "get": "signals",
-    "set": "signals",
-    "stop": "stop",
-    "watch": "watch",
-    "live": "live",
-    "simulate": "simulate",
-    "serve": "serve",
-    "terminal": "terminal",
-    "explain": "snoop",
-    "retrace": "snoop",
-    "check": "spec",
-    "fmt": "spec",
-    "show": "spec",
-    "generate": "generate",
-    "build": "build",
-    "gateware": "gateware",
-    "record": "recording",
-    "replay": "recording",
-    "ros1": "ros",
-    "ros2": "ros",
-    "zenoh": "zenoh",
-    "import": "spec",
-    "export": "export",
-    "ft232h": "ft232h",
+PANELS = {
+    "Robots": {
+        "demo": "demo",
+        "get": "signals",
+        "set": "signals",
+        "stop": "stop",
+        "watch": "watch",
+        "live": "live",
+    },
+    "Gateways and boards": {
+        "info": "info",
+        "doctor": "doctor",
+        "find": "find",
+        "read": "access",
+        "write": "access",
+        "terminal": "terminal",
+        "ft232h": "ft232h",
+    },
+    "Simulation, sharing and bridges": {
+        "simulate": "simulate",
+        "serve": "serve",
+        "ros1": "ros",
+        "ros2": "ros",
+        "zenoh": "zenoh",
+    },
+    "Recordings and snoops": {
+        "record": "recording",
+        "replay": "recording",
+        "export": "export",
+        "explain": "snoop",
+        "retrace": "snoop",
+    },
+    "Specs and gateware": {
+        "check": "spec",
+        "fmt": "spec",
+        "show": "spec",
+        "import": "spec",
+        "generate": "generate",
+        "build": "build",
+        "gateware": "gateware",
+    },
 }
+"""The panels of the help, and in each the commands with their families, in the order of the help."""
+FAMILIES = {name: family for commands in PANELS.values() for name, family in commands.items()}
 """The family of each command."""
 
 
@@ -65,8 +77,9 @@ class Commands(TyperGroup):
         """Return a command, and make it where it is asked for the first time; None for a name that there is not."""
         if cmd_name in FAMILIES and self.commands[cmd_name] is None:
             made = _commands_of(FAMILIES[cmd_name])
-            for command in made.values():
+            for name, command in made.items():
                 _convert_sparingly(command, ctx)
+                command.rich_help_panel = next(panel for panel, commands in PANELS.items() if name in commands)
             self.commands |= made
         return super().get_command(ctx, cmd_name)
 

@@ -105,7 +105,7 @@ async def shift_chain(dut: SimHandleBase) -> None:
 
 @cocotb.test(timeout_time=1, timeout_unit="ms")
 async def one_bit(dut: SimHandleBase) -> None:
-    """The part that docs/tutorials/board.md needs: a light at the end of a chain of one bit, which does not flicker."""
+    """A chain of one bit with a wire from its end to its beginning: the light at its end does not flicker."""
 
     async def wire() -> None:
         while True:
