@@ -38,6 +38,13 @@ def test_a_listing_that_begins_with_an_option_is_found(text: str) -> None:
     assert wrong_fences(text) != []
 
 
+@pytest.mark.parametrize("page", dict.fromkeys(SHOWN), ids=lambda page: str(page.relative_to(ROOT)))
+def test_each_relative_link_leads_to_a_file_on_a_forge(page: Path) -> None:
+    shown = re.sub(r"```.*?```|`[^`\n]*`", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
+    links = re.findall(r"\]\(([^)#:\s]+)(?:#[^)]*)?\)", shown)
+    assert [link for link in links if not (page.parent / link).exists()] == []
+
+
 def empty_sections(text: str) -> list[str]:
     """Return the headings of a page that a forge shows nothing under; the whole text if it has no heading."""
     shown = re.sub(
