@@ -1,7 +1,7 @@
 """The tables and listings of pages that follow from the sources: written by `make docs-tables`.
 
 They are in the pages themselves, so that they can be read without building anything, each between a comment that names
-its contents and `<!-- end -->`. A test compares each page with what is written here.
+its contents and `<!-- end -->`. A test compares each page with the output of this module.
 
     python -m docs.tables
 """
@@ -129,7 +129,7 @@ def _methods(owner: str, kind: type) -> list[Call]:
 
 
 def _returns(method: object) -> str:
-    """Return the annotation of what a method returns; empty for another object."""
+    """Return the annotation of the result of a method; empty for another object."""
     return str(inspect.signature(method).return_annotation) if inspect.isfunction(method) else ""
 
 
@@ -148,9 +148,9 @@ def _given(method: Callable[..., Any]) -> str:
     return str(inspect.Signature(bare)).strip("()").replace("'", '"')
 
 
-def _summary(what: object) -> str:
+def _summary(item: object) -> str:
     """Return the first sentence of a docstring, in one line."""
-    paragraph = " ".join((inspect.getdoc(what) or "").partition("\n\n")[0].split())
+    paragraph = " ".join((inspect.getdoc(item) or "").partition("\n\n")[0].split())
     return paragraph.replace("``", "`").replace("|", "\\|")
 
 
@@ -183,25 +183,25 @@ def _members(_: Sequence[str], rest: str) -> list[str]:
     directives = _DIRECTIVES.search(rest)
     assert directives is not None
     rows = [
-        (f"`{name}`", _summary(what), ", ".join(f"`{member}`" for member in members))
-        for name, what, members in _described(directives[1])
+        (f"`{name}`", _summary(item), ", ".join(f"`{member}`" for member in members))
+        for name, item, members in _described(directives[1])
     ]
     return _table(("name", "", "members"), rows)
 
 
 def _described(directives: str) -> Iterator[tuple[str, Any, list[str]]]:
-    """Yield what directives of autodoc describe: names, objects and the names of their public members."""
+    """Yield the objects that directives of autodoc describe: names, objects and the names of their public members."""
     for kind, name, options in _DIRECTIVE.findall(directives):
         left_out = _listed("exclude-members", options)
         if kind != "module":
-            what = _object(name)
-            yield name, what, _names(what, left_out)
+            item = _object(name)
+            yield name, item, _names(item, left_out)
             continue
         module = importlib.import_module(name)
         for member in _listed("members", options) or module.__all__:
             if member not in left_out:
-                what = getattr(module, member)
-                yield f"{name}.{member}", what, _names(what, left_out)
+                item = getattr(module, member)
+                yield f"{name}.{member}", item, _names(item, left_out)
 
 
 def _listed(option: str, options: str) -> list[str]:
@@ -215,12 +215,12 @@ def _object(name: str) -> Any:
     return getattr(importlib.import_module(place or _INSTALLED), attribute)
 
 
-def _names(what: object, left_out: Iterable[str]) -> list[str]:
+def _names(item: object, left_out: Iterable[str]) -> list[str]:
     """Return the names of the public members of a class that the package defines; none for other objects."""
-    if not isinstance(what, type):
+    if not isinstance(item, type):
         return []
     names: dict[str, None] = {}
-    for base in what.__mro__:
+    for base in item.__mro__:
         if base.__module__.startswith(_INSTALLED):
             names |= dict.fromkeys((*vars(base).get("__annotations__", {}), *vars(base)))
     return sorted(name for name in names if not name.startswith("_") and name not in left_out)

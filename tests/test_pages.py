@@ -12,6 +12,8 @@ import pytest
 from docs.tables import calls_of, filled, installed_cores
 from docs.walkthrough import PAGES, files_of
 from unity_link import blocking
+from unity_link.boards.board import CHAIN
+from unity_link.boards.loading import board_names, load_board
 
 ROOT = Path(__file__).parents[1]
 SHOWN = [*PAGES, *ROOT.glob("*.md"), *ROOT.glob("gateware/**/README.md"), *ROOT.glob("examples/**/*.md")]
@@ -21,7 +23,7 @@ CORES = ROOT / "docs" / "reference" / "cores" / "index.md"
 
 
 def wrong_fences(text: str) -> list[str]:
-    """Return the beginnings of the listings that a forge shows with what only Sphinx reads."""
+    """Return the beginnings of listings that have syntax of Sphinx, which a forge shows as text."""
     fences = re.findall(r"^ *(?:```|~~~|:::)+([^\n]*)\n([^\n]*)", text, re.MULTILINE)
     return [
         f"{info}: {first}" for info, first in fences if info.startswith("{") or (info and re.match(r" *:\w", first))
@@ -72,6 +74,16 @@ def test_a_page_or_section_without_text_is_found(text: str) -> None:
 @pytest.mark.parametrize("page", WRITTEN, ids=lambda page: page.stem)
 def test_tables_and_listings_are_those_of_the_sources(page: Path) -> None:
     assert page.read_text(encoding="utf-8") == filled(page), "run make docs-tables"
+
+
+def test_the_page_of_boards_has_the_pins_of_every_chain() -> None:
+    text = (ROOT / "docs" / "how-to" / "boards.md").read_text(encoding="utf-8")
+    _, _, table = text.partition("make docs-tables`, chain: begin")
+    rows = [line for line in table.partition("<!-- end -->")[0].splitlines() if line.startswith("| `")]
+    for name in board_names():
+        (row,) = [line for line in rows if f"`{name}`" in line.split(" | ")[0]]
+        sites = [re.sub(r"`\w+` \((.*)\)", r"\1", cell) for cell in row.strip("| ").split(" | ")[1:]]
+        assert sites == [load_board(name)[1].pins[pin] for pin in CHAIN]
 
 
 def test_one_table_has_all_cores_one_click_from_the_first_pages() -> None:
