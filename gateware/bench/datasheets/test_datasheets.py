@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 SHEETS = sheets()
 ENTITIES = sorted(name for name, page in SHEETS.items() if page.parent == PAGES)
-_EXAMPLE = re.compile(r"^```vhdl\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+_EXAMPLE = re.compile(r"^```vhdl\n(\w+ : entity .*?)^```$", re.MULTILINE | re.DOTALL)
 _INTERNAL = {
     *("unity_link_fifo", "ul_fifo_port", "ul_ft245_pads", "ul_bus_master", "ul_word_memory", "ul_word_ring"),
     *("ul_mac_rx", "ul_mac_tx", "ul_network_rx", "ul_datagram_reader", "ul_datagram_writer"),
