@@ -25,8 +25,8 @@ from xdist.scheduler import LoadScopeScheduling
 from docs.walkthrough import WALKTHROUGHS, run, typed
 from support.searching import QUICK
 
-# A suite that was started in the background of a script ignores Ctrl-C, one that `nohup` started SIGHUP, and so would the
-# programs that it interrupts.
+# A suite that was started in the background of a script ignores Ctrl-C, one that `nohup` started SIGHUP, and so would
+# the programs that it interrupts.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 if hasattr(signal, "SIGHUP") and signal.getsignal(signal.SIGHUP) is signal.SIG_IGN:
