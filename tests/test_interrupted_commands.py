@@ -66,7 +66,7 @@ def left_nothing(left: Left) -> bool:
 def test_a_command_with_tools_leaves_nothing_behind_at_a_signal(name: str, tmp_path: Path) -> None:
     draw = random.Random(name)
     for turn in range(20):
-        left = interrupted(tmp_path / str(turn), name, draw, 8.0)
+        left = interrupted(tmp_path / str(turn), name, draw, 5.0)
         assert left_nothing(left), (turn, left)
 
 

@@ -1,7 +1,8 @@
 """Synthesis of each top and each board, which is all that a CI has the time for: `make synth-quick`.
 
 GHDL converts each; Yosys looks for faults in it and maps it to the cells of its FPGA. Nothing is placed, which is for
-`make synth` and `make campaign`; so are the larger sizes of a core.
+`make synth` and `make campaign`; so are the larger sizes of a core. A top is not mapped again if `gateware/placed.json`
+has figures of the same Verilog and the same tools.
 
     python -m gateware.tools.synth_quick          all
     python -m gateware.tools.synth_quick ulx3s    only those whose name holds "ulx3s"
@@ -15,7 +16,7 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING
 
 from gateware.tools import parser_of
-from gateware.tools.synth import CONFIGURATIONS, Configuration, map_only
+from gateware.tools.synth import CONFIGURATIONS, Configuration, map_only, rows, tools_of, unchanged
 from unity_link.boards.build import design_of, synthesise, top_text
 from unity_link.boards.families import FAMILIES
 from unity_link.boards.loading import board_names, load_board
@@ -58,13 +59,20 @@ def designs() -> dict[str, Callable[[], None]]:
     for name, configuration in CONFIGURATIONS.items():
         kind = name.rpartition("_")[0] if configuration.is_core else name
         if kind not in smallest:
-            tops[name] = _top(configuration)
+            tops[name] = _top(name, configuration)
         smallest.add(kind)
     return tops | boards
 
 
-def _top(configuration: Configuration) -> Callable[[], None]:
-    return lambda: map_only(configuration)
+def _top(name: str, configuration: Configuration) -> Callable[[], None]:
+    device = configuration.devices[0]
+
+    def attempt() -> None:
+        row = rows().get((name, device))
+        if row is None or not unchanged(row.origin, name, tools_of(name, device)):
+            map_only(configuration)
+
+    return attempt
 
 
 def _board(name: str, board: Board) -> Callable[[], None]:
