@@ -152,6 +152,8 @@ architecture rtl of ul_datagram_reader is
   signal is_end     : std_logic;
   signal is_match   : std_logic;
   signal is_bare    : std_logic;
+  signal bare       : std_logic;
+  signal other      : std_logic;
   signal take       : std_logic;
   signal passes     : std_logic;
 
@@ -184,11 +186,11 @@ begin
                  '0';
   is_end      <= to_std_logic(in_data = character_lf or in_data = character_cr);
   is_match    <= is_hex(in_data) and to_std_logic(hex_value(in_data) = crc(crc'high downto crc'high - 3));
-  -- Place 0 has the letter.
+  -- Place 0 has the letter. A character is compared in one cycle and passes in a later one, which keeps the ways short.
   is_bare <= to_std_logic(place = 0) or (is_match and to_std_logic(place <= check_digits));
 
   passes    <= in_valid and not none_left when state = pass else
-               in_valid and not none_left and not is_end and is_bare when state = weigh else
+               bare and to_std_logic(phase = 2) when state = weigh else
                '0';
   out_valid <= '1' when passes = '1' or state = end_line else
                '0';
@@ -249,6 +251,9 @@ begin
       elsif take = '1' or (state /= head and state /= find and state /= digit and state /= check) then
         phase <= 0;
       end if;
+      bare  <= in_valid and not none_left and not is_end and is_bare;
+      other <= in_valid and not none_left and not is_end and not is_bare;
+
       was <= read_data;
       if phase = 2 then
         was <= was;
@@ -530,7 +535,7 @@ begin
           elsif none_left = '1' or (in_valid and is_end) = '1' then
             headless <= '1';
             state    <= pass;
-          elsif in_valid = '1' and passes = '0' and still = '1' then
+          elsif phase = 2 and (other and still) = '1' then
             -- The former opener is sent a refusal.
             candidate   <= opener_i;
             opener_i    <= requester_i;
@@ -625,6 +630,8 @@ begin
         requester_i  <= "10";
         left         <= (others => '0');
         was          <= (others => '0');
+        bare         <= '0';
+        other        <= '0';
         in_session   <= '0';
         has_offer    <= '0';
         asking_i     <= '0';
