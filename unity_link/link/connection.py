@@ -228,6 +228,8 @@ class Connection:
                 self._connection_failed(UnsupportedError(str(error)))
                 return
         log.info("%s: session %d has begun", self._name, self._session.epoch + 1)
+        if self._flow.path is not None and self._flow.path.is_short:
+            log.info("%s: the network carries packets of %d bytes", self._name, self._flow.path.mtu)
         self._restored = self._new_waiter()
         self._begin(self._session.codec)
         if self._opened.done():

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
     from unity_link.link.runtime import Runtime, Timer, Waiter
     from unity_link.protocol.events import Events, Happening
+    from unity_link.protocol.path import Path
     from unity_link.protocol.requests import Source, WordBatch
     from unity_link.protocol.session import Session
     from unity_link.transport.stream import Stream
@@ -49,7 +50,8 @@ class Flow:
         disconnected: Callable[[Exception | None], None],
     ) -> None:
         self.session = session
-        self._longest_frame = math.inf
+        self.path: Path | None = None
+        """The network of the latest connection; None if frames are not in datagrams."""
         self.stream: Stream | None = None
         """Stream of the connection, None while there is none."""
         self.latest: Stream | None = None
@@ -165,7 +167,8 @@ class Flow:
     @property
     def block_words(self) -> int:
         """Most words of a block: as many as the gateway takes, and as its medium carries without cutting a frame."""
-        return self.session.codec.info.block_words_in(self._longest_frame)
+        info = self.session.codec.info
+        return info.block_words if self.path is None else info.block_words_in(self.path.longest_frame)
 
     @property
     def bytes_sent(self) -> int:
@@ -180,7 +183,7 @@ class Flow:
     def attach(self, stream: Stream) -> None:
         """Begin with a stream that is connected."""
         self.stream = self.latest = stream
-        self._longest_frame = stream.longest_frame
+        self.path = stream.path
         stream.receiver, stream.on_pause = self, self._pause
         seat = self.seat = stream.seat
         if seat is not None:
@@ -191,7 +194,8 @@ class Flow:
             takes_turns=seat is not None,
             byte_time=stream.byte_time,
             longest_try=stream.longest_try,
-            is_transparent=stream.in_datagrams,
+            is_transparent=self.path is not None,
+            path=self.path,
         )
 
     def detach(self) -> None:

@@ -119,10 +119,10 @@ class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
         """Base publish frequency in Hz."""
         return self.base_frequency_millihertz / 1000
 
-    def block_words_in(self, longest_frame: float) -> int:
+    def block_words_in(self, longest_frame: int) -> int:
         """Return how many words a block may have whose frames, request and answer, have so many bytes at most."""
         around = 4 + self.id_digits + self.address_digits + self.crc_bits // 4 + 1
-        return int(max(min(self.block_words, (longest_frame - around) // self.data_digits), 1))
+        return max(min(self.block_words, (longest_frame - around) // self.data_digits), 1)
 
     @property
     def longest_request(self) -> int:

@@ -19,8 +19,9 @@ from unity_link.errors import ConnectError, UnsupportedError
 from unity_link.protocol.compact import START, cut, text_of
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.crc import Crc
-from unity_link.protocol.frames import COMPACT_END, LARGEST_DATAGRAM, LF, FrameError, Framing, datagrams
+from unity_link.protocol.frames import COMPACT_END, LF, FrameError, Framing, datagrams
 from unity_link.protocol.messages import ErrorCode, RequestError
+from unity_link.protocol.path import Path
 from unity_link.protocol.reception import Reception
 
 if TYPE_CHECKING:
@@ -34,9 +35,6 @@ NO_SESSION = 0
 _OUTSIDE = 0
 """The count of an offer and of a refusal, which belong to no session."""
 _LAST_COUNT = 0xFFFFFFFF
-_HEADER_SIZE = len("U") + 16
-LONGEST_FRAME = LARGEST_DATAGRAM - 2 * len("ZFF") - _HEADER_SIZE - 8 - len("\n")
-"""Bytes of the longest frame beside which a header has room, with any CRC and on any medium, with its line end."""
 _HEADER = re.compile(rb"[\r\n]*((?:Z[0-9A-F]{2})?U([0-9A-Fa-f]{8})([0-9A-Fa-f]{8}))(?:\r\n?|([0-9A-Fa-f]+)\n)")
 """Groups of a header: the text that its CRC covers, session, count, and the CRC, None in a plain one."""
 _FIRST_FRAME = re.compile(rb"[\r\n]*([^\r\n]*\r?)\n?")
@@ -115,9 +113,8 @@ def _with_header(framing: Framing, session: int, count: int, frames: bytes, *, p
     return (framing.plain_reply(body) if plain else framing.checked(body)) + frames
 
 
-def _pack(framing: Framing, frames: bytes) -> list[bytes]:
-    """Put frames into as few datagrams as they fit in with a header."""
-    return datagrams(frames, LARGEST_DATAGRAM - _HEADER_SIZE - framing.overhead)
+_FULL = Path()
+"""The path for which a gateway packs its datagrams."""
 
 
 class HostDatagrams:
@@ -127,9 +124,11 @@ class HostDatagrams:
 
     Args:
         node: number of the gateway on a shared medium, or None.
+        path: has the length of the longest datagram; None for the usual one.
     """
 
-    def __init__(self, node: int | None = None) -> None:
+    def __init__(self, node: int | None = None, path: Path | None = None) -> None:
+        self._path = path or Path()
         self.session = NO_SESSION
         self.offer = NO_SESSION
         """The session that the gateway offered last."""
@@ -148,7 +147,7 @@ class HostDatagrams:
                 return []
         return [
             _with_header(self._framing, self.session, self.counts.next(), packed)
-            for packed in _pack(self._framing, frames)
+            for packed in datagrams(frames, self._path.room(self._framing))
         ]
 
     def _begins_session(self, frames: bytes) -> bool:
@@ -302,7 +301,7 @@ class GatewayDatagrams(Generic[A]):
 
     def _send_to_opener(self, frames: bytes) -> None:
         if self.opener is not None:
-            for packed in _pack(self._framing, frames):
+            for packed in datagrams(frames, _FULL.room(self._framing)):
                 self._send(_with_header(self._framing, self.session, self.counts.next(), packed), self.opener)
 
     # Requests without a session
@@ -340,7 +339,7 @@ class GatewayDatagrams(Generic[A]):
         address, plain = self.requester
         while self.offer in (NO_SESSION, self.session):
             self.offer = self._draw()
-        for packed in _pack(self._framing, frames):
+        for packed in datagrams(frames, _FULL.room(self._framing)):
             self._send(_with_header(self._framing, self.offer, _OUTSIDE, packed, plain=plain), address)
 
     def _is_of_session(self, frame: bytes) -> bool:

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
     from unity_link.protocol.events import Events
     from unity_link.protocol.host_codec import HostCodec
+    from unity_link.protocol.path import Path
 
 
 class HeldGroup(Awaited):
@@ -58,6 +59,8 @@ class GroupTable:
     def __init__(self, count: int, submit: Callable[[SessionRequest, Events], None]) -> None:
         self.begun: dict[bytes, HeldGroup] = {}
         """The groups whose settings the gateway has stored in this session, by their two digits."""
+        self.path: Path | None = None
+        """The network of the connection; None if frames are not in datagrams."""
         self._count = count
         self._free = deque(range(count))
         self._held: dict[int, HeldGroup] = {}
@@ -81,6 +84,11 @@ class GroupTable:
         group = HeldGroup(chosen, settings, length, owner)
         self._held[group.number] = group
         return group
+
+    @property
+    def sample_bytes(self) -> int:
+        """Characters of one sample of each group that is held."""
+        return sum(group.length for group in self._held.values())
 
     def _take_out(self, number: int) -> None:
         if not 0 <= number < self._count:
@@ -123,7 +131,17 @@ class GroupTable:
         self._settle(None, None, events)
 
     def set_up(self, codec: HostCodec, group: HeldGroup, events: Events) -> None:
-        """Set up a group and start it."""
+        """Set up a group and start it; one whose frames the path does not carry fails."""
+        path = self.path
+        request = codec.head_sizes["GS"] + len(group.text) + len(group.settings)
+        size = max(codec.framing.overhead + group.length, request)
+        if path is not None and path.is_short and size > path.longest_frame:
+            message = (
+                f"group {group.number} has frames of {size} bytes, and the network carries frames of "
+                f"{path.longest_frame} bytes at most (mtu={path.mtu}): subscribe to fewer words"
+            )
+            self._failed(group, UnsupportedError(message), events)
+            return
 
         def stored(error: UnityLinkError | None, events: Events) -> None:
             if self._held.get(group.number) is not group:

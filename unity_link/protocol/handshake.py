@@ -12,6 +12,8 @@ answer.
 If the session was asked for in compact form, the line is tried next (`unity_link.protocol.trial`). On a line that does
 not carry the form, `K i s` begins another session, whose frames are text.
 
+Where frames are in datagrams, `K i s` is padded to the longest datagram of the path (`unity_link.protocol.path`).
+
 What comes back as it was sent is an adapter's echo, which is passed over where an answer follows.
 """
 
@@ -46,6 +48,8 @@ from unity_link.protocol.trial import Trial, first_id
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+
+    from unity_link.protocol.path import Path
 
 RESET_TRIES = 3
 """Number of times a gateway is asked for the state of its session before a session is asked for all the same."""
@@ -126,6 +130,15 @@ _TABLE = {
 }
 
 
+class _Opening(NamedTuple):
+    """A request for a session."""
+
+    asked_at: float
+    """Instant in seconds."""
+    largest: int
+    """Bytes of its datagram; 0 if frames are not in datagrams."""
+
+
 class SessionNumbers:
     """Numbers of sessions, drawn at random, of which none is one of the last.
 
@@ -165,6 +178,7 @@ class Handshake:
         compact: whether the compact form is asked for where the gateway has it, and no adapter gives back what is sent.
         echo: True where an adapter is known to do so: then an echo, however long it is alone, says nothing.
         is_transparent: whether the line is known to carry the compact form, so that it is not tried.
+        path: has the length of the longest datagram; None if frames are not in datagrams.
     """
 
     def __init__(  # noqa: PLR0913  (each is a choice of its own, by keyword)
@@ -180,7 +194,9 @@ class Handshake:
         compact: bool = False,
         echo: bool = False,
         is_transparent: bool = False,
+        path: Path | None = None,
     ) -> None:
+        self._path = path
         self._wire_time = wire_time
         self._longest_try = longest_try
         self._questions = self._answers = 0
@@ -199,8 +215,8 @@ class Handshake:
         """Number of the session that was asked for last."""
         self.compact = False
         """True if the compact form was asked for with it."""
-        self._asked_for: dict[int, float] = {}
-        """Instants at which sessions were asked for, by number."""
+        self._asked_for: dict[int, _Opening] = {}
+        """Requests for sessions, by number."""
         self._out = b""
         self._heard = self._unread = 0
         """Bytes that were looked at, and that have arrived behind them."""
@@ -286,7 +302,8 @@ class Handshake:
         """Describe a gateway whose answers are missing or unreadable."""
         if self._believed:
             counts = f"{self._answers} of {self._questions} questions"
-            return f"it answered {counts}: what is sent or answered is lost or damaged on the way"
+            advice = "" if self._path is None else self._path.advice
+            return f"it answered {counts}: what is sent or answered is lost or damaged on the way{advice}"
         if heard := self._heard + self._unread:
             return f"{heard} bytes arrived, none of them an answer: {UNREADABLE}"
         return "nothing arrived: check that the gateway is powered, the port and the wiring"
@@ -328,9 +345,11 @@ class Handshake:
         """Return whether a line answers an earlier question; where another session was asked for since, wait longer."""
         if self._believed and self._believed in line:
             return True
-        for session, asked_at in self._asked_for.items():
+        for session, opening in self._asked_for.items():
             if self._fits(body, self._opening(session)):
-                self._patience = max(self._patience, 2 * (now - asked_at))
+                self._patience = max(self._patience, 2 * (now - opening.asked_at))
+                if self._path is not None:
+                    self._path.carried(opening.largest)
                 self.deadline = max(self.deadline, self._until())
                 return True
         return False
@@ -361,7 +380,7 @@ class Handshake:
         self._questions += 1
         if self.state is State.ASKED_SESSION:
             self.session = self._numbers.next(self.codec.info.last_session)
-            self._asked_for[self.session] = now
+            self._asked_for[self.session] = _Opening(now, 0 if self._path is None else self._path.largest)
             self.compact = self._wants_compact and Feature.COMPACT in self.codec.info.features and not self.has_echo
         framing, question = self.codec.framing, self._question()
         self._sent = framing.plain_request(question) if self._is_plain else framing.checked(question)
@@ -370,6 +389,10 @@ class Handshake:
             # would execute that frame unchecked.
             self._sent = LF + self._sent
         self._out += self._sent
+        if self._path is not None and self.state is State.ASKED_SESSION:
+            info = self.codec.info
+            most = math.inf if Feature.FLOW_CONTROL in info.features else info.receive_fifo_bytes
+            self._out += self._path.padding(framing, len(self._sent), most)
         self.deadline = self._until()
 
     def expire(self, now: float) -> None:
@@ -383,6 +406,8 @@ class Handshake:
         else:
             self._patience = max(self._patience, min(2 * self._patience, LONGEST_TRY, self._longest_try))
             self._tries -= 1
+            if self._path is not None and self.state is State.ASKED_SESSION:
+                self._path.unanswered()
         if self._tries > 0:
             self._send(now)
         elif (instead := _TABLE[self.state].unanswered) is not None:

@@ -90,6 +90,10 @@ class Source(Protocol):
         """Characters of the next message."""
 
     @property
+    def reply_size(self) -> int:
+        """Characters of the answer to the next message, 0 if it has none."""
+
+    @property
     def posted(self) -> bool:
         """Return whether the next message is a posted write."""
 
@@ -499,6 +503,11 @@ class RequestBlock:
         return self._requests[0].size
 
     @property
+    def reply_size(self) -> int:
+        """Characters of the answer to the next request."""
+        return self._requests[0].reply_size
+
+    @property
     def outlives_session(self) -> bool:
         """Return whether the next session may send all that are left."""
         return all(request.outlives_session for request in self._requests)
@@ -556,6 +565,7 @@ class WordBatch(Awaited):
         self.count = len(columns[0][0])
         self.size = codec.head_sizes[command] + sum(digits for _, digits in columns)
         self.reply_digits = None if self.posted else codec.info.data_digits if command == "R" else 0
+        self.reply_size = 0 if self.reply_digits is None else codec.head_sizes[command] + self.reply_digits
         self.sent = 0
         """Number of messages that were given an ID; a new session may send some of them again."""
         self.done = False
@@ -738,7 +748,7 @@ class BatchPart:
 
     def __init__(self, batch: WordBatch, start: int, count: int) -> None:
         self._batch, self._start, self._count = batch, start, count
-        self.size = batch.size
+        self.size, self.reply_size = batch.size, batch.reply_size
 
     @property
     def least(self) -> int:

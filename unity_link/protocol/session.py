@@ -52,6 +52,7 @@ from unity_link.protocol.events import Interrupted, Opened, Taken, Unusable
 from unity_link.protocol.frames import LF, LONGEST_FRAME
 from unity_link.protocol.group_table import GroupTable
 from unity_link.protocol.handshake import TAKEN, Handshake, SessionNumbers
+from unity_link.protocol.path import RESERVE
 from unity_link.protocol.requests import Confirmation, Fence, Request, SessionRequest, Source
 from unity_link.protocol.window import Window
 
@@ -62,6 +63,7 @@ if TYPE_CHECKING:
     from unity_link.protocol.events import Events
     from unity_link.protocol.group_table import HeldGroup
     from unity_link.protocol.host_codec import HostCodec
+    from unity_link.protocol.path import Path
     from unity_link.protocol.requests import Message
 
 _FIRST_TURN = 256
@@ -148,6 +150,8 @@ class Session:
         """
         self._byte_time: float | None = None
         self._longest_try = math.inf
+        self._path: Path | None = None
+        """The network of the connection; None if frames are not in datagrams."""
         self._is_transparent = False
         """True if the line is known to carry the compact form."""
         self._before_flood = 0.0, -1, 0, 0
@@ -299,6 +303,7 @@ class Session:
         byte_time: float | None = None,
         longest_try: float = math.inf,
         is_transparent: bool = False,
+        path: Path | None = None,
     ) -> None:
         """Begin on a new connection.
 
@@ -311,11 +316,15 @@ class Session:
                 less than others.
             is_transparent: whether the medium is known to carry every byte as it is, so that the compact form needs no
                 trial.
+            path: has the length of the longest datagram; None if frames are not in datagrams.
         """
         self._shortest_timeout = max(shortest_timeout, ANSWER_PATIENCE) if takes_turns else shortest_timeout
         self._takes_turns, self._byte_time, self._longest_try = takes_turns, byte_time, longest_try
         self._blocked = False
         self._is_transparent = is_transparent
+        self._path = path
+        if path is not None:
+            path.on_lowered = self._bound_answers
         self._drop_rest()
         self.output.clear()
         self._begin(now, again=self.epoch >= 0)
@@ -334,6 +343,7 @@ class Session:
             compact=self._wants_compact,
             echo=self._knows_echo,
             is_transparent=self._is_transparent,
+            path=self._path,
         )
         if not self._takes_turns:
             self.output.append(self._handshake.take_output())
@@ -422,7 +432,7 @@ class Session:
             and not waiting
             and now < window.since + KEEP_ALIVE
             and isinstance(source, Request)
-            and window.has_room(source.size, posted=source.posted)
+            and window.has_room(source.size, posted=source.posted, reply_size=source.reply_size)
             and not (source.places and self._overlaps(source))
         ):
             source.sent = True
@@ -489,11 +499,11 @@ class Session:
             if isinstance(source, Fence) and any(other in waiting for other in source.earlier):
                 waiting.rotate(-1)
                 continue
-            if size != source.size or posted != source.posted:
+            if size != source.size or posted != source.posted or window.room_of_answers is not None:
                 size, posted = source.size, source.posted
-                room = window.room(size, posted=posted)
+                room = window.room(size, posted=posted, reply_size=source.reply_size)
             # A window that is small because the line loses is not waited for to grow.
-            if not room or (room < source.least and room < window.allowance.most_room(size) // 2):
+            if not room or (room < source.least and room < window.most_room(size, source.reply_size) // 2):
                 break
             if source.places and self._overlaps(source):
                 break
@@ -739,8 +749,20 @@ class Session:
 
     @property
     def _hint(self) -> str:
-        """Another possible cause of an end, for its message; empty if frames are text."""
+        """Another possible cause of an end, for its message; empty if frames are text and not in datagrams."""
+        if self._path is not None:
+            return self._path.advice
         return "" if self._packer is None else COMPACT_HINT
+
+    def _bound_answers(self) -> None:
+        """Bound the answers under way where the path does not carry each datagram of a gateway."""
+        if self._path is not None and self._path.is_short and self._answers is not None:
+            self.window.bound_answers(self._room_of_answers)
+
+    def _room_of_answers(self) -> int:
+        """Return how many bytes of answers may be under way: a gateway puts them into one datagram, with samples."""
+        assert self._path is not None
+        return self._path.longest_frame - RESERVE - self.groups.sample_bytes
 
     def _find_flood(self, now: float) -> int:
         """Return how many lines have come in place of answers, where what is sent cannot be the cause of so many."""
@@ -806,6 +828,7 @@ class Session:
             events.append(Unusable(UnsupportedError(message)))
             return
         self.codec.begin(handshake.session)
+        self.groups.path = self._path
         self._use_form(compact=handshake.compact)
         self._is_transparent |= handshake.compact
         self._wants_compact &= not handshake.line_changes_bytes
@@ -830,6 +853,7 @@ class Session:
         self._answers = Answers(
             self.codec, self.window, self.groups, self.counters, self._echo, half_duplex=self._is_half_duplex
         )
+        self._bound_answers()
         events.append(Opened(info))
         self._admit(now, events)
         self.groups.start(self.codec, events)

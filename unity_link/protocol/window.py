@@ -46,7 +46,7 @@ from unity_link.protocol.ring import Part, R, Ring, parts_of
 from unity_link.protocol.round_trip import RoundTrip
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Callable, Iterable, Iterator
 
 
 class Unanswered(NamedTuple, Generic[R]):
@@ -71,7 +71,8 @@ class Window(Ring[R]):
         most: requests in flight, at most; None for half the ring.
     """
 
-    __slots__ = ("_free", "_sent", "_unawaited", "allowance", "posts", "repetition", "round_trip", "signs", "since")
+    __slots__ = ("_free", "_sent", "_unawaited", "allowance", "posts", "repetition", "room_of_answers", "round_trip", "signs",
+                 "since")  # fmt: skip
 
     def __init__(
         self,
@@ -96,6 +97,8 @@ class Window(Ring[R]):
         """Number of requests of any size for which there is room at least, as far as it was asked."""
         self._unawaited = first
         """ID before which no answer is awaited, as far as it was asked."""
+        self.room_of_answers: Callable[[], int] | None = None
+        """Returns how many bytes of answers may be under way; None: any number."""
         self.since = 0.0
         """Instant of the last progress; while nothing is in flight, of the last request that was done."""
 
@@ -124,8 +127,13 @@ class Window(Ring[R]):
 
     # Sending
 
-    def room(self, size: int, *, posted: bool = False) -> int:
-        """Return how many more requests of `size` characters may be sent now.
+    def bound_answers(self, room_of_answers: Callable[[], int]) -> None:
+        """Bound the answers under way by as many bytes as a function returns."""
+        self.room_of_answers = room_of_answers
+        self._free = 0
+
+    def room(self, size: int, *, posted: bool = False, reply_size: int = 0) -> int:
+        """Return how many more requests of `size` characters with answers of `reply_size` may be sent now.
 
         Where there are posted writes, a place is left for the ``h`` that will confirm them.
         """
@@ -137,14 +145,25 @@ class Window(Ring[R]):
         if self.oldest != self.executed:
             outstanding -= self.between(self.oldest, self.executed).count(None)
         room = self.allowance.room(outstanding, self.bytes, size, kept_free=kept_free)
-        return max(0, min(room, (self.mask >> 1) + 1 - self.in_flight - kept_free))
+        room = min(room, (self.mask >> 1) + 1 - self.in_flight - kept_free)
+        if self.room_of_answers is not None and reply_size:
+            awaited = sum(part.run.reply_size * part.length for part in self.parts(self.oldest, self.next))
+            room = min(room, max((self.room_of_answers() - awaited) // reply_size, 0 if awaited else 1))
+        return max(0, room)
 
-    def has_room(self, size: int, *, posted: bool) -> bool:
-        """Return whether one more request of `size` characters may be sent now."""
+    def most_room(self, size: int, reply_size: int) -> int:
+        """Return for how many such requests there is room while nothing is under way."""
+        most = self.allowance.most_room(size)
+        if self.room_of_answers is None or not reply_size:
+            return most
+        return min(most, max(self.room_of_answers() // reply_size, 1))
+
+    def has_room(self, size: int, *, posted: bool, reply_size: int = 0) -> bool:
+        """Return whether one more request of `size` characters may be sent now, as `room`."""
         if self._free > 0 or not self.in_flight:
             return True
-        room = self.room(size, posted=posted)
-        if self.allowance.byte_limit is None:
+        room = self.room(size, posted=posted, reply_size=reply_size)
+        if self.allowance.byte_limit is None and self.room_of_answers is None:
             # Answers make more, and what makes less forgets it; a place is left for an ``h``.
             self._free = room - 1
         return room > 0

@@ -65,7 +65,7 @@ class ChannelTransport(asyncio.Transport):
     """
 
     def __init__(self, watcher: Watcher, channel: Channel, protocol: asyncio.Protocol) -> None:
-        names = ("shortest_timeout", "longest_try", "longest_frame", "byte_time", "seat", "set_again")
+        names = ("shortest_timeout", "longest_try", "path", "byte_time", "seat", "set_again")
         super().__init__({name: getattr(channel, name) for name in names if hasattr(channel, name)})
         self._watcher = watcher
         self._channel = channel

@@ -16,6 +16,7 @@ from unity_link.protocol.constants import QUICK_TIMEOUT, SHORTEST_TIMEOUT
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from unity_link.protocol.path import Path
     from unity_link.transport.turns import Seat
 
 
@@ -89,15 +90,9 @@ class Stream(asyncio.Protocol):
         return math.inf if known is None else float(known)
 
     @property
-    def longest_frame(self) -> float:
-        """Bytes of the longest frame that the medium carries in one piece; infinite where there is none."""
-        known = None if self._transport is None else self._transport.get_extra_info("longest_frame")
-        return math.inf if known is None else float(known)
-
-    @property
-    def in_datagrams(self) -> bool:
-        """True if frames are sent in datagrams, whose bytes arrive unchanged."""
-        return self.longest_frame < math.inf
+    def path(self) -> Path | None:
+        """The network of a medium that sends frames in datagrams, whose bytes arrive unchanged; None for others."""
+        return None if self._transport is None else self._transport.get_extra_info("path")
 
     @property
     def byte_time(self) -> float | None:

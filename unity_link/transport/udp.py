@@ -1,7 +1,8 @@
 """``udp://host:port``: a gateway on the network. A datagram holds whole frames; the window makes up for lost ones.
 
 Each connection has a socket of its own, and so a port of its own, and one session with the gateway. ``?interface=eth1``
-has it send and hear by that interface alone, and ``?ttl=1`` pass so many routers less one.
+has it send and hear by that interface alone, and ``?ttl=1`` pass so many routers less one. ``?mtu=576`` keeps its packets,
+and those of the gateway, so short; otherwise the link finds the longest that the network carries.
 """
 
 from __future__ import annotations
@@ -10,11 +11,13 @@ import asyncio
 import contextlib
 import errno
 import socket
+import sys
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from unity_link.errors import ArgumentError, ConnectError
 from unity_link.protocol.constants import QUICK_TIMEOUT
-from unity_link.protocol.datagrams import LONGEST_FRAME, HostDatagrams
+from unity_link.protocol.datagrams import HostDatagrams
+from unity_link.protocol.path import HEADERS, HEADERS_6, LONGEST_MTU, SHORTEST_MTU, Path
 from unity_link.transport.channel import refused_as
 from unity_link.transport.tcp import NAMELESS, address
 
@@ -25,8 +28,10 @@ if TYPE_CHECKING:
     from unity_link.transport import DriverUrl
     from unity_link.transport.channel import Channel
 
-OPTIONS = frozenset({"interface", "ttl"})
+OPTIONS = frozenset({"interface", "mtu", "ttl"})
 MOST_TTL = 255
+_IP_MTU, _IPV6_MTU = 14, 24
+"""Linux: options of a connected socket, the MTU of its path as far as the system knows it (ip(7), ipv6(7))."""
 RECEIVE_BUFFER = 1 << 22
 """Bytes that wait in the system, as far as it allows so many: those of the blocks that are asked for at a time."""
 LARGE = 512
@@ -46,8 +51,10 @@ async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transpo
     host, port = address(url)
     settings, loop = Settings.of(url), asyncio.get_running_loop()
 
+    path = path_of(url)
+
     def adapter() -> DatagramAdapter:
-        return DatagramAdapter(protocol, url.node)
+        return DatagramAdapter(protocol, url.node, path)
 
     with refused(host, port):
         if settings == Settings(None, None):
@@ -64,10 +71,42 @@ async def connect(url: DriverUrl, protocol: asyncio.Protocol) -> asyncio.Transpo
 def open_channel(url: DriverUrl, timeout: float | None) -> Channel:  # noqa: ARG001  (nothing is waited for)
     """Open a socket that speaks with one gateway only, without an event loop."""
     host, port = address(url)
-    settings = Settings.of(url)
+    settings, path = Settings.of(url), path_of(url)
     with refused(host, port):
         opened = settings.connected(socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM))
-    return DatagramChannel(opened, HostDatagrams(url.node))
+    return DatagramChannel(opened, HostDatagrams(url.node, path), path)
+
+
+def path_of(url: DriverUrl) -> Path:
+    """Return the network to the gateway of a URL.
+
+    Raises:
+        ArgumentError: for an MTU that no network has.
+    """
+    if "mtu" not in url.options:
+        return Path()
+    mtu = url.integer("mtu", 0)
+    if not SHORTEST_MTU <= mtu <= LONGEST_MTU:
+        raise ArgumentError(f"mtu={mtu} in {url.text} is not from {SHORTEST_MTU} to {LONGEST_MTU}")
+    return Path(mtu)
+
+
+def _known_mtu(opened: socket.socket) -> int:
+    """Return the MTU of a connected socket's path as far as the system knows it."""
+    if sys.platform != "linux":
+        return LONGEST_MTU
+    is_6 = opened.family == socket.AF_INET6
+    try:
+        return opened.getsockopt(socket.IPPROTO_IPV6 if is_6 else socket.IPPROTO_IP, _IPV6_MTU if is_6 else _IP_MTU)
+    except OSError:
+        # A simulated or closed socket has none.
+        return LONGEST_MTU
+
+
+def _learn(error: OSError, path: Path, opened: socket.socket) -> None:
+    """Take the MTU that a router has told to the system; `error` is what the system then returns, once."""
+    if error.errno == errno.EMSGSIZE:
+        path.lower(_known_mtu(opened))
 
 
 class Settings(NamedTuple):
@@ -154,14 +193,15 @@ class DatagramChannel:
     Args:
         opened: is connected to the gateway, and the channel's from now on.
         datagrams: of the session.
+        path: the network to the gateway.
     """
 
     shortest_timeout = QUICK_TIMEOUT
     longest_try = LONGEST_TRY
-    longest_frame = LONGEST_FRAME
 
-    def __init__(self, opened: socket.socket, datagrams: HostDatagrams) -> None:
-        _prepare(opened)
+    def __init__(self, opened: socket.socket, datagrams: HostDatagrams, path: Path) -> None:
+        _prepare(opened, path)
+        self.path = path
         self._socket = opened
         self._datagrams = datagrams
         self._heard = False
@@ -177,7 +217,7 @@ class DatagramChannel:
                 raise _nobody() from None
             self._heard = True
             return self._datagrams.take(first)
-        return b"".join(map(self._datagrams.take, _read_on(self._socket)))
+        return b"".join(map(self._datagrams.take, _read_on(self._socket, self.path)))
 
     def write(self, data: bytes | bytearray | memoryview) -> int:
         """Send whole frames; a datagram that the system does not take is as good as lost."""
@@ -187,12 +227,13 @@ class DatagramChannel:
             except ConnectionRefusedError:
                 if not self._heard:
                     raise _nobody() from None
-            except OSError:
-                pass
+            except OSError as error:
+                _learn(error, self.path, self._socket)
         return len(data)
 
 
-def _prepare(opened: socket.socket) -> None:
+def _prepare(opened: socket.socket, path: Path) -> None:
+    path.begin(HEADERS_6 if opened.family == socket.AF_INET6 else HEADERS, _known_mtu(opened))
     opened.setblocking(False)  # noqa: FBT003  (it has no name)
     # Some systems refuse what is beyond their limit, others take the limit.
     with contextlib.suppress(OSError):
@@ -205,14 +246,14 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
     Args:
         protocol: reads and writes.
         node: number of the gateway on a shared medium, or None.
+        path: the network to the gateway.
     """
 
-    def __init__(self, protocol: asyncio.Protocol, node: int | None) -> None:
-        super().__init__(
-            {"shortest_timeout": QUICK_TIMEOUT, "longest_try": LONGEST_TRY, "longest_frame": LONGEST_FRAME}
-        )
+    def __init__(self, protocol: asyncio.Protocol, node: int | None, path: Path) -> None:
+        super().__init__({"shortest_timeout": QUICK_TIMEOUT, "longest_try": LONGEST_TRY, "path": path})
         self._protocol = protocol
-        self._datagrams = HostDatagrams(node)
+        self._path = path
+        self._datagrams = HostDatagrams(node, path)
         self._socket: socket.socket | None = None
         self._over: ConnectError | None = None
         self._heard = False
@@ -228,7 +269,7 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
         if known is not None:
             # What an event loop tells of its socket can't be read from.
             self._socket = socket.fromfd(known.fileno(), known.family, known.type)
-            _prepare(self._socket)
+            _prepare(self._socket, self._path)
         self._protocol.connection_made(self)
 
     def datagram_received(self, data: bytes, addr: tuple[Any, ...]) -> None:  # noqa: ARG002
@@ -236,7 +277,7 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
         self._heard = True
         frames = self._take(data)
         if len(data) >= LARGE and self._socket is not None:
-            frames += b"".join(map(self._take, _read_on(self._socket)))
+            frames += b"".join(map(self._take, _read_on(self._socket, self._path)))
         if frames and self._reading:
             self._protocol.data_received(frames)
         elif len(self._kept) < MOST_KEPT:
@@ -263,6 +304,8 @@ class DatagramAdapter(asyncio.Transport, asyncio.DatagramProtocol):
 
     def error_received(self, exc: Exception) -> None:
         """End where nothing listens; later, a datagram that was refused is as good as lost."""
+        if isinstance(exc, OSError) and self._socket is not None:
+            _learn(exc, self._path, self._socket)
         if isinstance(exc, ConnectionRefusedError) and not self._heard:
             self._over = _nobody()
             self.abort()
@@ -306,11 +349,13 @@ def _nobody() -> ConnectError:
     return ConnectError("nothing listens at that port; is the gateway served, and the port right?")
 
 
-def _read_on(opened: socket.socket) -> Iterator[bytes]:
+def _read_on(opened: socket.socket, path: Path) -> Iterator[bytes]:
     """Read what has come: turns of an event loop cost more than datagrams. Behind a small one there is rarely more."""
-    with contextlib.suppress(OSError):
+    try:
         for _ in range(MOST_TOGETHER):
             datagram = opened.recv(LARGEST)
             yield datagram
             if len(datagram) < LARGE:
                 return
+    except OSError as error:
+        _learn(error, path, opened)

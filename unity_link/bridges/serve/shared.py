@@ -293,7 +293,8 @@ class SharedLink(Connection):
         if self.codec is None:
             left = Feature.ADDRESSED | Feature.HALF_DUPLEX | Feature.COMPACT
             features = codec.info.features & ~left | Feature.FLOW_CONTROL
-            self.codec = Codec(msgspec.structs.replace(codec.info, features=features))
+            words = self._flow.block_words
+            self.codec = Codec(msgspec.structs.replace(codec.info, features=features, block_words=words))
             self.slots = Slots(self._session.groups, codec.info.groups)
 
     def _check_map(self, interface: Interface) -> None:

@@ -208,6 +208,11 @@ class Turns:
         return self._first().requests[0].size
 
     @property
+    def reply_size(self) -> int:
+        """Characters of the answer to the next request."""
+        return self._first().requests[0].reply_size
+
+    @property
     def posted(self) -> bool:
         """Return whether the next request is a posted write."""
         return self._first().requests[0].posted
