@@ -28,7 +28,7 @@ from unity_link.errors import (
     UnityLinkError,
     refusing,
 )
-from unity_link.link.asked import Asked, post_in_session
+from unity_link.link.asked import Asked, most_words, post_in_session
 from unity_link.link.calls import returns_coroutine
 from unity_link.link.interrupts import whole_exit
 from unity_link.link.runtime import told_now
@@ -385,7 +385,7 @@ class ScheduleFeed:
         batch = batch_of(instant.ticks, words)
         self._check(instant, batch)
         await self._wait_for_room(instant, len(batch), poster, lease)
-        most = self._link.gateway.block_words
+        most = most_words(self._link)
         address, queued = self.registers.entry.signal.address, list[Asked]()
         for start in range(0, len(batch), most):
             # The first one raises if a lease of the program is over: then nothing was sent.

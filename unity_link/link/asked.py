@@ -15,13 +15,18 @@ async def post_in_session(link: Link, address: int, value: int) -> None:
     await link._post_for(link._caller(), address, value, of_session=True)  # noqa: SLF001  (the same package)
 
 
+def most_words(link: Link) -> int:
+    """Return the most words of one request: ``gateway.block_words``, or over UDP as many as a datagram holds."""
+    return link._flow.block_words  # noqa: SLF001  (the same package)
+
+
 class Asked:
     """A request that is on its way, or waits for room behind those before it; one transaction of the bus.
 
     Args:
         link: an open link.
         address: of the first of the consecutive words that are read or written.
-        count: number of words to read, at most ``gateway.block_words``.
+        count: number of words to read, at most `most_words`.
         write: words to write in place of that, at most as many.
         to_queue: whether all are written to the first address, the port of a queue.
 

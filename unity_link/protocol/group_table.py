@@ -136,10 +136,7 @@ class GroupTable:
         request = codec.head_sizes["GS"] + len(group.text) + len(group.settings)
         size = max(codec.framing.overhead + group.length, request)
         if path is not None and path.is_short and size > path.longest_frame:
-            message = (
-                f"group {group.number} has frames of {size} bytes, and the network carries frames of "
-                f"{path.longest_frame} bytes at most (mtu={path.mtu}): subscribe to fewer words"
-            )
+            message = f"group {group.number} has frames of {size} bytes, {path.bound}: subscribe to fewer words"
             self._failed(group, UnsupportedError(message), events)
             return
 

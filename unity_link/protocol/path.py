@@ -69,6 +69,11 @@ class Path:
         """Bytes of the longest frame that has room in a datagram."""
         return self.largest - MOST_AROUND
 
+    @property
+    def shortest_frame(self) -> int:
+        """Bytes of a frame that has room in a datagram of the shortest length."""
+        return LENGTHS[-1] - MOST_AROUND
+
     def room(self, framing: Framing) -> int:
         """Return how many bytes of frames have room in a datagram, beside its header."""
         return self.largest - HEADER_SIZE - framing.overhead
@@ -84,6 +89,11 @@ class Path:
         return LF * (int(min(self.room(framing), most)) - size)
 
     @property
+    def bound(self) -> str:
+        """What the path carries, for an error."""
+        return f"and the network carries frames of {self.longest_frame} bytes at most (mtu={self.mtu})"
+
+    @property
     def advice(self) -> str:
         """The option that may help if answers are missing, for an error; empty if no shorter datagram is possible."""
         if self.largest <= LENGTHS[-1]:
@@ -93,14 +103,18 @@ class Path:
     # Finding the longest datagram
 
     def lower(self, mtu: int) -> None:
-        """Take an MTU that the system has learned, if it is smaller and the user gave none."""
+        """Take an MTU that the system or an earlier session has learned, if it is smaller and the user gave none."""
         self._lower(mtu - self._headers)
 
     def unanswered(self) -> None:
         """Record that a datagram of the longest length had no answer; `TRIES` of them lower the length."""
         self._unanswered += 1
         if self._unanswered % TRIES == 0:
-            self._lower(next((length for length in LENGTHS if length < self.largest), self.largest))
+            self.shorten()
+
+    def shorten(self) -> None:
+        """Take the next shorter length."""
+        self._lower(next((length for length in LENGTHS if length < self.largest), self.largest))
 
     def carried(self, largest: int) -> None:
         """Record that a datagram of so many bytes was answered."""

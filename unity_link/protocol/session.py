@@ -52,8 +52,8 @@ from unity_link.protocol.events import Interrupted, Opened, Taken, Unusable
 from unity_link.protocol.frames import LF, LONGEST_FRAME
 from unity_link.protocol.group_table import GroupTable
 from unity_link.protocol.handshake import TAKEN, Handshake, SessionNumbers
-from unity_link.protocol.path import RESERVE
-from unity_link.protocol.requests import Confirmation, Fence, Request, SessionRequest, Source
+from unity_link.protocol.path import LONGEST_MTU, RESERVE
+from unity_link.protocol.requests import Confirmation, Fence, Request, RequestBlock, SessionRequest, Source
 from unity_link.protocol.window import Window
 
 if TYPE_CHECKING:
@@ -95,6 +95,13 @@ class Session:
         compact: whether frames are in the compact form where the gateway has it.
         echo: whether an adapter is known to give back what is sent; it is found out else.
     """
+
+    _path: Path | None = None
+    """The network of the connection; None if frames are not in datagrams."""
+    _mtu = LONGEST_MTU
+    """Bytes of an IP packet that the networks of earlier connections carried, as far as their ends show."""
+    _opened_at = 0.0
+    """Instant of the begin of the session."""
 
     def __init__(
         self,
@@ -150,8 +157,6 @@ class Session:
         """
         self._byte_time: float | None = None
         self._longest_try = math.inf
-        self._path: Path | None = None
-        """The network of the connection; None if frames are not in datagrams."""
         self._is_transparent = False
         """True if the line is known to carry the compact form."""
         self._before_flood = 0.0, -1, 0, 0
@@ -325,6 +330,7 @@ class Session:
         self._path = path
         if path is not None:
             path.on_lowered = self._bound_answers
+            path.lower(self._mtu)
         self._drop_rest()
         self.output.clear()
         self._begin(now, again=self.epoch >= 0)
@@ -493,7 +499,7 @@ class Session:
         self._prove(now)
         while waiting and self._may_begin:
             source = waiting[0]
-            if source.unwanted():
+            if source.unwanted() or (window.room_of_answers is not None and self._refuse_too_long(source, events)):
                 waiting.popleft()
                 continue
             if isinstance(source, Fence) and any(other in waiting for other in source.earlier):
@@ -518,6 +524,14 @@ class Session:
                 size = 0
         if self._fence(now):
             self._admit(now, events)
+
+    def _refuse_too_long(self, source: Source, events: Events) -> bool:
+        """End a block that was made for the path of an earlier session if this path does not carry it."""
+        path, longest = self._path, max(source.size, source.reply_size)
+        if path is None or longest <= path.longest_frame or not isinstance(source, Request | RequestBlock):
+            return False
+        source.fail(UnsupportedError(f"a block has frames of {longest} bytes, {path.bound}: ask for it again"), events)
+        return True
 
     def _prove(self, now: float) -> None:
         """Ask whether the session under way is this one and not another program's of the same number, if that is due.
@@ -733,6 +747,7 @@ class Session:
             reason = f"every try was damaged on the way{self._hint}"
             run.give_up(window.oldest, UnansweredError, reason, events)
         if window.signs.lost:
+            self._suspect_path(now)
             events.append(Unusable(LinkLostError(SILENT + self._hint)))
             return
         if window.repetition.is_due():
@@ -753,6 +768,17 @@ class Session:
         if self._path is not None:
             return self._path.advice
         return "" if self._packer is None else COMPACT_HINT
+
+    def _suspect_path(self, now: float) -> None:
+        """Take a shorter length for the next connection if the session ends soon and a long frame was under way.
+
+        The opening of the session shows that the path to the gateway carries the length, but not the path back.
+        """
+        path, run = self._path, self.window.slots[self.window.oldest]
+        is_new = now - self._opened_at < 2 * LONGEST_SILENCE
+        if path is not None and run is not None and is_new and max(run.size, run.reply_size) > path.shortest_frame:
+            path.shorten()
+            self._mtu = path.mtu
 
     def _bound_answers(self) -> None:
         """Bound the answers under way where the path does not carry each datagram of a gateway."""
@@ -843,7 +869,7 @@ class Session:
             self._shortest_timeout,
             1 if self._is_half_duplex else None,
         )
-        self.window.since = now
+        self.window.since = self._opened_at = now
         self.epoch += 1
         # A node that is not half-duplex has its line alone.
         self._takes_turns = self._takes_turns and self._is_half_duplex

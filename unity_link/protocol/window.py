@@ -71,8 +71,8 @@ class Window(Ring[R]):
         most: requests in flight, at most; None for half the ring.
     """
 
-    __slots__ = ("_free", "_sent", "_unawaited", "allowance", "posts", "repetition", "room_of_answers", "round_trip", "signs",
-                 "since")  # fmt: skip
+    __slots__ = ("_free", "_sent", "_unawaited", "allowance", "posts", "repetition", "room_of_answers", "round_trip",
+                 "signs", "since")  # fmt: skip
 
     def __init__(
         self,

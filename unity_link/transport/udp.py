@@ -1,8 +1,8 @@
 """``udp://host:port``: a gateway on the network. A datagram holds whole frames; the window makes up for lost ones.
 
 Each connection has a socket of its own, and so a port of its own, and one session with the gateway. ``?interface=eth1``
-has it send and hear by that interface alone, and ``?ttl=1`` pass so many routers less one. ``?mtu=576`` keeps its packets,
-and those of the gateway, so short; otherwise the link finds the longest that the network carries.
+has it send and hear by that interface alone, and ``?ttl=1`` pass so many routers less one. ``?mtu=576`` keeps its
+packets, and those of the gateway, so short; otherwise the link finds the longest that the network carries.
 """
 
 from __future__ import annotations

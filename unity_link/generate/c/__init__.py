@@ -16,7 +16,7 @@ from unity_link.generate import GeneratedFile
 from unity_link.generate.c.layout import Layout
 from unity_link.generate.c.names import number
 from unity_link.generate.c.signals import decoding, describe, examples, initializer, schedule
-from unity_link.protocol import compact, trial
+from unity_link.protocol import compact, path, trial
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.constants import TABLE
 from unity_link.protocol.frames import LARGEST_DATAGRAM
@@ -54,6 +54,7 @@ RUNTIME_VALUES = {
         "STUFFED": compact.STUFFED,
         "COMMANDS": compact.COMMANDS,
     },
+    "PATH": path,
     "TRIAL": {"IDS": trial.IDS, "ID_ALONE": trial.ID_ALONE, "FIRST_IDS": trial.FIRST_IDS},
 }
 """Constants that the runtime has in common with the host in Python."""

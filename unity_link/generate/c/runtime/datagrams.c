@@ -4,15 +4,51 @@
  * come, what is not newer is dropped. What is left is a line that keeps the order and may lose frames.
  */
 
-enum { LARGEST_DATAGRAM = {{ LARGEST_DATAGRAM }}, MOST_HEADER = 32 };
+enum { MOST_HEADER = {{ PATH.MOST_AROUND }}, LONGEST_REST = 48 };     /* in a datagram beside frames; of a frame beside words */
+
+/* Lengths of datagrams that are tried in turn, and how many openings of one length are not answered before the next. */
+static const size_t LENGTHS[] = { {{ PATH.LENGTHS | join(", ") }} };
+enum { SHORTEST_LENGTH = {{ PATH.LENGTHS[-1] }}, PATH_TRIES = {{ PATH.TRIES }} };
 
 static const char SESSION_OVER[] = "the gateway was reset, or another program has opened a session with it";
 
 /* Bytes of the longest frame that goes in one piece with its header. */
 static size_t longest_frame(const ul_link *link)
 {
-    size_t fits = LARGEST_DATAGRAM - MOST_HEADER;
+    size_t fits = link->largest_datagram - MOST_HEADER;
     return link->transport.datagrams && fits < UL_LONGEST_FRAME ? fits : UL_LONGEST_FRAME;
+}
+
+/* How many words, of so many that the gateway takes, have room in a frame here. */
+static unsigned most_in_frame(const ul_link *link, unsigned words)
+{
+    unsigned digits = link->data_digits > link->address_digits ? link->data_digits : link->address_digits;
+    unsigned room = (unsigned)(longest_frame(link) - LONGEST_REST) / digits;
+    return words < room ? words : room;
+}
+
+static void use_length(ul_link *link, size_t largest)
+{
+    if (largest < SHORTEST_LENGTH / 2) largest = SHORTEST_LENGTH / 2;
+    if (largest < link->largest_datagram) link->largest_datagram = largest;
+    link->block_words = most_in_frame(link, link->info.block_words);
+}
+
+/* Use the length that the system knows for the network. */
+static void learn_length(ul_link *link)
+{
+    if (link->transport.longest_datagram != NULL)
+        use_length(link, link->transport.longest_datagram(link->transport.context));
+}
+
+/* The opening of a session in a datagram of the longest length was not answered. */
+static void shorten_length(ul_link *link)
+{
+    size_t next = SHORTEST_LENGTH;
+    if (link->transport.keeps_length || ++link->long_openings % PATH_TRIES != 0) return;
+    for (unsigned index = 0; index < sizeof LENGTHS / sizeof *LENGTHS; index++)
+        if (LENGTHS[index] < link->largest_datagram && LENGTHS[index] > next) next = LENGTHS[index];
+    if (next < link->largest_datagram) use_length(link, next);
 }
 
 static text without_line_ends(text line)
@@ -113,7 +149,7 @@ static bool opens_session(ul_link *link, text frames)
 static ptrdiff_t send_datagram(ul_link *link, const char *from, size_t size)
 {
     char datagram[MOST_HEADER + UL_LONGEST_FRAME], *at = datagram;
-    text frames = {from, piece_of((text){from, size}, LARGEST_DATAGRAM - MOST_HEADER)};
+    text frames = {from, piece_of((text){from, size}, link->largest_datagram - MOST_HEADER)};
     ptrdiff_t consumed = (ptrdiff_t)frames.size, sent;
     if (!opens_session(link, frames)) return consumed;
     uint32_t count = link->sent_datagrams == UINT32_MAX ? 1 : link->sent_datagrams + 1;

@@ -17,6 +17,7 @@ static const char FLOODED[] =
     "the line is full of what is no answer: is an echo on, as behind `stty sane`, has the speed of the port changed, or "
     "does another program use it?";
 static const char COMPACT_HINT[] = " (if the line changes bytes of compact frames, compact=0 in the URL keeps them text)";
+static const char MTU_HINT[] = " (if the network loses long packets, mtu={{ PATH.SHORTEST_MTU }} in the URL keeps them short)";
 static const char TOO_WIDE[] = "the gateway's words have fewer bits";
 static const char LINE_GONE[] = "the connection was lost (its port, or its other side, is gone)";
 
@@ -36,6 +37,12 @@ static bool is_lost(ul_status status)
     return status == UL_LOST || status == UL_LOST_EXECUTED || status == UL_LOST_NOT_EXECUTED;
 }
 
+/* The option that may help if answers are missing; empty where no shorter datagram is possible. */
+static const char *path_advice(const ul_link *link)
+{
+    return link->transport.datagrams && link->largest_datagram > {{ PATH.LENGTHS[-1] }} ? MTU_HINT : "";
+}
+
 /* Leave a sentence for `ul_error`. Without a reason it is that of the status, and of a lost link what ended it. */
 static ul_status fail(ul_link *link, ul_status status, const char *what, const char *reason)
 {
@@ -45,7 +52,8 @@ static ul_status fail(ul_link *link, ul_status status, const char *what, const c
         outcome = strchr(reason, ';');
         reason = link->end;
     }
-    if (link->compact && (status == UL_UNANSWERED || reason == SILENT || reason == FLOODED)) hint = COMPACT_HINT;
+    if (status == UL_UNANSWERED || reason == SILENT || reason == FLOODED)
+        hint = link->transport.datagrams ? path_advice(link) : link->compact ? COMPACT_HINT : "";
     snprintf(link->error, sizeof link->error, "%s%s%s%s%s", what, between, reason, hint, outcome);
     return status;
 }
@@ -295,6 +303,7 @@ static void recover(ul_link *link)
     if (link->must_ask && !is_half_duplex(link)) ask_whose(link);
     if (!is_due || !link->waited || link->statistics.repetitions == before) return;
     link->statistics.timeouts++;
+    if (link->transport.datagrams) learn_length(link);
     if (link->transport.set_again != NULL)
         link->statistics.set_again += link->transport.set_again(link->transport.context);
 }

@@ -13,7 +13,6 @@
 
 enum { PROTOCOL_VERSION = 3, LONGEST_ANSWER = 160 };
 enum { LONGEST_QUESTION = 32, CONFIGURATION_DIGITS = 64, FEWEST_CHANGED = 2 };
-enum { LONGEST_REST = 48 };     /* of a frame, beside its words */
 
 static const char NOT_CARRIED[] =
     "the gateway answers text but no compact frames: the line changes bytes, and compact=0 in the URL keeps text";
@@ -25,6 +24,7 @@ static const char LINE_ENDS[] =
 typedef struct opening {
     ul_link *link;
     double asked, patience;
+    double round_trip;                  /* of the last question that was answered */
     size_t heard;
     unsigned questions, answers, drawn;
     unsigned astray, changed;           /* lines that answered nothing, and those of them that do with another end */
@@ -64,16 +64,28 @@ static bool take_echo(opening *opens, text *line)
     return true;
 }
 
+/* Pad the opening of a session by empty frames to the longest datagram: a network that drops it does not answer. */
+static char *put_padding(const ul_link *link, char *at)
+{
+    size_t most = link->largest_datagram - MOST_HEADER;
+    if (most > sizeof link->send) most = sizeof link->send;
+    if (!(link->info.features & UL_FEATURE_FLOW_CONTROL) && most > link->info.receive_fifo_bytes)
+        most = link->info.receive_fifo_bytes;
+    while (at < link->send + most) *at++ = CHECKED_END;
+    return at;
+}
+
 /* Send a question, behind a line end for what an earlier program left unfinished; LF, for CR would execute it unchecked. */
-static void send_question(opening *opens, const char *question, bool plain)
+static void send_question(opening *opens, const char *question, bool plain, bool padded)
 {
     ul_link *link = opens->link;
     char *start = put_text(link->send, "\n"), *at = put_text(put_prefix(link, start), question);
     at = plain ? put_text(at, "\r") : put_check(link, at, start);
-    link->send_size = (size_t)(at - link->send);
     size_t size = (size_t)(at - start) - !plain;
     memcpy(opens->asked_text, start, size);
     opens->asked_text[size] = '\0';
+    if (padded) at = put_padding(link, at);
+    link->send_size = (size_t)(at - link->send);
     flush(link);
     opens->asked = now_of(link);
     opens->questions++;
@@ -198,20 +210,27 @@ static bool ask(opening *opens, const char *asked, bool plain, double tries)
     if (opens->patience > FIRST_TRY) opens->patience = FIRST_TRY;
     while (tries > 0 && now_of(link) < link->open_until && !link->gone && !opens->is_loop) {
         bool damaged = false, shortened = false;
+        bool padded = asked == NULL && link->transport.datagrams;
         if (asked == NULL) choose_session(opens, session);
-        send_question(opens, question, plain);
+        if (padded) learn_length(link);
+        send_question(opens, question, plain, padded);
         double end = opens->asked + opens->patience;
         /* Where nothing but an echo was heard, the next question comes when that is long enough to be believed. */
         double doubt = opens->alone_since + ECHO_PATIENCE + SHORTEST_TRY;
         if (opens->is_alone && opens->asked < doubt && end > doubt) end = doubt;
         if (end > link->open_until) end = link->open_until;
         for (double now; (now = now_of(link)) < end && !link->gone;) {
-            if (find_answer(opens, question, plain, fields, &damaged)) return true;
+            if (find_answer(opens, question, plain, fields, &damaged)) {
+                opens->round_trip = now - opens->asked;
+                return true;
+            }
             if (opens->is_loop) return false;
             if (damaged && !shortened) shortened = shorten(opens, now, &end);
             link->transport.wait(link->transport.context, false, end - now);
             if (fill(link)) opens->heard += link->receive_size;
         }
+        /* The answer to a question that was sent too recently may still come. */
+        if (padded && !shortened && opens->patience > 2 * opens->round_trip) shorten_length(link);
         if (!shortened) opens->patience = 2 * opens->patience < LONGEST_TRY ? 2 * opens->patience : LONGEST_TRY;
         tries -= shortened ? DAMAGE_COST : 1;
     }
@@ -296,14 +315,6 @@ static bool is_possible(ul_link *link)
         && has_base_frequency(link) && has_check(link) && has_even_words(link);
 }
 
-/* How many words, of so many that the gateway takes, have room in a frame here. */
-static unsigned most_in_frame(const ul_link *link, unsigned words)
-{
-    unsigned digits = link->data_digits > link->address_digits ? link->data_digits : link->address_digits;
-    unsigned room = (unsigned)(longest_frame(link) - LONGEST_REST) / digits;
-    return words < room ? words : room;
-}
-
 static void use_info(ul_link *link)
 {
     const ul_info *info = &link->info;
@@ -349,8 +360,8 @@ static ul_status fail_to_open(const opening *opens)
         return fail(link, UL_NO_CONNECTION, "", LINE_ENDS);
     if (opens->believes) {
         snprintf(link->error, sizeof link->error,
-                 "the gateway answered %u of %u questions: what is sent or answered is lost or damaged on the way",
-                 opens->answers, opens->questions);
+                 "the gateway answered %u of %u questions: what is sent or answered is lost or damaged on the way%s",
+                 opens->answers, opens->questions, path_advice(link));
         return UL_NO_CONNECTION;
     }
     if (opens->heard > 0)
@@ -482,6 +493,7 @@ ul_status ul_open(ul_link *link, const ul_transport *transport, int node, double
     link->transport = *transport;
     if (!(transport->shortest_timeout > 0)) link->transport.shortest_timeout = SHORTEST_TIMEOUT;
     link->node = node;
+    link->largest_datagram = LARGEST_DATAGRAM;
     link->posts = UL_BATCH;
     link->open_until = now_of(link) + timeout;
     opening opens = {.link = link, .patience = FIRST_TRY};

@@ -232,7 +232,8 @@ static const char *plan(const ul_link *link, ul_subscription *subscription)
     const char *wrong = choose_rate(link, subscription);
     if (wrong != NULL) return wrong;
     if (subscription->count == 0 || subscription->count > most_in_frame(link, link->info.group_words))
-        return "a group has at least one address, and at most as many as the gateway and UL_LONGEST_FRAME allow";
+        return "a group has at least one address, and at most as many as the gateway, UL_LONGEST_FRAME and the packets of "
+               "the network (mtu=) allow";
     for (unsigned index = 0; index < subscription->count; index++)
         if (subscription->addresses[index] > ones(link->info.address_bits)) return "an address is beyond the gateway's";
     size_t places = subscription->storage_words / (WORDS + subscription->count);

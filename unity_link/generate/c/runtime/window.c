@@ -36,6 +36,9 @@
 
 static const ul_request FENCE = {.command = "h"};
 static const double FOR_EVER = 1e300;
+enum { LARGEST_DATAGRAM = {{ LARGEST_DATAGRAM }}, ANSWER_RESERVE = {{ PATH.RESERVE }} };
+
+static size_t longest_frame(const ul_link *link);
 
 static uint32_t distance(const ul_link *link, uint32_t id)
 {
@@ -181,6 +184,22 @@ static bool would_overwrite(const ul_link *link, const ul_request *request)
     return false;
 }
 
+/* Whether the answer to a request has room in one datagram with the answers and the samples that may come with it: a
+ * gateway puts them together, and does not know how long a datagram its network carries. */
+static bool has_room_for_answer(const ul_link *link, const ul_request *request)
+{
+    size_t room = longest_frame(link) - ANSWER_RESERVE, awaited = 0;
+    if (!link->transport.datagrams || link->largest_datagram == LARGEST_DATAGRAM) return true;
+    for (uint32_t id = link->oldest; id != link->next; id = after(link, id)) {
+        const ul_request *other = find(link, id);
+        if (other != NULL) awaited += reply_size(link, other);
+    }
+    if (awaited == 0) return true;
+    for (const ul_subscription *one = link->subscriptions; one != NULL; one = one->next)
+        awaited += (size_t)one->count * link->data_digits;
+    return awaited + reply_size(link, request) <= room;
+}
+
 /* Whether a request may be sent now. Posted writes, and what follows them, leave room for the `h` that confirms them, and
  * one longer than the gateway's whole FIFO goes alone. */
 static bool has_room(const ul_link *link, const ul_request *request)
@@ -188,6 +207,7 @@ static bool has_room(const ul_link *link, const ul_request *request)
     bool spares = request->posted || (link->unfenced > 0 && !shape_of(request->command)->counts);
     if (is_repeating(link) || places_held(link) + spares >= link->most_in_flight) return false;
     if (outstanding(link) + request->posted >= link->allowed || would_overwrite(link, request)) return false;
+    if (!has_room_for_answer(link, request)) return false;
     if (link->byte_limit == SIZE_MAX || link->bytes == 0) return true;
     return link->bytes + request_size(link, request) * (spares ? 2 : 1) <= link->byte_limit;
 }
