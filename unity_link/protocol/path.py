@@ -90,7 +90,7 @@ class Path:
 
     @property
     def bound(self) -> str:
-        """What the path carries, for an error."""
+        """The longest frame and the MTU of the path, as the part of an error."""
         return f"and the network carries frames of {self.longest_frame} bytes at most (mtu={self.mtu})"
 
     @property

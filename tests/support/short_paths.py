@@ -1,0 +1,47 @@
+"""A network that carries only short packets, and drops longer ones without a report, by real sockets."""
+
+from __future__ import annotations
+
+import contextlib
+from typing import TYPE_CHECKING, Any
+
+from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.path import HEADERS
+from unity_link.virtual import VirtualGateway
+from unity_link.virtual.faults import Straying
+from unity_link.virtual.serving import serve_udp
+from unity_link.virtual.udp_relay import relay_udp
+
+if TYPE_CHECKING:
+    from collections.abc import AsyncIterator
+
+INFO = GatewayInfo(address_bits=16)
+
+
+class Short(Straying[Any]):
+    """Drops datagrams whose packets are longer than an MTU.
+
+    Args:
+        mtu: bytes of a packet of IPv4.
+    """
+
+    def __init__(self, mtu: int) -> None:
+        super().__init__()
+        self.mtu = mtu
+        self.passed: list[int] = []
+        """Bytes of the packets that arrived."""
+        self.dropped: list[int] = []
+        """Bytes of the packets that were too long."""
+
+    def carry(self, datagram: Any) -> list[Any]:
+        size = len(datagram[0]) + HEADERS
+        (self.passed if size <= self.mtu else self.dropped).append(size)
+        return [datagram] if size <= self.mtu else []
+
+
+@contextlib.asynccontextmanager
+async def short_path(mtu: int, back: int | None = None) -> AsyncIterator[tuple[str, Short, Short]]:
+    """Serve a gateway behind a network; gives the URL, and both directions."""
+    directions = Short(mtu), Short(mtu if back is None else back)
+    async with serve_udp(VirtualGateway(INFO)) as url, relay_udp(url, *directions) as relayed:
+        yield relayed, *directions
