@@ -8,6 +8,7 @@ import pytest
 from anyio.from_thread import start_blocking_portal
 
 import unity_link
+from gateware.bench.network.tap import own_network, run_ip
 from support.short_paths import short_path
 from unity_link import ArgumentError, UnsupportedError, blocking
 from unity_link.bridges.serve.shared import SharedLink
@@ -120,3 +121,16 @@ async def test_the_error_of_a_link_whose_long_packets_are_lost_names_mtu() -> No
         towards.mtu = 576
         with pytest.raises(unity_link.LinkLostError, match=r"loses long packets, mtu=576 in the URL"):
             await link.write_block(0, WORDS)
+
+
+def test_the_mtu_that_the_system_knows_for_a_route_is_used_without_a_trial() -> None:
+    async def check() -> None:
+        async with short_path(1500) as (url, towards, _):
+            async with unity_link.connect(url) as link:
+                assert most_words(link) == 65
+                await use(link)
+            assert max(towards.passed) == 600
+
+    with own_network():
+        run_ip("route", "replace", "local", "127.0.0.1", "dev", "lo", "table", "local", "mtu", "600")
+        asyncio.run(check())
