@@ -131,6 +131,8 @@ class GatewayError(UnityLinkError):
 
     code = 0
     """Number of the error."""
+    address: int | None = None
+    """Address of the access, of a block the first one; None if it is not known."""
 
     def __init__(self, message: str, code: int | None = None) -> None:
         super().__init__(message)

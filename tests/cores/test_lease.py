@@ -497,10 +497,18 @@ async def test_posted_writes_of_a_lease_that_ended_are_refused_at_the_fence() ->
     async with unity_link.connect(world.gateway) as link:
         robot = world.kind(link)
         await robot.left.value.post(3)
-        with pytest.raises(BusError, match=re.escape("posted write of left.value")):
+        never = "posted write of left.value at 0x010: the bus refused the access: drive is not armed: nobody has"
+        with pytest.raises(NotArmedError, match=re.escape(never)) as refused:
             async with robot.armed():
                 pytest.fail("what was posted before comes before the lease")
+        assert refused.value.reason == "none_yet"
         assert not world.seen("drive.armed")
+        await link.post(0x10, 3)
+        await robot.left.value.post(4)
+        await robot.left.value.post(5)
+        with pytest.raises(NotArmedError, match=re.escape(never)) as refused:
+            await link.fence()
+        assert refused.value.__notes__ == ["2 more posted writes failed as well"]
 
 
 @on_simulated_time

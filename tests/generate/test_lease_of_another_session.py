@@ -76,7 +76,10 @@ async def test_a_kick_on_a_link_that_was_opened_again_is_refused(tmp_path: Path)
             with contextlib.suppress(UnityLinkError):
                 await robot.duty.get()
         async with robot.armed():
-            assert (await do("kick"))[:2] == "34"
+            # After an idle second the link first proves its session, and does not know whether the read was executed.
+            kicked = await do("kick")
+            assert kicked[:2] in {"32", "34"}, kicked
+            assert "the gateway was reset, which ends the link" in kicked
             assert await do("open") == "0"
             assert (await do("kick")).endswith("drive.armed at 0x090: it was armed in another session: arm it again")
             assert await robot.drive.armed_.get()

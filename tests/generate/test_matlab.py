@@ -394,6 +394,9 @@ def test_a_lease_is_armed_kicked_and_disarmed_and_its_end_is_an_error(octave: Oc
       arms[1]: part() @(0xC0);
       drive: LEASE(TIMEOUT=20) @(0xE0);
       @speed = 0x10: signed READWRITE(SAFE(0, drive));
+      @bit = 0x11[3]: bool READWRITE(SAFE(false, drive));
+      @other = 0x11[7:4]: unsigned 4 READWRITE(SAFE(0, drive));
+      @free = 0x12: READWRITE();
     }
     part(): @(at) { lift: LEASE(TIMEOUT=0.2) @(at); }
     """)
@@ -401,7 +404,11 @@ def test_a_lease_is_armed_kicked_and_disarmed_and_its_end_is_an_error(octave: Oc
     with serve(simulated(spec.interface(), SimulatedRobot)) as url:
         shown = octave.run(f"""\
 robot = leased('{url}');
-attempt('not armed', @() robot.speed.set(5));
+attempt('never', @() robot.speed.set(5));
+robot.speed.post(5);
+attempt('posted', @() robot.link.fence());
+attempt('field', @() robot.bit.set(true));
+attempt('raw', @() robot.link.write(16, 5));
 lease = unity_link.Lease(robot.link, robot.drive);
 attempt('too early', @() lease.kick());
 attempt('no time', @() lease.arm(0));
@@ -411,26 +418,37 @@ lease.kick();
 robot.speed.set(5);
 show('moves', robot.speed.get());
 other = unity_link.Lease(robot.link, robot.drive);
-attempt('another', @() other.arm(15));
+attempt('again', @() other.arm(15));
 other.disarm();
 show('stopped', robot.speed.get());
 attempt('over', @() lease.kick());
-other.arm(15);
+attempt('disarmed', @() robot.speed.set(5));
+% As another program arms.
+robot.drive.arm.set(bitor(bitshift(uint64(77), 40), robot.drive.clock.get() + 500000000));
+attempt('another', @() other.arm(15));
 attempt('of another', @() lease.kick());
-other.kick();
 lift = unity_link.Lease(robot.link, robot.arms(1).lift);
 lift.arm(0.15);
-pause(1);
+while robot.arms(1).lift.armed.get()
+end
 attempt('silent', @() lift.kick());
 show('state', robot.arms(1).lift.state.name_of(robot.arms(1).lift.state.get()));
 """)
-    ended = "unity_link:busError drive.armed: it is not armed any more: what it guards is safe, or finishes"
-    assert shown["not armed"].startswith("unity_link:busError ")
-    assert shown["too early"] == "unity_link:busError drive.armed: it was not armed by this program: call arm"
+    error, never = "unity_link:busError", "drive is not armed: nobody has armed it since the reset"
+    refused = "the bus refused the access"
+    assert shown["never"] == f"{error} speed: {refused}: {never}"
+    assert shown["posted"] == f"{error} posted write of address 10 (hexadecimal): {refused}: {never}"
+    assert shown["field"] == f"{error} bit: {refused}: {never}"
+    assert shown["raw"] == f"{error} write of address 10 (hexadecimal): {refused}"
+    assert shown["too early"] == f"{error} drive.armed: it was not armed by this program: call arm"
     assert shown["no time"] == "unity_link:argumentError a lease lasts more than 0 s, and less than 3600"
-    assert shown["too long"].startswith("unity_link:busError drive.armed: it was not armed: its e-stop is open")
+    assert shown["too long"].startswith(f"{error} drive.armed: it was not armed: the line takes longer than the lease")
     assert (shown["moves"], shown["stopped"]) == (doubles(5), doubles(0))
-    assert shown["another"] == "unity_link:busError drive.armed: it cannot be armed: another program has armed it"
-    assert (shown["over"], shown["of another"]) == (ended, ended)
-    assert shown["silent"] == ended.replace("drive", "arms(1).lift")
+    assert shown["again"] == f"{error} drive.armed: it cannot be armed: this program has armed it already"
+    assert shown["another"] == f"{error} drive.armed: it cannot be armed: another program has armed it"
+    assert shown["over"] == f"{error} drive.armed: drive is not armed: it was disarmed"
+    assert shown["disarmed"] == f"{error} speed: {refused}: drive is not armed: it was disarmed"
+    assert shown["of another"] == f"{error} drive.armed: it has ended, and another program has armed it since"
+    lift = re.escape(f"{error} arms(1).lift.armed: arms(1).lift is not armed: no kick came before its end")
+    assert re.fullmatch(rf"{lift}, at \d+\.\d{{6}} s of the gateway's clock", shown["silent"])
     assert shown["state"] == "fault"

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Never
 from unity_link.cores import RobotVerbs, Verbs, names_of
 from unity_link.data.groups import Group
 from unity_link.data.ports import Port, ReadPort, WritePort
-from unity_link.data.proxies import Proxy, signals_table
+from unity_link.data.proxies import Proxy, refusal, signals_table
 from unity_link.data.signals import Readable, ReadWrite, Writable
 from unity_link.errors import (
     ArgumentError,
@@ -149,6 +149,14 @@ class Robot(Component):
         self._fill(self, interface.root)
         self._by_id = {proxy.id: proxy for proxy in self._by_path.values()}
         link.name_addresses(_names_of_addresses(self._by_path))
+        link.explain_refusals(
+            {
+                address: functools.partial(refusal, proxies=[proxy])
+                for proxy in self._by_path.values()
+                if proxy.signal.safe is not None
+                for address in proxy.signal.addresses
+            }
+        )
         own["groups"] = _Groups(
             {
                 group.name: Group.declared(group, [self._by_path[path] for path in group.signals])

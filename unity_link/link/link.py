@@ -16,6 +16,7 @@ import msgspec
 from unity_link import protocol
 from unity_link.errors import (
     ArgumentError,
+    BusError,
     LinkLostError,
     NotArmedError,
     OfLink,
@@ -56,7 +57,7 @@ from unity_link.protocol.requests import (
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Coroutine, Iterable, Mapping, Sequence
+    from collections.abc import Awaitable, Callable, Coroutine, Iterable, Mapping, Sequence
     from types import TracebackType
 
     from numpy.typing import ArrayLike, NDArray
@@ -144,6 +145,8 @@ class Link(OfLink, Connection):
         """
         self._guards: dict[int, Guard] = {}
         """Leases under which the program writes, by the addresses that they guard."""
+        self._explanations: dict[int, Callable[[BusError], Awaitable[BusError]]] = {}
+        """What makes of the error of a posted write the one that says why, by the addresses of guarded signals."""
         self.told_by_fence: dict[int, Any] = {}
         """Writers in the gateway's own time, each with `see` and `drop_answers`, by their addresses.
 
@@ -174,6 +177,10 @@ class Link(OfLink, Connection):
     def name_addresses(self, names: Mapping[int, str]) -> None:
         """Name addresses, for errors to call them by; a robot does so for its signals."""
         self._session.codec.names.update(names)
+
+    def explain_refusals(self, explanations: Mapping[int, Callable[[BusError], Awaitable[BusError]]]) -> None:
+        """Have the bus errors of posted writes explained, by their addresses; a robot does so for what leases guard."""
+        self._explanations.update(explanations)
 
     def _ended(self, error: LinkLostError) -> None:
         self._publishing.end(error)
@@ -353,10 +360,9 @@ class Link(OfLink, Connection):
         is_told = told_now(self._runtime, caller)
         try:
             await self._fence(leaving=False)
-        except LinkLostError:
+        except LinkLostError as lost:
             # What is known of the posted writes says more than what is known of the fence.
-            self._raise_posted(is_told)
-            raise
+            raise self._take_posted(is_told) or lost from None
         except BaseException:
             self._posted = True
             raise
@@ -374,7 +380,8 @@ class Link(OfLink, Connection):
         await self._flow.answer(Confirmation(self._session.codec, of_session=True))
 
     async def _raise_errors(self, is_told: Callable[[Any], bool]) -> None:
-        self._raise_posted(is_told)
+        if self._posted_failures:
+            await self._raise_posted(is_told)
         for writer in tuple(self.told_by_fence.values()):
             await writer.see(is_told, is_connected=self.connected)
 
@@ -386,7 +393,7 @@ class Link(OfLink, Connection):
             return True
 
         try:
-            self._raise_posted(told)
+            await self._raise_posted(told)
         except UnityLinkError as error:
             errors.append(error)
         for writer in tuple(self.told_by_fence.values()):
@@ -400,15 +407,28 @@ class Link(OfLink, Connection):
                 first.add_note(str(other))
             raise first
 
-    def _raise_posted(self, is_told: Callable[[Any], bool]) -> None:
-        """Raise the first error of the posted writes of those who are told now, and forget it."""
+    async def _raise_posted(self, is_told: Callable[[Any], bool]) -> None:
+        """Raise the first error of the posted writes of those who are told now, and why a lease has it refused."""
+        error = self._take_posted(is_told)
+        if error is None:
+            return
+        if isinstance(error, BusError) and error.address in self._explanations:
+            with contextlib.suppress(UnityLinkError):
+                explained = await self._explanations[error.address](error)
+                explained.__notes__ = getattr(error, "__notes__", [])
+                error = explained
+        raise error
+
+    def _take_posted(self, is_told: Callable[[Any], bool]) -> UnityLinkError | None:
+        """Return the first error of the posted writes of those who are told now, and forget it; None without one."""
         failures = self._posted_failures
         told = [failures.pop(poster) for poster in tuple(failures) if is_told(poster)]
-        if told:
-            first, count = told[0].error, sum(failure.writes for failure in told)
-            if count > 1:
-                first.add_note(f"{count - 1} more posted writes failed as well")
-            raise first
+        if not told:
+            return None
+        first, count = told[0].error, sum(failure.writes for failure in told)
+        if count > 1:
+            first.add_note(f"{count - 1} more posted writes failed as well")
+        return first
 
     def _note_posted(self, failure: PostedFailure) -> None:
         """Keep the first error of the writes that a task has posted since it was told, and count how many failed."""

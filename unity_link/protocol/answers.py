@@ -389,6 +389,7 @@ class Answers:
             if run.is_question or not run.reply_size:
                 window.post_failed()
             error = gateway_error(_number_of(body[after:]), run.describe(offset), self.codec.refusal)
+            error.address = run.address_at(offset)
             run.fail_part(offset, 1, error, events)
         elif body[0] == _LOWER_H and not run.is_question and not self._is_told(run, number, body[after:], now):
             return

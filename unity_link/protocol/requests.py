@@ -191,12 +191,18 @@ class Message(Run):
 
     def describe(self, offset: int) -> str:
         """Return the name of one message for an error."""
-        fields = self.fields_at(offset).decode()
-        if self.command[0] not in "RW":
+        address = self.address_at(offset)
+        if address is None:
             return _NAMES[self.command]
-        address = fields[: self.codec.info.address_digits]
-        name = self.codec.names.get(int(address, 16))
-        return f"{_NAMES[self.command]}{f' of {name}' if name else ''} at 0x{address}"
+        name = self.codec.names.get(address)
+        where = f"0x{address:0{self.codec.info.address_digits}X}"
+        return f"{_NAMES[self.command]}{f' of {name}' if name else ''} at {where}"
+
+    def address_at(self, offset: int) -> int | None:
+        """Return the address of one message, of a block the first one; None for a message without an address."""
+        if self.command[0] not in "RW":
+            return None
+        return int(self.fields_at(offset)[: self.codec.info.address_digits], 16)
 
     def fields_at(self, offset: int) -> bytes:
         """Return the fields of one message."""
@@ -248,6 +254,10 @@ class Question(Message):
     def describe(self, offset: int) -> str:
         """Return the name of the write that is asked for."""
         return self._asked.describe(self._offset + offset)
+
+    def address_at(self, offset: int) -> int | None:
+        """Return the address of the write that is asked for."""
+        return self._asked.address_at(self._offset + offset)
 
     def again(self, offset: int, count: int) -> Source | None:  # noqa: ARG002
         """Return None: the write was executed."""

@@ -655,6 +655,15 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
         signals = [self.signals[name] for name in (f"{lease}.kick", *names) if name in self.signals] + guarded
         return frozenset(address for signal in signals for address in signal.addresses)
 
+    def refused_by(self, lease: str) -> tuple[Signal, ...]:
+        """Return the registers of a lease, by its path, and the signals that its owner alone writes."""
+        written = self.written_under(lease)
+        return tuple(
+            one
+            for one in self.signals.values()
+            if one.path.startswith(f"{lease}.") or (one.access.writes and not written.isdisjoint(one.addresses))
+        )
+
     @functools.cached_property
     def written_bits(self) -> dict[int, int]:
         """The bits of each word that signals write, by its address."""

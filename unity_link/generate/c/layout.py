@@ -30,6 +30,8 @@ _OF_GROUPS = ("", "_subscription", "_read", "_write", "_subscribe", "_next", "_d
 """Suffixes of names that are derived from enumerations and groups."""
 _OF_USE = ("link", "networks", "words", "status", "network", "ADDRESSES", "index")
 """Parameters and variables of the function that is given the addresses of networks."""
+GUARD_REGISTERS = ("clock", "state", "reason", "estop_open", "arms", "fault_time")
+"""Registers of a lease that say why a write was refused, in the order of a `ul_guard`."""
 _INT_MAX = 0x7FFF_FFFF
 
 
@@ -244,6 +246,18 @@ class Layout:
         self.root = self._part_type(interface.root)
         self._express(interface.root, self.prefix)
         self.groups = tuple(self._group(group) for group in named)
+        self.leases = {
+            lease: [self.expressions[f"{lease}.{register}"] for register in GUARD_REGISTERS]
+            for lease in interface.leases
+        }
+        """Registers of each lease, for its `ul_guard`."""
+        self.leases_name = self._global("leases") if self.leases else ""
+        self.guards = {
+            signal.path: f"&{self.leases_name}[{number}]"
+            for number, lease in enumerate(self.leases)
+            for signal in interface.refused_by(lease)
+        }
+        """The `ul_guard` of each signal that a lease guards or has."""
 
     def _global(self, name: str) -> str:
         return self._globals.take(f"{self.prefix}_{name}")

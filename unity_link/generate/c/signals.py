@@ -69,6 +69,7 @@ def signal_initializer(layout: Layout, signal: Signal) -> str:
         *map(number, (step, offset)),
         *_limits(signal, is_real=is_real),
         f"0x{layout.interface.fingerprint:08X}",
+        layout.guards.get(signal.path, "NULL"),
     ]
     return f"{{{', '.join(fields)}}}"
 

@@ -21,13 +21,14 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.errors import UnsupportedError
 from unity_link.generate import GeneratedFile, c
+from unity_link.generate.c.layout import GUARD_REGISTERS
 from unity_link.generate.matlab.names import FUNCTIONS, MEMBERS, identifiers
-from unity_link.network.memories import NetworkMemory, given_parameters, networks
+from unity_link.network.memories import given_parameters, networks
 from unity_link.quoting import matlab_string, one_line
 from unity_link.spec import ComponentArray, Effect
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Iterable, Iterator, Mapping
 
     from unity_link.generate import Templates
     from unity_link.spec import ComponentSpec, GroupSpec, Interface, Signal
@@ -77,9 +78,10 @@ def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]
         paths=paths,
         groups=_groups(interface),
         networks=networks(interface),
+        guards=[_guard(interface, lease, paths) for lease in interface.leases],
         given=list(given.values()),
         handle=lambda address: _handle(address, given),
-        addresses=_addresses,
+        ranges=_ranges,
         variable=variable,
         examples=_examples(lines, variable),
         arguments=_arguments,
@@ -135,6 +137,15 @@ def _lines(part: ComponentSpec, path: str, taken: list[str] | None = None) -> It
             yield from _lines(item, f"{inside}({number})" if isinstance(member, ComponentArray) else inside)
 
 
+def _guard(interface: Interface, lease: str, paths: Mapping[str, str]) -> list[str]:
+    """Return the arguments of `Guard` for a lease."""
+    found = {name: interface.signals[f"{lease}.{name}"] for name in GUARD_REGISTERS}
+    registers = [f"'{name}', [{one.address} {one.lowest_bit} {one.width}]" for name, one in found.items()]
+    addresses = sorted({address for signal in interface.refused_by(lease) for address in signal.addresses})
+    path = paths[f"{lease}.state"].rpartition(".")[0]
+    return [matlab_string(path), str(interface.data_bits), _ranges(addresses), *registers]
+
+
 def _handle(address: int | str | None, given: Mapping[str, str]) -> str:
     """Return where CTRL or COMM is: an address, or a parameter."""
     if isinstance(address, str):
@@ -142,10 +153,10 @@ def _handle(address: int | str | None, given: Mapping[str, str]) -> str:
     return "[]" if address is None else str(address)
 
 
-def _addresses(network: NetworkMemory) -> str:
-    """Return the addresses of a network, a run of them as a range."""
+def _ranges(addresses: Iterable[int]) -> str:
+    """Return ascending addresses, a run of them as a range."""
     runs: list[list[int]] = []
-    for address in network.addresses:
+    for address in addresses:
         if runs and address == runs[-1][-1] + 1:
             runs[-1].append(address)
         else:

@@ -25,11 +25,11 @@ _MEMBERS = """
 """
 _FUNCTIONS = """
     abs all any bitand bitget bitor bitshift bitxor cast ceil cell cell2struct cellfun char class clear double error
-    exist false fieldnames fileparts find fix floor fullfile get inf int64 intmax iscell ischar isempty isfield isfloat
-    islogical ismember isnumeric ispc isreal isscalar isstring isstruct logical mat2cell max mex mfilename min mislocked
-    mkoctfile nan nargin not numel publish regexp rehash repmat reshape round set size sprintf str2double strcmp strfind
-    strjoin strtok strtrim struct struct2cell subsasgn subsref substruct sum tic toc true typecast uint32 uint64 unique
-    vertcat zeros
+    exist false fieldnames fileparts find fix floor fullfile get hex2dec inf int64 intmax iscell ischar isempty
+    isfield isfloat islogical ismember isnumeric ispc isreal isscalar isstring isstruct logical mat2cell max mex
+    mfilename min mislocked mkoctfile mod nan nargin not numel publish regexp rehash repmat reshape rethrow round
+    set size sprintf str2double strcmp strfind strjoin strncmp strtok strtrim struct struct2cell subsasgn subsref
+    substruct sum tic toc true typecast uint32 uint64 unique vertcat zeros
 """
 KEYWORDS = frozenset(_KEYWORDS.split())
 """`iskeyword` of MATLAB and of Octave, the words that begin the blocks of a class, and `ans`, which expressions set."""

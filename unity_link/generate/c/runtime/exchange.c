@@ -26,6 +26,7 @@ static void receive_bytes(ul_link *link);
 static size_t body_size(const ul_link *link, text frame);
 static void take_sample(ul_link *link, text body);
 static size_t sample_size(const ul_link *link, text frame);
+static bool say_why(ul_link *link, const ul_guard *guard, char *why, size_t size);
 
 static double now_of(const ul_link *link)
 {
@@ -65,9 +66,17 @@ static ul_status fail_at(ul_link *link, ul_status status, const char *what, uint
     return fail(link, status, where, reason);
 }
 
+/* The same for the first error of a batch. Of a signal the sentence names it, and why a lease has it refused. */
 static ul_status fail_batch(ul_link *link, const ul_batch *batch)
 {
-    return fail_at(link, batch->status, batch->what, batch->address, batch->reason);
+    const ul_signal *signal = batch->signal;
+    char what[128], why[192], reason[256];
+    if (signal == NULL) return fail_at(link, batch->status, batch->what, batch->address, batch->reason);
+    snprintf(what, sizeof what, "%s of %.80s", batch->what, signal->path);
+    if (batch->status != UL_BUS_ERROR || signal->guard == NULL || !say_why(link, signal->guard, why, sizeof why))
+        return fail_at(link, batch->status, what, batch->address, batch->reason);
+    snprintf(reason, sizeof reason, "%s: %s", ul_status_text(UL_BUS_ERROR), why);
+    return fail_at(link, batch->status, what, batch->address, reason);
 }
 
 /* Put the end of a request into its batch, if it has one. Nothing of the caller's is touched for it any more. */
@@ -83,6 +92,7 @@ static void settle(const ul_request *request, ul_status status)
     if (status != UL_OK && batch->status == UL_OK) {
         batch->status = status;
         batch->address = request->address;
+        batch->signal = request->signal;
         batch->what = shape_of(request->posted ? "ws" : request->command)->name;
     } else if (is_lost(batch->status) && is_lost(status) && status != batch->status) {
         batch->status = UL_LOST;

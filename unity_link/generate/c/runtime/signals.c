@@ -296,9 +296,11 @@ void ul_start_get(ul_link *link, ul_batch *batch, const ul_signal *signal, uint6
                "each read clears it, which takes the queue commands that the gateway was built without");
         return;
     }
-    if (signal->properties & (UL_QUEUE | UL_CLEARED)) ul_start_read_queue(link, batch, signal->address, words, 1);
-    else if (count > 1) ul_start_read_block(link, batch, signal->address, words, count);
-    else ul_start_read(link, batch, signal->address, words);
+    bool is_taken = signal->properties & (UL_QUEUE | UL_CLEARED);
+    ul_request request = {.command = "r", .address = signal->address, .target = words, .signal = signal};
+    if (is_taken || count > 1) put_text(request.command, is_taken ? "rq" : "rm");
+    if (is_taken || count > 1) start_block(link, batch, request, is_taken ? 1 : count, !is_taken);
+    else start(link, batch, request);
 }
 
 /* Keep the words of a signal for the next commit; false where it is in no network. */
@@ -315,12 +317,20 @@ static bool set_shared(ul_link *link, ul_batch *batch, const ul_signal *signal, 
 void ul_start_set(ul_link *link, ul_batch *batch, const ul_signal *signal, const uint64_t *words)
 {
     unsigned count = ul_words_of(signal);
-    uint64_t mask = ones(signal->width) << signal->lowest_bit;
+    bool is_field = signal->properties & UL_FIELD;
+    ul_request request = {.command = "w", .address = signal->address, .word = words[0], .signal = signal};
     if (cannot(link, batch, signal, UL_WRITABLE)) return;
     if (!(signal->properties & UL_QUEUE) && set_shared(link, batch, signal, words)) return;
-    if (signal->properties & UL_FIELD) ul_start_write_masked(link, batch, signal->address, words[0], mask, NULL);
-    else if (count > 1) ul_start_write_block(link, batch, signal->address, words, count);
-    else ul_start_write(link, batch, signal->address, words[0]);
+    if (is_field) {
+        put_text(request.command, "wk");
+        request.mask = ones(signal->width) << signal->lowest_bit;
+    } else if (count > 1) {
+        put_text(request.command, "wm");
+        request.source = words;
+        start_block(link, batch, request, count, 1);
+        return;
+    }
+    start(link, batch, request);
 }
 
 static ul_status get_words(ul_link *link, const ul_signal *signal, uint64_t *words)
@@ -350,7 +360,7 @@ ul_status ul_post_words(ul_link *link, const ul_signal *signal, const uint64_t *
         return link->gone ? fail_at(link, UL_LOST_NOT_EXECUTED, signal->path, signal->address, NULL) : UL_OK;
     }
     for (unsigned index = 0; index < ul_words_of(signal) && status == UL_OK; index++)
-        status = ul_post(link, signal->address + index, words[index]);
+        status = post(link, signal, signal->address + index, words[index]);
     return status;
 }
 

@@ -145,11 +145,11 @@ static ul_status ask_for(ul_link *link, ul_request request)
     return ul_finish(link, &batch);
 }
 
-ul_status ul_post(ul_link *link, uint32_t address, uint64_t word)
+static ul_status post(ul_link *link, const ul_signal *signal, uint32_t address, uint64_t word)
 {
     /* On a half-duplex medium the other side must know when its turn is, so there it is an answered write. */
     bool posted = !(link->info.features & UL_FEATURE_HALF_DUPLEX), was_lost = !link->open || link->gone;
-    ul_request request = {.posted = posted, .address = address, .word = word};
+    ul_request request = {.posted = posted, .address = address, .word = word, .signal = signal};
     put_text(request.command, posted ? "ws" : "w");
     const char *fault = link->open ? fault_of(link, &request) : NULL;
     if (fault != NULL) return fail_at(link, UL_BAD_ARGUMENT, "posted write", address, fault);
@@ -157,6 +157,11 @@ ul_status ul_post(ul_link *link, uint32_t address, uint64_t word)
     flush(link);
     if (link->open && !link->gone) return UL_OK;
     return fail_at(link, was_lost ? UL_LOST_NOT_EXECUTED : UL_LOST, "posted write", address, NULL);
+}
+
+ul_status ul_post(ul_link *link, uint32_t address, uint64_t word)
+{
+    return post(link, NULL, address, word);
 }
 
 ul_batch ul_take_posts(ul_link *link)
