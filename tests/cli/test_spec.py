@@ -140,15 +140,53 @@ def test_show_gives_the_entity_of_a_component_and_where_its_pins_are(folder: Pat
     (folder / "lamp.ul").write_text(CORES)
     lines = [line.rstrip() for line in run(folder, "show", "lamp.ul").stdout.splitlines()]
     assert lines[2:] == [
-        "├── 0x28[1:0] mode: mode 2 READWRITE  1 after a reset at 2 pins of led",
-        "├── 0x29[0] on: bool READWRITE  true after a reset at led7",
-        '└── dimmer: dimmer  work.dimmer(width => 8, name => "a ""b""", fast => true)',
-        "    ├── 0x20[7:0] level: unsigned 8 READWRITE  200 after a reset",
-        "    ├── 0x21 count: unsigned 32 READ  published by state",
-        "    ├── lamp: PIN(OUT)  gp3",
-        "    ├── key: PIN(IN)  not wired",
-        "    ├── bus: PIN(INOUT)  no pin of a board yet",
-        "    └── edge: TRIGGER  group state",
+        "├── 0x28[1:0] mode: mode 2 READWRITE  blink after a reset, at 2 pins of led",
+        "├── 0x29[0] on: bool READWRITE  true after a reset, at led7",
+        '├── dimmer: dimmer  work.dimmer(width => 8, name => "a ""b""", fast => true)',
+        "│   ├── 0x20[7:0] level: unsigned 8 READWRITE  200 after a reset",
+        "│   ├── 0x21 count: unsigned 32 READ  published by state",
+        "│   ├── lamp: PIN(OUT)  gp3",
+        "│   ├── key: PIN(IN)  not wired",
+        "│   ├── bus: PIN(INOUT)  no pin of a board yet",
+        "│   └── edge: TRIGGER  group state",
+        "└── pins of the board",
+        "    ├── led: mode  OUT",
+        "    ├── led7: on  OUT",
+        "    └── gp3: dimmer.lamp  OUT",
+    ]
+
+
+LEASED = """\
+public arm() {
+  GATEWAY(ADDRESS_BITS=12);
+  drive: LEASE() @(0x80);
+  plan: SCHEDULE() @(0xA0);
+  @angle = 0x10: signed 16 READWRITE(SCALE=0.1, UNIT="deg", SAFE(90.1, drive), TIMED(plan));
+  axis: axis(drive) @(0x11);
+  @mode = 0x12[1:0]: mode READWRITE(SAFE(blink, drive));
+  @key = 0x13[0]: bool READ(PIN="sw0", PUBLISH(one));
+}
+axis(LEASE): @(at) { ENTITY("axis", ARMED); @goal = at: READWRITE(SAFE(HOLD, LEASE)); }
+enum mode { off, blink }
+group one(TRIGGER);
+"""
+
+
+def test_show_gives_safe_values_with_their_lease_schedules_and_pins(folder: Path) -> None:
+    (folder / "arm.ul").write_text(LEASED)
+    lines = [line.rstrip() for line in run(folder, "show", "arm.ul").stdout.splitlines()]
+    while_not = "after a reset and while drive is not armed"
+    assert lines[1:5] == [
+        "├── group one 0: on its trigger, 1 signal in 1 word",
+        f"├── 0x010[15:0] angle: signed 16 READWRITE  x 0.1 deg 90.1 deg {while_not}, TIMED by plan",
+        f"├── 0x012[1:0] mode: mode 2 READWRITE  blink {while_not}",
+        "├── 0x013[0] key: bool READ  published by one, at sw0",
+    ]
+    assert lines[-4:] == [
+        "├── axis: axis  work.axis",
+        "│   └── 0x011 goal: unsigned 32 READWRITE  keeps its value while drive is not armed",
+        "└── pins of the board",
+        "    └── sw0: key  IN",
     ]
 
 

@@ -227,6 +227,27 @@ def test_a_component_with_an_entity_has_it_with_its_generics_and_pins() -> None:
     assert '<a href="#c-beat">beat</a>' in html
 
 
+def test_documents_have_safe_values_with_their_lease_schedules_and_pins() -> None:
+    spec = compile_text("""
+    public arm() {
+      GATEWAY(ADDRESS_BITS=12);
+      drive: LEASE(TIMEOUT=0.5) @(0x80, enable="gp8");
+      plan: SCHEDULE() @(0xA0);
+      @angle = 0x10: signed 16 READWRITE(SCALE=0.1, UNIT="deg", SAFE(90, drive), TIMED(plan));
+      @key = 0x13[0]: bool READ(PIN="sw0");
+    }
+    """)
+    check(spec)
+    html, text = pages(spec)
+    notes = ("90 deg after a reset and while drive is not armed", "TIMED by plan")
+    assert "; ".join(notes) in text
+    assert all(f"<span>{note}</span>" in html for note in notes)
+    assert "| sw0 | IN | key |\n| gp8 | OUT | drive.enable |\n" in text
+    cells = Checker(html).cells
+    place = cells.index("sw0")
+    assert cells[place : place + 6] == ["sw0", "IN", "key", "gp8", "OUT", "drive.enable"]
+
+
 def test_the_map_of_the_largest_memory_is_as_short_as_that_of_any_other() -> None:
     (memory, _, end) = Page(
         compile_text("public x() { GATEWAY(ADDRESS_BITS=32); m: MEMORY(SIZE=0x100000000); }").interface()

@@ -132,7 +132,11 @@ def show(
     address_bits: AddressBits = None,
     data_bits: DataBits = None,
 ) -> None:
-    """Show what a spec comes to: all signals in a tree, with their addresses."""
+    """Show all signals of a spec in a tree, and the pins of the board that it names.
+
+    Of a signal: address, kind, access, scale, unit, limits, group, value after a reset, its safe value with the lease
+    that guards it, the schedule of one that is TIMED, and its pin. Of a core: entity and pins.
+    """
     compiled = compile_or_exit(spec, address_bits, data_bits)
     chosen = compiled.interfaces if interface is None else (compiled.interface(interface),)
     if json:
@@ -334,8 +338,12 @@ def _compile(spec: Path | str, address_bits: int | None, data_bits: int | None) 
 
 
 def _described(spec: Spec) -> str:
-    parts = [f"{one.name} with {len(one.signals)} signal{'s' * (len(one.signals) != 1)}" for one in spec.interfaces]
+    parts = [f"{one.name} with {_counted(len(one.signals), 'signal')}" for one in spec.interfaces]
     return f"no errors; {', '.join(parts) or 'no public interface'}"
+
+
+def _counted(count: int, noun: str) -> str:
+    return f"{count} {noun}{'s' * (count != 1)}"
 
 
 def _print_diff(name: str, before: str, after: str) -> None:
@@ -361,6 +369,8 @@ def _tree(interface: Interface) -> Any:
     from rich.text import Text
     from rich.tree import Tree
 
+    from unity_link.spec import words
+
     digits = -(-interface.address_bits // 4)
     head = f"  {interface.address_bits} address bits, {interface.data_bits} data bits"
     tree = Tree(Text.assemble((interface.name, "bold"), (head, "dim")))
@@ -372,12 +382,16 @@ def _tree(interface: Interface) -> Any:
             f"base frequency / {group.divisor}" if group.divisor is not None else "",
             f"{group.published_hz:.6g} Hz" if group.rate_hz is not None and group.published_hz is not None else "",
             "on its trigger" if group.trigger else "",
-            f"{len(group.signals)} signals in {len(group.addresses)} words",
+            f"{_counted(len(group.signals), 'signal')} in {_counted(len(group.addresses), 'word')}",
         ]
         number = "" if group.number is None else f" {group.number}"
         text = ", ".join(filter(None, when))
         tree.add(Text.assemble(("group ", "magenta"), (group.name, "bold"), (f"{number}: {text}", "dim")))
     _add_component(tree, interface, interface.root, digits)
+    if pins := list(words.wired(interface)):
+        branch = tree.add(Text("pins of the board", "magenta"))
+        for site, way, path in pins:
+            branch.add(Text.assemble((site, "green"), f": {path}", (f"  {way}", "dim")))
     return tree
 
 
@@ -430,6 +444,12 @@ def _signal(signal: Signal, digits: int) -> Any:
     whole = signal.lowest_bit == 0 and signal.width == signal.word_bits * signal.words
     bits = "" if whole else f"[{high}]" if signal.width == 1 else f"[{high}:{signal.lowest_bit}]"
     low, high_value = signal.minimum, signal.maximum
+    notes = [
+        "FIFO" if signal.fifo else "",
+        f"published by {signal.group}" if signal.group else "",
+        f"polled at {signal.poll_hz:g} Hz" if signal.poll_hz else "",
+        *at_hardware(signal),
+    ]
     details = [
         f"x {signal.kind.scale:.6g}" if signal.kind.scale != 1 else "",
         f"+ {signal.kind.offset:.6g}" if signal.kind.offset else "",
@@ -437,10 +457,7 @@ def _signal(signal: Signal, digits: int) -> Any:
         f"{'' if low is None else f'{low:g}'}..{'' if high_value is None else f'{high_value:g}'}"
         if (low, high_value) != (None, None)
         else "",
-        "FIFO" if signal.fifo else "",
-        f"published by {signal.group}" if signal.group else "",
-        f"polled at {signal.poll_hz:g} Hz" if signal.poll_hz else "",
-        *at_hardware(signal),
+        ", ".join(filter(None, notes)),
         f'"{signal.id}"' if signal.id != signal.path else "",
     ]
     return Text.assemble(

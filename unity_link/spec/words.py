@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING
 
 from unity_link.quoting import vhdl_literal
 from unity_link.spec.kinds import KindName
-from unity_link.spec.model import Effect
+from unity_link.spec.model import Access, Effect, Way
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from unity_link.spec.model import Core, Pin, Signal, Trigger
+    from unity_link.spec.model import Core, Interface, Pin, Signal, Trigger
 
 
 EFFECTS = {
@@ -20,6 +20,7 @@ EFFECTS = {
     Effect.PULSE: "a pulse of one clock cycle",
 }
 """Effects of accesses, as people read them."""
+_WAYS = {Access.READ: Way.IN, Access.WRITE: Way.OUT, Access.READWRITE: Way.OUT}
 
 
 def entity(core: Core) -> str:
@@ -41,15 +42,40 @@ def triggered(trigger: Trigger) -> str:
 
 
 def at_hardware(signal: Signal) -> Iterator[str]:
-    """Return what hardware has of a register beside its bits: effect, value after a reset, wrap, schedule, pins."""
+    """Return what hardware has of a register beside its bits: effect, reset, safe value, wrap, schedule, pins."""
     if signal.effect is not None:
         yield EFFECTS[signal.effect]
-    if signal.reset:
-        value = signal.kind.decode(signal.reset)
-        yield f"{str(value).lower() if isinstance(value, bool) else value} after a reset"
+    if signal.safe is not None and signal.safe.bits is not None:
+        yield f"{_value(signal, signal.safe.bits)} after a reset and while {signal.safe.lease} is not armed"
+    elif signal.reset:
+        yield f"{_value(signal, signal.reset)} after a reset"
+    if signal.safe is not None and signal.safe.bits is None:
+        yield f"keeps its value while {signal.safe.lease} is not armed"
     if signal.laps_of is not None:
         yield "goes round, and a program counts on"
     if signal.timed is not None:
-        yield f"timed by {signal.timed}"
+        yield f"TIMED by {signal.timed}"
     if signal.pin is not None:
         yield f"at {signal.pin}" if signal.kind.name is KindName.BOOL else f"at {signal.width} pins of {signal.pin}"
+
+
+def wired(interface: Interface) -> Iterator[tuple[str, str, str]]:
+    """Return the pins of the board that a spec names: each pin, its direction, and the port or signal at it."""
+    for component in interface.root.walk():
+        for signal in component.signals:
+            if signal.pin is not None:
+                yield signal.pin, _WAYS[signal.access], signal.path
+        for pin in () if component.core is None else component.core.pins:
+            if pin.is_used and pin.at is not None:
+                yield pin.at, pin.way, pin.path
+
+
+def _value(signal: Signal, bits: int) -> str:
+    """Write the value that bits of a signal have, in its unit; a name of an enumeration."""
+    value = signal.kind.decode(bits)
+    if signal.kind.enumeration is not None:
+        return next((one.name for one in signal.kind.enumeration.values if one.value == value), str(value))
+    number = (
+        str(value).lower() if isinstance(value, bool) else f"{value:.12g}" if isinstance(value, float) else str(value)
+    )
+    return f"{number} {signal.unit}".rstrip()

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from unity_link.generate import Templates
     from unity_link.spec import Interface
 
-DOC = "documents: the register map as a page in HTML, and in Markdown"
+DOC = "documents in HTML and Markdown: the register map with groups, leases, safe values, schedules and pins"
 
 
 def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]:

@@ -126,6 +126,8 @@ class Page:
                 self._at.setdefault(address, []).append(signal)
         self.parts = tuple(self._parts())
         self.map = tuple(self._map())
+        self.wired = tuple(words.wired(interface))
+        """Pins of the board that the spec names, each with its direction and the port or signal at it."""
 
     # Words for things
 
