@@ -185,7 +185,12 @@ CASES = [
     ("public x() { m: QUADRATURE(BASE=0); }", "unknown-component", "there is no component 'QUADRATURE'", "QUADRATURE", "it is the core ENCODER now, one for each channel"),
     # Cores and what is at pins.
     ("public x() { m: PWM(WIDHT=8) @(0); }", "unknown-argument", "PWM has no argument 'WIDHT'", "WIDHT", "mean 'WIDTH'?"),
-    ("public x() { m: PWM() @(0, pmw=\"gp0\"); }", "unknown-argument", "PWM has no address 'pmw'", "pmw", "mean 'pwm'?"),
+    ("public x() { m: GPIO(INVERT=1) @(0); }", "unknown-argument", "GPIO has no argument 'INVERT'", "INVERT", "it takes DEBOUNCE, GROUP, ON_EDGE and LEASE"),
+    ("public x() { m: PWM() @(0, sclk=\"gp0\"); }", "unknown-argument", "PWM has no address or pin 'sclk'", "sclk", "it takes BASE, pwm and dir"),
+    ("public x() { m: PWM() @(0x20); n: PWM() @(0x20 + 0); }", "overlap", "n.value takes bits 11:0 at address 0x20, which m.value has (bits 11:0)", "0x20 + 0", ""),
+    ("public x() { n: GPIO() @(0x30); o: GPIO() @(0x31); }", "overlap", "o.level takes bit 0 at address 0x31, which n.last has (bits 31:0)", "0x31", ""),
+    ("public x() { d: LEASE() @(0xF0); }", "address-range", "the address 0x100 of d.armed is not the gateway's", "0xF0", "GATEWAY"),
+    ("public x() { m: PWM() @(0, pmw=\"gp0\"); }", "unknown-argument", "PWM has no address or pin 'pmw'", "pmw", "mean 'pwm'?"),
     ("public x() { m: PWM() @(0, pwm=3); }", "bad-pin", "pwm is a pin of PWM, and takes the name of a pin of the board, not the number 3", "3", 'as in pwm="led0"'),
     ("public x() { m: PWM() @(0, \"gp0\"); }", "address-count", "PWM takes 1 address (BASE), and 2 are given", '0, "gp0"', ""),
     ("public x() { m: PWM(BASE=1) @(2); }", "address-count", "PWM takes 1 address (BASE), and 2 are given", "BASE=1) @(2", ""),
@@ -426,7 +431,7 @@ def test_a_diagnostic_shows_file_line_column_the_line_and_the_other_place() -> N
         "robot.ul:3:7: error: b takes bits 31:0 at address 0x10, which a has (bits 31:0)\n"
         "    3 | \t@b = 0x10: READ();\n"
         "      | \t     ^^^^\n"
-        "robot.ul:2:7: note: a stands here\n"
+        "robot.ul:2:7: note: the address of a is given here\n"
         "    2 | \t@a = 0x10: READ();\n"
         "      | \t     ^^^^"
     )

@@ -57,6 +57,8 @@ class Where(NamedTuple):
     """Places of the arguments that its parameters are given, by the names of these."""
     placed: SignalPlace | None = None
     """Place of its word where it is put; None for the interface itself."""
+    core_at: SignalPlace | None = None
+    """Place of the address that the author's spec gives the core that it is, or is inside of; None outside of cores."""
 
     def path_of(self, name: str, index: int | None) -> str:
         """Return the path of a member, or of one of a row or an array."""
@@ -194,7 +196,7 @@ class Builder:
         identity = SignalPlace(source, parts.places.get("ID", node.name.place))
         timed = SignalPlace(source, parts.places.get("TIMED", node.name.place))
         wraps = SignalPlace(source, parts.places.get("WRAPS", node.name.place))
-        self._draft.signals.append(Placed(signal, address.place, identity, timed, wraps))
+        self._draft.signals.append(Placed(signal, address.place, identity, timed, wraps, where.core_at))
         return signal
 
     def _address(self, evaluator: Evaluator, node: SignalDeclaration, where: Where) -> Address:

@@ -80,6 +80,14 @@ class Placed(NamedTuple):
     """Place of its TIMED."""
     wraps: SignalPlace
     """Place of its WRAPS."""
+    core_at: SignalPlace | None
+    """Place of the address that the author's spec gives the core that the signal is in; None outside of cores."""
+
+    def seen_from(self, other: Placed | None = None) -> SignalPlace:
+        """Return the place for an error of its address: the author's own line, but for a clash inside of one core."""
+        if self.core_at is None or (other is not None and other.core_at == self.core_at):
+            return self.address
+        return self.core_at
 
 
 class AxesLimit(NamedTuple):
@@ -222,35 +230,48 @@ class InterfaceDraft:
         return f"0x0 to {(1 << self.address_bits) - 1:#x} ({self.address_bits} address bits)"
 
     def _check_addresses(self) -> None:
-        most = 1 << self.address_bits
-        for signal, place, *_ in self.signals:
-            last = signal.address + signal.words - 1
-            if signal.address < 0 or last >= most:
-                wrong = last if 0 <= signal.address < most else signal.address
-                message = f"the address {_hex(wrong)} of {signal.path} is not the gateway's, which has {self._space()}"
-                self._error(place, "address-range", message, "GATEWAY(ADDRESS_BITS=...) tells its width")
-                continue
-            if signal.module is None:
-                continue
+        reported: set[SignalPlace] = set()
+        for placed in self.signals:
+            place = placed.seen_from()
+            message, advice = self._outside(placed.signal)
+            if message and place not in reported:
+                reported.add(place)
+                self._error(place, "address-range", message, advice)
+
+    def _outside(self, signal: Signal) -> tuple[str, str]:
+        """Return why the address of a signal is outside of the gateway or its module, and advice; empty if it is not."""
+        most, last = 1 << self.address_bits, signal.address + signal.words - 1
+        if signal.address < 0 or last >= most:
+            wrong = last if 0 <= signal.address < most else signal.address
+            message = f"the address {_hex(wrong)} of {signal.path} is not the gateway's, which has {self._space()}"
+            return message, "GATEWAY(ADDRESS_BITS=...) tells its width"
+        if signal.module is not None:
             module = self.modules[signal.module][0]
             relative, end = signal.address - module.base, last - module.base
             if module.words is not None and not (relative >= 0 and end < module.words):
                 wrong = end if 0 <= relative < module.words else relative
                 where = f"{module.type}, which has {module.words} words"
-                message = f"the address {_hex(wrong)} of {signal.path} is outside of {where}"
-                self._error(place, "address-range", message)
+                return f"the address {_hex(wrong)} of {signal.path} is outside of {where}", ""
+        return "", ""
 
     def _check_overlaps(self) -> None:
         words: dict[int, list[Placed]] = {}
         for placed in self.signals:
             for address in placed.signal.addresses:
                 words.setdefault(address, []).append(placed)
+        reported: set[tuple[SignalPlace, SignalPlace]] = set()
         for address, sharing in words.items():
             if len(sharing) > 1:
-                self._check_word(address, sharing)
+                self._check_word(address, sharing, reported)
 
-    def _check_word(self, address: int, sharing: list[Placed]) -> None:
-        """Check one address at which several signals stand."""
+    def _check_word(self, address: int, sharing: list[Placed], reported: set[tuple[SignalPlace, SignalPlace]]) -> None:
+        """Check one address at which several signals stand.
+
+        Args:
+            address: of the word.
+            sharing: the signals.
+            reported: places of the overlaps that were reported, so that two cores make one error and not one a register.
+        """
         self._check_leases(address, sharing)
         written = [placed for placed in sharing if placed.signal.access.writes]
         self._check_timed_word(address, written)
@@ -267,7 +288,10 @@ class InterfaceDraft:
                 clash = next((one for one in taken[way] if _taken(one.signal, address) & mask), None)
                 taken[way].append(placed)
                 if clash is not None:
-                    self._report_overlap(address, clash, placed)
+                    places = placed.seen_from(clash), clash.seen_from(placed)
+                    if places not in reported:
+                        self._report_overlap(address, clash, placed)
+                    reported.add(places)
                     break
             else:
                 if signal.access.writes and len(written) > 1:
@@ -331,7 +355,8 @@ class InterfaceDraft:
             f"{second.signal.path} takes {_bits(second.signal)} at address {address:#x}, "
             f"which {first.signal.path} has ({_bits(first.signal)})"
         )
-        self._error(second.address, "overlap", message, other=(first.address, f"{first.signal.path} stands here"))
+        place, other = second.seen_from(first), first.seen_from(second)
+        self._error(place, "overlap", message, other=(other, f"the address of {first.signal.path} is given here"))
 
     def _check_sharing(self, address: int, placed: Placed, sharing: list[Placed], *, is_masked: bool) -> None:
         """Check a signal that is not the only one written at an address."""

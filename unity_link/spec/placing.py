@@ -335,7 +335,9 @@ class Contents:
             chain = (*self._where.chain, node)
             folder = None if core is None else core.folder
             put = SignalPlace(self._source, member.type.place)
-            where = Where(path, addresses, inner, module, base, chain, pins, folder, arguments_at, put)
+            base_at = next((one.place for one in addresses.values()), put)
+            core_at = self._where.core_at or (None if core is None else base_at)
+            where = Where(path, addresses, inner, module, base, chain, pins, folder, arguments_at, put, core_at)
             component = put_component(self._builder, declared, where, str(member.name), index, given)
         if not index:
             self._warn_of_no_lease(member, component)
@@ -416,8 +418,10 @@ class Contents:
                     surplus += 1
                     continue
             elif argument.name not in names:
+                nouns = f"{word} or pin" if pins else word
                 advice = did_you_mean(argument.name, names)
-                message = f"{member.type} has no {word} '{argument.name}'"
+                advice = advice or (f"it takes {listed(names, 'and')}" if names else "it takes none")
+                message = f"{member.type} has no {nouns} '{argument.name}'"
                 self._evaluator.fault(argument.name.place, "unknown-argument", message, advice)
                 continue
             elif argument.name in seen:
