@@ -32,6 +32,10 @@ public rover() {
   @ticks = 0x13: unsigned READ();
 }
 """
+GROUPED = """
+group motion(RATE=10);
+public rover() { @left = 0x10: READ(PUBLISH(motion)); @right = 0x11: READ(PUBLISH(motion)); }
+"""
 
 
 class Result(NamedTuple):
@@ -108,6 +112,13 @@ def test_a_wrong_name_or_value_is_told_before_anything_is_written(
     result = run(command, f"sim:?snoop={snoop}", rover, *rest)
     assert (result.returncode, result.stdout, result.stderr) == (2, "", f"error: {words}\n")
     assert not snoop.exists()
+
+
+def test_a_group_in_the_place_of_a_signal_is_answered_by_its_signals(tmp_path: Path) -> None:
+    spec = tmp_path / "rover.ul"
+    spec.write_text(GROUPED)
+    result = run("watch", "sim:", str(spec), "motion")
+    assert result == (2, "", "error: 'motion' is a group of rover: name its signals, left, right\n")
 
 
 def test_without_a_spec_a_name_is_answered_by_what_to_give() -> None:

@@ -19,7 +19,7 @@ from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.description import page_address
 from unity_link.spec import compile_file, compile_text
 from unity_link.virtual import VirtualGateway
-from unity_link.virtual.build import simulate
+from unity_link.virtual.build import simulate, simulated
 from unity_link.virtual.bus import ModelBus
 
 if TYPE_CHECKING:
@@ -200,3 +200,26 @@ def test_values_on_the_stage_of_a_schedule_are_not_put_in_the_places_of_others(t
     assert open_robot(board(tmp_path, behind), mine).interface.name == "robot"
     with pytest.raises(SpecMismatchError, match="a: TIMED is plan, place 0 in the spec and plan, place 1 on the board"):
         open_robot(board(tmp_path, before), mine)
+
+
+NUMBERED = """
+group state(RATE=100);
+group hits({number}TRIGGER);
+public r() {{ GATEWAY(ADDRESS_BITS=12); {first} @b = 0x11: READ(PUBLISH(hits)); }}
+"""
+
+
+@pytest.mark.asyncio
+async def test_a_spec_without_a_group_of_the_board_numbers_the_next_ones() -> None:
+    first = "@a = 0x10: READ(PUBLISH(state));"
+    for number in ("", "NUMBER=1, "):
+        behind = compile_text(NUMBERED.format(number=number, first=first))
+        less = compile_text(NUMBERED.format(number=number, first=""))
+        async with unity_link.connect(simulated(behind.interface())) as link:
+            if number:
+                await unity_link.robot(link, less)
+                continue
+            with pytest.raises(
+                SpecMismatchError, match=r"hits: TRIGGER is that of number 0 in .* and that of number 1 on"
+            ):
+                await unity_link.robot(link, less)

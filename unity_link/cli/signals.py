@@ -230,6 +230,9 @@ def _stand_for(robot_type: type[LoadedRobot], name: str) -> list[str]:
     if not found:
         from unity_link.spec.diagnostics import did_you_mean
 
+        if group := next((one for one in robot_type.interface.groups if one.name == name), None):
+            paths = ", ".join(group.signals)
+            raise ArgumentError(f"{name!r} is a group of {robot_type.interface.name}: name its signals, {paths}")
         hint = did_you_mean(name, [*signals, *(signal.id for signal in signals.values())])
         raise ArgumentError(f"{robot_type.interface.name} has no signal {name!r}" + (f": {hint}" if hint else ""))
     return found

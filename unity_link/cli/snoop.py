@@ -51,7 +51,9 @@ def explain(file: SnoopPath, *, begin: From = 0.0, end: To = None, json: Json = 
 def retrace(
     file: SnoopPath,
     *,
-    rtl: Annotated[bool, typer.Option("--rtl", help="Into the compiled gateware; there is no other way yet.")] = False,
+    rtl: Annotated[  # noqa: ARG001  (what it does in any case)
+        bool, typer.Option("--rtl", help="Into the compiled gateware, as without it.")
+    ] = True,
     vcd: Annotated[
         Path | None, typer.Option("--vcd", metavar="OUT", help="Write its inner signals as a waveform.")
     ] = None,
@@ -67,8 +69,6 @@ def retrace(
     The bus answers what was recorded. --from and --to say which part the waveform shows; its time is that of explain.
     What comes behind --to is not played. GTKWave and Surfer open the waveform.
     """
-    if not rtl:
-        raise ArgumentError("retrace plays into the compiled gateware, and wants to be told so: --rtl")
     _check_times(begin, end)
     from unity_link.transport.snoop import read
     from unity_link.virtual.rtl.retrace import Retrace, differing, fitting

@@ -239,7 +239,7 @@ class InterfaceDraft:
                 self._error(place, "address-range", message, advice)
 
     def _outside(self, signal: Signal) -> tuple[str, str]:
-        """Return why the address of a signal is outside of the gateway or its module, and advice; empty if it is not."""
+        """Return why the address of a signal is outside of the gateway or its module, and advice; empty if inside."""
         most, last = 1 << self.address_bits, signal.address + signal.words - 1
         if signal.address < 0 or last >= most:
             wrong = last if 0 <= signal.address < most else signal.address
@@ -270,7 +270,7 @@ class InterfaceDraft:
         Args:
             address: of the word.
             sharing: the signals.
-            reported: places of the overlaps that were reported, so that two cores make one error and not one a register.
+            reported: places of the overlaps that were reported; two cores make one error, not one for each register.
         """
         self._check_leases(address, sharing)
         written = [placed for placed in sharing if placed.signal.access.writes]

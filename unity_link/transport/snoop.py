@@ -15,7 +15,7 @@ import time
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from unity_link.errors import ArgumentError
+from unity_link.errors import ArgumentError, UnityLinkError
 from unity_link.transport import pcapng
 from unity_link.transport.locking import lock_file
 from unity_link.transport.pcapng import DamagedFileError, Packet
@@ -193,7 +193,8 @@ def read(path: Path, damage: Callable[[str], object]) -> Iterator[Connected | Pa
         damage: is given a sentence where the file goes on as no snoop does; what was before has been returned.
 
     Raises:
-        ArgumentError: where it is no snoop, or cannot be read.
+        ArgumentError: if it is no snoop.
+        UnityLinkError: if it cannot be read.
     """
     try:
         with path.open("rb") as file:
@@ -202,7 +203,7 @@ def read(path: Path, damage: Callable[[str], object]) -> Iterator[Connected | Pa
             with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
                 yield from _events(path, data)
     except OSError as error:
-        raise ArgumentError(f"{path} can't be read ({error.strerror or error})") from error
+        raise UnityLinkError(f"{path} cannot be read: {error.strerror or error}") from error
     except DamagedFileError as error:
         damage(f"{path}: {error}; what stands before was read")
 
