@@ -4,10 +4,12 @@ import importlib.metadata
 import re
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import pytest
 import typer
+from packaging.requirements import Requirement
 from typer import Context
 from typer.core import TyperGroup
 from typer.main import get_group
@@ -19,6 +21,9 @@ from unity_link.cli.families import FAMILIES
 
 ROOT = Path(__file__).parent.parent
 LOCKS = sorted((ROOT / "requirements").glob("*.lock"))
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+PYTHONS = re.findall(r"Python :: (3\.\d+)", "\n".join(PROJECT["classifiers"]))
+"""Versions of Python that the project names; a part of the tests runs on 3.13 if it is installed."""
 
 
 def tracked_files() -> list[Path]:
@@ -52,6 +57,16 @@ def test_everything_public_is_exported_and_documented() -> None:
 def test_a_lock_file_holds_versions_and_hashes_and_nothing_else(lock: Path) -> None:
     line = r"[a-z0-9-]+==[\w.]+( ; [\w<>=!.*'() ]+)? \\|    --hash=sha256:[0-9a-f]{64}( \\)?"
     assert [text for text in lock.read_text().splitlines() if not re.fullmatch(line, text)] == []
+
+
+@pytest.mark.parametrize("python", PYTHONS)
+@pytest.mark.parametrize("lock", LOCKS, ids=lambda path: path.name)
+def test_a_lock_has_one_version_of_each_package_for_each_python(lock: Path, python: str) -> None:
+    here = {"python_version": python, "python_full_version": f"{python}.0", "sys_platform": "linux", "os_name": "posix"}
+    pinned = [Requirement(line.removesuffix("\\")) for line in lock.read_text().splitlines() if "==" in line]
+    names = [one.name for one in pinned if one.marker is None or one.marker.evaluate(here)]
+    assert sorted(names) == sorted(set(names))
+    assert {Requirement(one).name for one in PROJECT["dependencies"]} <= set(names)
 
 
 def test_the_versions_of_both_lock_files_agree() -> None:
