@@ -182,8 +182,7 @@ async def start(tmp_path: Path) -> AsyncIterator[Callable[[str], Any]]:
 
         yield begin
         for process in processes:
-            process.stdin.close()
-            await process.wait()
+            await process.communicate()
 
 
 @pytest.mark.asyncio

@@ -146,7 +146,7 @@ class Link(OfLink, Connection):
         self._guards: dict[int, Guard] = {}
         """Leases under which the program writes, by the addresses that they guard."""
         self._explanations: dict[int, Callable[[BusError], Awaitable[BusError]]] = {}
-        """What makes of the error of a posted write the one that says why, by the addresses of guarded signals."""
+        """Functions that return the error with the reason for a refused posted write, by the addresses of signals."""
         self.told_by_fence: dict[int, Any] = {}
         """Writers in the gateway's own time, each with `see` and `drop_answers`, by their addresses.
 
@@ -179,7 +179,7 @@ class Link(OfLink, Connection):
         self._session.codec.names.update(names)
 
     def explain_refusals(self, explanations: Mapping[int, Callable[[BusError], Awaitable[BusError]]]) -> None:
-        """Have the bus errors of posted writes explained, by their addresses; a robot does so for what leases guard."""
+        """Register what explains bus errors of posted writes, by addresses; a robot does so for signals under leases."""
         self._explanations.update(explanations)
 
     def _ended(self, error: LinkLostError) -> None:
