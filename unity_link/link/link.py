@@ -179,7 +179,7 @@ class Link(OfLink, Connection):
         self._session.codec.names.update(names)
 
     def explain_refusals(self, explanations: Mapping[int, Callable[[BusError], Awaitable[BusError]]]) -> None:
-        """Register what explains bus errors of posted writes, by addresses; a robot does so for signals under leases."""
+        """Register what explains bus errors of posted writes, by addresses; a robot registers signals under leases."""
         self._explanations.update(explanations)
 
     def _ended(self, error: LinkLostError) -> None:
