@@ -87,19 +87,18 @@ int main(int count, char **arguments)
 """,
     "cpp": r"""
 #include <iostream>
-#include <optional>
 #include "robot.hpp"
 
 int main(int, char **arguments)
 {
-    std::optional<Robot> the_robot;
+    unity_link::Link link{arguments[1]};
+    Robot the_robot{link};
     std::string line;
     while (std::getline(std::cin, line)) {
         try {
-            if (line == "open") the_robot.emplace(arguments[1]);
-            else if (line == "set") the_robot->duty.set(3);
-            else if (line == "post") the_robot->duty.post(3);
-            else the_robot->link.fence();
+            if (line == "set") the_robot.duty.set(3);
+            else if (line == "post") the_robot.duty.post(3);
+            else if (line == "fence") link.fence();
             std::cout << std::endl;
         } catch (const unity_link::BusError &error) {
             std::cout << error.what() << std::endl;
@@ -182,7 +181,7 @@ async def start(tmp_path: Path) -> AsyncIterator[Callable[[str], Any]]:
 
         yield begin
         for process in processes:
-            await process.communicate()
+            await process.communicate(b"")
 
 
 @pytest.mark.asyncio
