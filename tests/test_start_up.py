@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 SERVER = Path(__file__).parent / "transport" / "serve.py"
 SLOW = {"anyio", "numpy", "pydantic", "rich"}
-MODULES_OF_ITS_OWN = 55
+MODULES_OF_ITS_OWN = 56
 """Most modules that `import unity_link` may bring beside asyncio, msgspec and fastcrc."""
 
 COMMAND = """

@@ -181,7 +181,8 @@ async def start(tmp_path: Path) -> AsyncIterator[Callable[[str], Any]]:
 
         yield begin
         for process in processes:
-            await process.communicate(b"")
+            process.kill()
+            await process.wait()
 
 
 @pytest.mark.asyncio
