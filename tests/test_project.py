@@ -172,3 +172,18 @@ def test_the_table_of_what_to_touch_names_files_that_are_there() -> None:
     # A medium and a target that are there stand for new ones.
     places = [path.replace("NAME", "matlab" if "generate" in path else "udp") for path in sorted(paths)]
     assert [path for path in places if not ((ROOT / path).exists() or (ROOT / "unity_link" / path).exists())] == []
+
+
+def test_the_terms_name_what_the_code_has() -> None:
+    text = (ROOT / "docs" / "architecture.md").read_text(encoding="utf-8")
+    rows = [line.split("|") for line in text.partition("## Terms")[2].splitlines() if line.startswith("| ")][1:]
+    terms = [row[1].strip() for row in rows]
+    assert len(terms) > 50
+    assert terms == sorted(set(terms), key=str.lower)
+    paths = [path.relative_to(ROOT) for path in tracked_files()]
+    places = {place.as_posix() for path in paths for place in (path, *path.parents)} | {path.name for path in paths}
+    sources = [path for path in paths if path.suffix in {".py", ".vhd"}]
+    definition = re.compile(r"^(?: *(?:class|def|entity) |(?=\w+ = ))(\w+)", re.MULTILINE)
+    defined = {name for path in sources for name in definition.findall((ROOT / path).read_text(encoding="utf-8"))}
+    names = {name for row in rows for name in re.findall(r"`([^`]+)`", row[4])} - places
+    assert {part for name in names for part in name.split(".")} - defined == set()
