@@ -26,7 +26,7 @@ PYTEST_ARGS ?=
 # Tests run in so many processes side by side; 0 for none beside pytest's own.
 PYTEST_PROCESSES ?= auto
 
-.PHONY: help venv demo test test-all test-next coverage campaign fuzz mutants lint check format bench bench-peers bench-beside bench-noise bench-ros bench-live ros-packages table1 release docs docs-images docs-tables lock upgrade clean
+.PHONY: help venv demo test test-all test-next coverage campaign fuzz mutants lint hooks check format bench bench-peers bench-beside bench-noise bench-ros bench-live ros-packages table1 release docs docs-images docs-tables lock upgrade clean
 
 help: ## list the targets
 	@awk -F ':.*## ' '/^[a-z0-9-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
@@ -83,12 +83,15 @@ MUTANTS_ARGS ?=
 mutants: $(MUTANTS) ## put 500 wrongs into the protocol, and count those that no test finds; about an hour
 	@cd tests && OPENBLAS_NUM_THREADS=1 ../$(MUTANTS_VENV)/bin/python -m mutants $(MUTANTS_ARGS)
 
-lint: $(ALL) ## formatting, ruff, types, direction of the imports, docstrings
+lint: $(ALL) ## formatting, ruff, types, direction of the imports, plain English
 	@$(BIN)/ruff format --check .
 	@$(BIN)/ruff check .
 	@$(BIN)/mypy
 	@$(BIN)/lint-imports --cache-dir .cache/import-linter
-	@cd tests && ../$(BIN)/python -m support.docstrings
+	@cd tests && ../$(BIN)/python -m support.plain_english
+
+hooks: ## have git refuse commits whose subject is empty or longer than 72 characters
+	@python3 tests/support/commit_message.py
 
 # The commit that a change is compared with; where the branch left main unless it is named.
 BASE ?=

@@ -16,6 +16,7 @@ from typer.main import get_group
 
 import unity_link
 from docs.images.make import PICTURES
+from support.tracked import tracked_files
 from unity_link.cli import app
 from unity_link.cli.families import FAMILIES
 
@@ -24,15 +25,6 @@ LOCKS = sorted((ROOT / "requirements").glob("*.lock"))
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
 PYTHONS = re.findall(r"Python :: (3\.\d+)", "\n".join(PROJECT["classifiers"]))
 """Versions of Python that the project names; a part of the tests runs on 3.13 if it is installed."""
-
-
-def tracked_files() -> list[Path]:
-    """Return what belongs to the project; in a copy without history, what is no hidden or built file."""
-    if not (ROOT / ".git").exists():
-        own = re.compile(r"(?!.*(/\.|/_?build/|__pycache__|egg-info))")
-        return [path for path in ROOT.rglob("*") if path.is_file() and own.match(f"/{path.relative_to(ROOT)}")]
-    listing = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, check=True, capture_output=True, text=True).stdout
-    return [path for name in listing.split("\0") if name and (path := ROOT / name).is_file()]
 
 
 def test_importing_the_package_loads_nothing_that_only_some_users_need() -> None:
@@ -91,18 +83,18 @@ def test_no_tracked_file_names_a_machine_or_a_registry() -> None:
     places = re.compile(rb"(?<![\w.~}])/(root|work|home/\w+|tmp/\w+|opt/\w+)/|pythonhosted|index-url *=")
     found = {
         f"{path.relative_to(ROOT)}: {match[0].decode()}"
-        for path in tracked_files()
+        for path in tracked_files(ROOT)
         if path != Path(__file__) and (match := places.search(path.read_bytes()))
     }
     assert found == set()
 
 
 def test_no_module_is_a_drawer_for_odds_and_ends() -> None:
-    assert [path for path in tracked_files() if path.stem in {"util", "utils", "helpers", "misc", "common"}] == []
+    assert [path for path in tracked_files(ROOT) if path.stem in {"util", "utils", "helpers", "misc", "common"}] == []
 
 
 def test_every_file_says_at_its_top_why_it_is_there() -> None:
-    sources = [path for path in tracked_files() if path.suffix in {".py", ".vhd", ".mk", ".sby"}]
+    sources = [path for path in tracked_files(ROOT) if path.suffix in {".py", ".vhd", ".mk", ".sby"}]
     silent = [path for path in sources if not re.match(r'(#!.*\n)?(#|--|r?""")', path.read_text(encoding="utf-8"))]
     assert silent == []
 
@@ -180,7 +172,7 @@ def test_the_terms_name_what_the_code_has() -> None:
     terms = [row[1].strip() for row in rows]
     assert len(terms) > 50
     assert terms == sorted(set(terms), key=str.lower)
-    paths = [path.relative_to(ROOT) for path in tracked_files()]
+    paths = [path.relative_to(ROOT) for path in tracked_files(ROOT)]
     places = {place.as_posix() for path in paths for place in (path, *path.parents)} | {path.name for path in paths}
     sources = [path for path in paths if path.suffix in {".py", ".vhd"}]
     definition = re.compile(r"^(?: *(?:class|def|entity) |(?=\w+ = ))(\w+)", re.MULTILINE)

@@ -1,10 +1,9 @@
-"""The package keeps its structure: one concept has one name, imports run one way, docstrings state."""
+"""The package keeps its structure: one concept has one name, and imports run one way."""
 
 import ast
 from collections import defaultdict
 from pathlib import Path
 
-from support.docstrings import questions
 from support.import_circles import circles
 
 ROOT = Path(__file__).parent.parent
@@ -50,16 +49,3 @@ def test_a_circle_of_imports_is_found_through_types_functions_and_packages(tmp_p
     (package / "c.py").write_text("def late():\n    from package import a, missing\n")
     (package / "d.py").write_text("from package import c\n")
     assert circles(package) == [["package", "package.a", "package.b", "package.c"]]
-
-
-def test_a_docstring_that_asks_or_orders_is_found_and_one_that_states_is_not(tmp_path: Path) -> None:
-    (tmp_path / "a.py").write_text(
-        '"""Whether it is."""\n'
-        'HEIGHT = 3\n"""Of the mast."""\n'
-        'class A:\n    """Whichever."""\n    def a(self):\n        """  Give it."""\n    b: int\n    """Height."""\n'
-    )
-    assert [(line, text) for _, line, text in questions(tmp_path)] == [
-        (1, "Whether it is."),
-        (3, "Of the mast."),
-        (7, "Give it."),
-    ]
