@@ -511,6 +511,27 @@ def test_signal_at_any_instant_of_a_program_leaves_nothing_armed_under_trio(url:
     assert len(armed) > 2
 
 
+@pytest.mark.usefixtures("handled")
+def test_signal_at_any_instant_of_start_soon_lets_the_nursery_end(url: str) -> None:
+    async def child() -> None:
+        started.append(points)
+
+    async def program() -> None:
+        async with unity_link.connect(url), trio.open_nursery() as nursery:
+            with points:
+                nursery.start_soon(child)
+
+    started: list[Points] = []
+    for at in itertools.count(1):
+        points = Points(at, trio.__file__.removesuffix("__init__.py"))
+        with contextlib.suppress(StoppedError):
+            trio.run(program)
+        if not points.has_come:
+            break
+    assert at > 20
+    assert len(started) == at
+
+
 @pytest.mark.parametrize("kind", [TimeoutError, StoppedError])
 def test_what_a_handler_raises_ends_the_block_under_trio(kind: type[BaseException], url: str) -> None:
     def stop(*_: object) -> None:

@@ -56,8 +56,8 @@ class Interruptible(Protocol):
 class Block(Interruptible, Protocol):
     """Block of a program in which handlers are deferred in all code of links, and not in calls alone."""
 
-    def is_protected(self) -> bool:
-        """Return whether the code that was interrupted is other code that no handler may interrupt, as trio's own."""
+    def is_protected(self, frame: FrameType | None, /) -> bool:
+        """Return whether a frame that was interrupted runs code that no handler may interrupt, as trio's own."""
 
 
 class _Deferring:
@@ -113,7 +113,7 @@ class Deferred:
         if not self.is_held and (
             self.is_in_callback
             or not self._blocks
-            or not (self.exits or _is_inside(frame) or self._blocks[-1].is_protected())
+            or not (self.exits or _is_inside(frame) or self._blocks[-1].is_protected(frame))
         ):
             return False
         self._add(number, handler)
@@ -321,7 +321,7 @@ class BlockingBlock:
         """Trip the signals again a moment later, because no safe point may follow."""
         DEFERRED.raise_again()
 
-    def is_protected(self) -> bool:
+    def is_protected(self, _: FrameType | None, /) -> bool:
         """Return False."""
         return False
 

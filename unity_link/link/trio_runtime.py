@@ -31,11 +31,16 @@ from unity_link.transport.polling import READABLE, WRITABLE
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Awaitable, Callable, Coroutine, Generator
     from contextvars import Token
+    from types import FrameType
 
     from unity_link.link.interrupts import Handler
     from unity_link.link.runtime import Job, Runtime
     from unity_link.transport import Medium
     from unity_link.transport.stream import Stream
+
+
+_TRIO = trio.__file__.removesuffix("__init__.py")
+"""Beginning of the file names of the code of trio."""
 
 
 class TaskWaiter(Result):
@@ -156,9 +161,13 @@ class Structured:
         """Wake the task that calls pending handlers; called in a signal handler."""
         self._token.run_sync_soon(self._stir, idempotent=True)
 
-    def is_protected(self) -> bool:
-        """Return whether trio's own code was interrupted."""
-        return trio.lowlevel.currently_ki_protected()
+    def is_protected(self, frame: FrameType | None, /) -> bool:
+        """Return whether trio's own code was interrupted, or code that it has called other than a task.
+
+        trio protects its loop, but not a function of it that a task calls: an exception in the middle of `start_soon`
+        leaves a task that never runs, and the nursery waits for it for ever.
+        """
+        return trio.lowlevel.currently_ki_protected() or _is_called_by_trio(frame)
 
     def time(self) -> float:
         """Return the time in seconds of trio's clock; each step of a session asks for it first."""
@@ -303,6 +312,17 @@ async def _call_when_ready(
 async def _call_handler(number: int, handler: Handler) -> None:
     """Call the handler of a signal; that of trio finds its own code interrupted, and raises in the main task."""
     handler(number, sys._getframe())  # noqa: SLF001  (documented, and as the interpreter calls handlers)
+
+
+def _is_called_by_trio(frame: FrameType | None) -> bool:
+    """Return whether a function of trio runs in a frame, or has called what runs, within the innermost coroutine."""
+    while frame is not None:
+        if frame.f_code.co_filename.startswith(_TRIO):
+            return True
+        if frame.f_code.co_flags & inspect.CO_COROUTINE:
+            return False
+        frame = frame.f_back
+    return False
 
 
 def _first(error: BaseException) -> BaseException:
