@@ -272,6 +272,30 @@ def test_call_that_waits_for_another_thread_is_ended_by_a_handler(handled: list[
     assert handled == [signal.SIGUSR1]
 
 
+WAITS_FOR_SAMPLES = """
+import signal, sys, threading
+from unity_link import blocking
+
+def stop(*_):
+    sys.exit(3)
+
+signal.signal(signal.SIGTERM, stop)
+taker = threading.Thread(target=threading.Event().wait, daemon=True)
+taker.start()
+signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGTERM})
+# The gateway publishes nothing, because the robot has no register at 0x21.
+with blocking.connect(sys.argv[1]) as link, link.subscribe([0x20, 0x21], rate_hz=1000) as samples:
+    threading.Timer(0.2, signal.pthread_kill, [taker.ident, signal.SIGTERM]).start()
+    next(samples)
+"""
+
+
+def test_signal_that_another_thread_takes_ends_a_wait_for_samples(url: str) -> None:
+    # In a process of its own: the alarm of a test's time-out would wake the main thread.
+    done = subprocess.run([sys.executable, "-c", WAITS_FOR_SAMPLES, url], timeout=PATIENCE, check=False)
+    assert done.returncode == 3
+
+
 def test_handler_of_a_call_that_waits_may_call_the_link() -> None:
     found: list[int] = []
     with blocking.connect(SlowLine(VirtualGateway(), 20_000)) as link:

@@ -117,9 +117,15 @@ def write_and_post():
         assert link.read(0x0F) == value
 
 def take_samples():
-    with link.subscribe([0x20, 0x21], rate_hz=2000) as samples:
+    with link.subscribe([0x20, 0x0F], rate_hz=2000) as samples:
         for sample in samples:
             link.write(0x0F, sample.sequence % 1000 + 1)
+
+def wait_for_samples():
+    # None come, because there is no register at 0x21.
+    with link.subscribe([0x20, 0x21], rate_hz=2000) as samples:
+        link.write(0x0F, 5)
+        next(samples)
 
 def kick_in_a_loop():
     with robot.drive.armed(timeout=5) as lease:
@@ -139,7 +145,15 @@ def open_again_and_again():
         with blocking.connect(url) as other:
             other.read(0x0F)
 
-BODIES = [set_in_a_loop, write_and_post, take_samples, kick_in_a_loop, arm_again_and_again, open_again_and_again]
+BODIES = [
+    set_in_a_loop,
+    write_and_post,
+    take_samples,
+    wait_for_samples,
+    kick_in_a_loop,
+    arm_again_and_again,
+    open_again_and_again,
+]
 done = 0
 with blocking.connect(url) as link:
     robot = put(Rover, link)
@@ -200,7 +214,7 @@ async def write_in_tasks(link, robot):
         await write(0x0F)
 
 async def take_samples(link, robot):
-    async with link.subscribe([0x20, 0x21], rate_hz=2000) as samples:
+    async with link.subscribe([0x20, 0x0F], rate_hz=2000) as samples:
         async for sample in samples:
             await link.write(0x0F, sample.sequence % 1000 + 1)
 

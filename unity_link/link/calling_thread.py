@@ -43,6 +43,9 @@ P = ParamSpec("P")
 T = TypeVar("T")
 LONGEST_WAIT = 1e9
 """Seconds that a socket can be told to wait, at most; some thirty years, so a longer time is none."""
+LONGEST_DEAF_WAIT = 0.1
+"""Seconds that the main thread sleeps in one go. The system does not wake it for a signal that another thread takes, or
+that comes just before it falls asleep, and the handler can run only after it wakes."""
 SPARE = 1.0
 """Seconds that a driver may take longer than the call that opens its medium, whose own error is raised so."""
 
@@ -257,7 +260,7 @@ class CallingThread:
             self.running = run
 
     def _park(self, waiter: CallWaiter | None) -> None:
-        """Wait until another thread has polled a result, or none polls, or a signal has come."""
+        """Wait until another thread has polled a result, or none polls, or a signal may have come."""
         parked = threading.Lock()
         parked.acquire()
         if waiter is None:
@@ -269,7 +272,7 @@ class CallingThread:
         self._lock.release()
         # A signal that has come before this thread could be woken is handled at once.
         if waiter is None or not DEFERRED.pending or not DEFERRED.may_deliver(self):
-            parked.acquire()
+            parked.acquire(timeout=LONGEST_DEAF_WAIT if get_ident() == DEFERRED.thread else -1)
         self._lock.acquire()
         self._parked.remove(parked)
         if waiter is None:
@@ -297,6 +300,8 @@ class CallingThread:
             return
         if self._ready:
             patience = 0.0
+        elif patience > LONGEST_DEAF_WAIT and get_ident() == DEFERRED.thread:
+            patience = LONGEST_DEAF_WAIT
         self._polling = True
         self._lock.release()
         try:
