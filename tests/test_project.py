@@ -108,6 +108,14 @@ def test_the_first_page_leads_every_user_to_every_tutorial_and_guide() -> None:
     assert {page for page in pages if f"\n{page.removesuffix('.md')}\n" not in lists} == set()
 
 
+def test_the_sidebar_lists_each_guide_under_the_heading_of_the_first_page() -> None:
+    guide, lists = (ROOT / "docs" / "index.md").read_text(encoding="utf-8").split("<!-- {toctree}", 1)
+    parts = re.split(r"^\*\*I ", guide, flags=re.MULTILINE)[1:]
+    headings = [set(re.findall(r"\]\((how-to/[^)#]+)\.md", part)) for part in parts]
+    captions = [set(re.findall(r"^how-to/.*", part, re.MULTILINE)) for part in lists.split("{toctree}")]
+    assert [pages for pages in captions if pages] == headings
+
+
 def test_no_page_installs_from_an_index_that_does_not_have_us() -> None:
     pages = [ROOT / "README.md", *(ROOT / "docs").rglob("*.md")]
     # Where it is installed already, the same line adds an extra, as commands say it.
