@@ -1,5 +1,6 @@
 """Any value of any kind survives write and read, one by one and as arrays."""
 
+import json
 import math
 from typing import Any
 
@@ -193,6 +194,7 @@ def test_a_value_of_an_enumeration_is_equal_to_its_name_and_to_its_number() -> N
     assert value != second.name
     assert (value != first.name) is False
     assert hash(value) == hash(first.value)
+    assert (f"{value}", f"{value:d}", json.dumps(value)) == (first.name, str(first.value), str(first.value))
     with pytest.raises(ArgumentError, match="'sleeping' is no value of"):
         assert value == "sleeping"
 

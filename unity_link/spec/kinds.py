@@ -89,7 +89,8 @@ class Enumeration(msgspec.Struct, frozen=True):
 class NamedNumber(enum.IntEnum):
     """A number of an enumeration, which is equal to its name as well: ``mode == "balance"``.
 
-    In a set, and as the key of a dictionary, it is its number alone.
+    Its text is its name: ``print(mode)`` shows ``balance``, and ``f"{mode:d}"`` is the number. In a set, and as the key
+    of a dictionary, it is its number alone.
 
     Raises:
         ArgumentError: where it is compared with a string that is no name of its enumeration.
@@ -100,6 +101,9 @@ class NamedNumber(enum.IntEnum):
 
     def __ne__(self, other: object) -> bool:
         return not self == other
+
+    def __str__(self) -> str:
+        return self.name
 
     __hash__ = int.__hash__
 
