@@ -17,6 +17,8 @@ import pytest
 from support.effects import TEXT
 from unity_link import cli
 from unity_link.cli import completion
+from unity_link.cli.spec import url_and_spec
+from unity_link.errors import ArgumentError
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.spec import compile_text
 from unity_link.transport import parse_url
@@ -136,6 +138,9 @@ def test_without_a_spec_a_name_is_answered_by_what_to_give() -> None:
         (["watch", SCARA, "sim:scara"], "URL and SPEC are swapped: sim:scara"),
         (["live", SCARA, "sim:scara"], "URL and SPEC are swapped: sim:scara"),
         (["record", SCARA, "sim:scara", "--output", "x.mcap"], "URL and SPEC are swapped: sim:scara"),
+        (["ros1", SCARA, "sim:scara"], "URL and SPEC are swapped: sim:scara"),
+        (["ros2", SCARA, "sim:scara"], "URL and SPEC are swapped: sim:scara"),
+        (["zenoh", SCARA, "sim:scara", "--prefix", "a"], "URL and SPEC are swapped: sim:scara"),
         (["show", "sim:scara"], "the gateway of sim:scara carries no description of its own"),
         (["info", SCARA], "is no URL of a gateway: it is a spec"),
         (["read", "0x10", "sim:scara"], "it is a URL, which stands before the addresses"),
@@ -145,6 +150,36 @@ def test_a_url_and_a_spec_that_are_swapped_are_told(arguments: list[str], said: 
     result = run(*arguments)
     assert result.returncode != 0
     assert said in result.stderr
+
+
+@pytest.mark.parametrize(
+    ("arguments", "found"),
+    [
+        (("sim:a", "a.ul", None), ("sim:a", "a.ul")),
+        (("a.ul", None, "sim:a"), ("sim:a", "a.ul")),
+        (("sim:a", None, None), ("sim:a", "sim:a")),
+        ((None, None, "sim:a"), ("sim:a", "sim:a")),
+        (("a.ul", None, None, "sim:a"), ("sim:a", "a.ul")),
+        (("sim:b", None, None, "sim:a"), ("sim:b", "sim:b")),
+        (("a.ul", None, "sim:b", "sim:a"), ("sim:b", "a.ul")),
+    ],
+)
+def test_bridges_take_the_url_before_the_spec_and_by_an_option(
+    arguments: tuple[str | None, ...], found: tuple[str, str]
+) -> None:
+    assert url_and_spec(*arguments) == found
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        (("a.ul", None, None), "nothing says where the gateway is"),
+        (("sim:a", "a.ul", "sim:b"), "the gateway is sim:a and --link sim:b: one URL was expected"),
+    ],
+)
+def test_bridges_refuse_arguments_with_no_url_or_two(arguments: tuple[str | None, ...], says: str) -> None:
+    with pytest.raises(ArgumentError, match=says):
+        url_and_spec(*arguments)
 
 
 def test_signals_are_watched_by_name() -> None:
@@ -181,6 +216,7 @@ def test_commands_say_in_a_sentence_what_differs_from_the_spec_of_the_board(rove
         ["watch", url, rover, "left", "--count", "1"],
         ["record", url, rover, "--poll", "10", "--output", str(tmp_path / "run.mcap"), "--duration", "5"],
         ["live", url, rover, "--poll", "10", "--no-browser"],
+        ["ros2", url, rover, "--poll", "10"],
         ["ros2", rover, "--link", url, "--poll", "10"],
     ):
         result = run(*command)

@@ -9,9 +9,10 @@ import msgspec
 import typer
 
 from unity_link.cli.arguments import check_poll
+from unity_link.cli.completion import complete_url
 from unity_link.cli.output import print_note
 from unity_link.cli.running import run
-from unity_link.cli.spec import Given, Name, SpecOrBoard, compile_or_exit
+from unity_link.cli.spec import Given, Name, SpecOrBoard, compile_or_exit, url_and_spec
 from unity_link.errors import ArgumentError, UnityLinkError
 
 if TYPE_CHECKING:
@@ -20,12 +21,16 @@ if TYPE_CHECKING:
     from unity_link.bridges.zenoh import ZenohBridge
     from unity_link.spec import Spec
 
-OptionalLinkUrl = Annotated[
-    str | None, typer.Option("--link", metavar="URL", help="Where the gateway is; or it stands in --params.")
+BridgeUrl = Annotated[
+    str | None,
+    typer.Argument(
+        metavar="[URL]",
+        help="Where the gateway is, such as sim:scara.",
+        autocompletion=complete_url,
+        show_default=False,
+    ),
 ]
-LinkUrl = Annotated[
-    str, typer.Option("--link", metavar="URL", help="Where the gateway is, such as sim:scara.", show_default=False)
-]
+LinkUrl = Annotated[str | None, typer.Option("--link", metavar="URL", help="The URL, as in SPEC --link URL.")]
 Namespace = Annotated[
     str | None, typer.Option("--namespace", metavar="NAME", help="Before all topics; the interface's name without.")
 ]
@@ -45,9 +50,10 @@ def add_to(app: typer.Typer) -> None:
 
 
 def ros1(
+    url: BridgeUrl = None,
     spec: SpecOrBoard = None,
     *,
-    link: LinkUrl,
+    link: LinkUrl = None,
     namespace: Namespace = None,
     poll: Poll = None,
     frame_id: FrameId = None,
@@ -60,7 +66,8 @@ def ros1(
     """
     check_poll(poll)
     options = {"namespace": namespace, "poll_hz": poll, "frame_id": frame_id or ""}
-    run(_ros1(compile_or_exit(spec or link, interface=interface, given=given), interface, link, options))
+    url, spec = url_and_spec(url, spec, link)
+    run(_ros1(compile_or_exit(spec, interface=interface, given=given), interface, url, options))
 
 
 async def _ros1(spec: Spec, interface: str | None, url: str, options: dict[str, Any]) -> None:
@@ -76,9 +83,10 @@ async def _ros1(spec: Spec, interface: str | None, url: str, options: dict[str, 
 
 
 def ros2(  # noqa: PLR0913  (each is an option)
+    url: BridgeUrl = None,
     spec: SpecOrBoard = None,
     *,
-    link: OptionalLinkUrl = None,
+    link: LinkUrl = None,
     params: Annotated[
         Path | None, typer.Option("--params", metavar="FILE", help="Parameters of the node, as ROS 2's YAML has them.")
     ] = None,
@@ -105,7 +113,6 @@ def ros2(  # noqa: PLR0913  (each is an option)
         raise ArgumentError(f"--quality {quality}: one of {', '.join(Quality)} was expected")
     check_poll(poll)
     said = {
-        "link": link,
         "namespace": namespace,
         "poll_hz": poll,
         "frame_id": frame_id,
@@ -116,10 +123,9 @@ def ros2(  # noqa: PLR0913  (each is an option)
     find_dds()
     read = BridgeSettings() if params is None else read_settings(params)
     settings = msgspec.structs.replace(read, **{name: value for name, value in said.items() if value is not None})
-    if settings.link is None:
-        raise ArgumentError("nothing says where the gateway is: --link URL was expected, or link in --params")
-    compiled = compile_or_exit(spec or settings.link, interface=interface, given=given)
-    run(_ros2(_with_settings(compiled, interface, settings), interface, settings.link, settings))
+    url, spec = url_and_spec(url, spec, link, settings.link)
+    compiled = compile_or_exit(spec, interface=interface, given=given)
+    run(_ros2(_with_settings(compiled, interface, settings), interface, url, settings))
 
 
 def _with_settings(spec: Spec, interface: str | None, settings: BridgeSettings) -> Spec:

@@ -245,6 +245,33 @@ def spec_behind(url: str, spec: str | None) -> str:
     return spec or url
 
 
+def url_and_spec(
+    place: str | None, spec: str | None, link: str | None, configured: str | None = None
+) -> tuple[str, str]:
+    """Return the URL of a bridge, and its spec or else the URL of the board that carries it.
+
+    Args:
+        place: the first argument: the URL; or the spec, if the URL is in one of the next two.
+        spec: the second argument.
+        link: the URL of ``--link``.
+        configured: the URL of a file of parameters, which the others override.
+
+    Raises:
+        ArgumentError: if no URL is given, or two are, or URL and spec are swapped.
+    """
+    from unity_link.errors import ArgumentError
+    from unity_link.transport import is_url
+
+    if link is not None and spec is not None:
+        raise ArgumentError(f"the gateway is {place} and --link {link}: one URL was expected")
+    if link is None and place is not None and (spec is not None or is_url(place)):
+        return place, spec_behind(place, spec)
+    url = link or configured
+    if url is None:
+        raise ArgumentError("nothing says where the gateway is: a URL such as sim:scara was expected before the SPEC")
+    return url, place or url
+
+
 def read_given(texts: list[str]) -> dict[str, int]:
     """Read parameters that are given as ``NAME=ADDRESS``.
 

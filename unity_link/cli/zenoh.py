@@ -9,9 +9,9 @@ import typer
 
 from unity_link.cli.arguments import check_poll
 from unity_link.cli.output import print_note
-from unity_link.cli.ros import LinkUrl, Poll, run_and_sum_up
+from unity_link.cli.ros import BridgeUrl, LinkUrl, Poll, run_and_sum_up
 from unity_link.cli.running import run
-from unity_link.cli.spec import Given, Name, SpecOrBoard, compile_or_exit
+from unity_link.cli.spec import Given, Name, SpecOrBoard, compile_or_exit, url_and_spec
 from unity_link.errors import ArgumentError
 
 
@@ -21,9 +21,10 @@ def add_to(app: typer.Typer) -> None:
 
 
 def zenoh(  # noqa: PLR0913  (each is an option of the command)
+    url: BridgeUrl = None,
     spec: SpecOrBoard = None,
     *,
-    link: LinkUrl,
+    link: LinkUrl = None,
     prefix: Annotated[
         str, typer.Option("--prefix", metavar="KEY", help="Before all keys, such as robot/1.", show_default=False)
     ],
@@ -57,6 +58,7 @@ def zenoh(  # noqa: PLR0913  (each is an option of the command)
     if not 0 <= every < threading.TIMEOUT_MAX:
         raise ArgumentError(f"--every {every:g}: 0 or more seconds were expected")
     network = Network(connect=tuple(connect or ()), listen=tuple(listen or ()), mode=mode, config=config)
-    robot_type = load(compile_or_exit(spec or link, interface=interface, given=given), interface)
-    bridge = ZenohBridge(robot_type, link, prefix, network=network, poll_hz=poll, every=every, report=print_note)
+    url, spec = url_and_spec(url, spec, link)
+    robot_type = load(compile_or_exit(spec, interface=interface, given=given), interface)
+    bridge = ZenohBridge(robot_type, url, prefix, network=network, poll_hz=poll, every=every, report=print_note)
     run(run_and_sum_up(bridge))
