@@ -10,6 +10,7 @@ import sys
 import textwrap
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from hypothesis import given
@@ -166,3 +167,14 @@ def test_what_fetches_ghdl_reports_a_full_disk_and_not_that_something_failed(tmp
         cache.ToolMissingError, match=r"fetching Debian trixie's failed: Err:1 .*No space left on device"
     ):
         ghdl._call(["sh", "-c", f"{script}; exit 100"], tmp_path)
+
+
+def test_fetching_ghdl_reports_a_disk_without_room_for_its_lists(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    work = tmp_path / "work"
+    work.mkdir()
+    monkeypatch.setattr("shutil.disk_usage", lambda _: SimpleNamespace(free=57_344))
+    script = "echo \"E: The repository 'http://deb.debian.org/debian trixie InRelease' is not signed.\" >&2; exit 100"
+    with pytest.raises(cache.ToolMissingError, match=rf"{tmp_path} has 57,344 bytes left \(E: The repository"):
+        ghdl._call(["sh", "-c", script], work)

@@ -19,6 +19,8 @@ from unity_link.gateware.external import run, temporary_folder
 
 __all__ = ["Ghdl", "ToolMissingError", "converting_ghdl"]
 
+_LEAST_ROOM = 1_000_000
+"""Bytes; a disk that has fewer when a tool fails is reported as full."""
 _LEAST_VERSION = 4
 _SUITE = "trixie"
 _PACKAGES = ("ghdl-mcode", "ghdl-common", "libc6", "libgcc-s1", "zlib1g")
@@ -127,8 +129,11 @@ def _call(command: list[str], work: Path) -> None:
     done = run(command, work, cwd=work, environment={"LC_ALL": "C"})
     if done.returncode:
         lines = [line.strip() for line in (done.stdout + done.stderr).splitlines() if line.strip()]
-        # apt-get ends with a line that says that something failed.
+        # apt-get ends with a line that says that something failed, or that a list without room is not signed.
         reason = next((line for line in lines if "No space left" in line), (lines or ["no reason given"])[-1])
+        free = shutil.disk_usage(work).free
+        if free < _LEAST_ROOM:
+            reason = f"{work.parent} has {free:,} bytes left ({reason})"
         raise ToolMissingError(
             f"GHDL {_LEAST_VERSION} or later converts the gateware; fetching Debian {_SUITE}'s failed: {reason}"
         )
