@@ -472,6 +472,35 @@ async def test_an_error_in_the_block_and_a_cancellation_disarm_at_once() -> None
 
 
 @on_simulated_time
+async def test_a_second_cancellation_leaves_a_lease_armed_to_its_time_out_at_most() -> None:
+    world = World()
+    async with unity_link.connect(SlowLine(world.gateway, bytes_per_second=20_000)) as link:
+        robot = world.kind(link)
+
+        async def move(others: asyncio.TaskGroup) -> None:
+            async with robot.armed():
+                await robot.left.value.set(3)
+                for _ in range(100):
+                    others.create_task(robot.lamp.set(1))
+                moving.set()
+                await asyncio.sleep(10)
+
+        moving = asyncio.Event()
+        async with asyncio.TaskGroup() as others:
+            task = asyncio.create_task(move(others))
+            await moving.wait()
+            task.cancel()
+            # The write that disarms waits behind the others.
+            await asyncio.sleep(0)
+            task.cancel()
+            with pytest.raises(asyncio.CancelledError):
+                await task
+            assert world.seen("drive.armed")
+            await asyncio.sleep(0.1)
+            assert (world.seen("drive.armed"), world.seen("left.value")) == (False, 0)
+
+
+@on_simulated_time
 async def test_where_the_link_is_lost_the_lease_runs_out_and_the_first_error_stays() -> None:
     world = World()
 

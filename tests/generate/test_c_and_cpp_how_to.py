@@ -9,11 +9,16 @@ import pytest
 
 from generate.peers import simulate
 from generate.programs import CPP, HERE, C, compiled, generated, linked, output
-from unity_link.spec import compile_file
+from unity_link.spec import compile_file, compile_text
 
 if TYPE_CHECKING:
     from pathlib import Path
 
+ROWS = """
+group motion(RATE=100);
+imu(): @(at) { @acc[2] = at + i: signed 16 READ(PUBLISH(motion)); }
+public arm() { imu: imu() @(0x10); }
+"""
 ROOT = HERE.parents[1]
 BLOCKS = re.findall(r"^```(\w+)\n(.*?)^```$", (ROOT / "docs/how-to/c-and-cpp.md").read_text(), re.DOTALL | re.MULTILINE)
 
@@ -60,3 +65,11 @@ def test_the_functions_of_the_page_do_what_it_says(arm: list[Path], tmp_path: Pa
     with simulate("tcp", "--robot", "scara") as url:
         printed = output(linked(C, [*arm, *objects], tmp_path / "parts"), url)
     assert [line.split()[1] for line in printed.splitlines()] == ["1200"] * 5
+
+
+def test_the_structure_of_a_group_has_the_members_that_the_page_names(tmp_path: Path) -> None:
+    page = (ROOT / "docs/how-to/c-and-cpp.md").read_text()
+    header = {path.name: path.read_text() for path in generated("c", compile_text(ROWS), tmp_path)}["arm.h"]
+    for member in re.findall(r"`motion\.(\w+)` of `imu\.acc\[0\]`", page):
+        assert re.search(rf"\b{member};", header)
+    assert "`motion.imu_acc_0` of" in page
