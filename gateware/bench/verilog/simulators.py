@@ -71,7 +71,7 @@ def lint(text: str, top: str, language: str = "1364-2005") -> str:
 
 def icarus_complains(text: str, language: str = "2005") -> str:
     """Return what Icarus Verilog says of a text of a language; nothing, if it is fine."""
-    command = ["iverilog", f"-g{language}", "-Wall", "-o", "/dev/null", "-"]
+    command = ["iverilog", f"-g{language}", "-Wall", "-t", "null", "-"]
     with tempfile.NamedTemporaryFile("w", suffix=".v") as file:
         file.write(text)
         file.flush()
