@@ -212,7 +212,8 @@ class World:
                 self.count()
                 self.resets += 1
                 self.gateway.reset()
-            else:
+            # Between two connections there is no line to cut.
+            elif self.shared._flow.stream is not None:
                 self.valve.go_away(self.shared)
                 await asyncio.sleep(self.random.random() * 0.02)
                 self.valve.come_back()
