@@ -345,15 +345,17 @@ def test_what_is_raised_in_a_callback_ends_the_call_in_which_it_runs(
                 sys.exit(3)
             signal.raise_signal(signal.SIGUSR1)
 
-    def read_until_it_is_called() -> None:
+    def subscribe_until_it_is_called() -> None:
+        # If the thread of the link has begun to take the samples, it takes all of that subscription.
         deadline = time.monotonic() + PATIENCE
         while time.monotonic() < deadline:
-            link.read(0x0F)
+            with link.subscribe([0x20], rate_hz=500, callback=stay):
+                for _ in range(100):
+                    link.read(0x0F)
 
     with blocking.connect(url) as link:
-        with pytest.raises(SystemExit if way == "exit" else StoppedError):  # noqa: SIM117  (entering may raise)
-            with link.subscribe([0x20], rate_hz=500, callback=stay):
-                read_until_it_is_called()
+        with pytest.raises(SystemExit if way == "exit" else StoppedError):
+            subscribe_until_it_is_called()
         link.write(0x0F, 1)
         assert link.read(0x0F) == 1
     assert handled == ([] if way == "exit" else [signal.SIGUSR1])
