@@ -1,6 +1,7 @@
 """The hook of `make hooks` refuses subjects that CONTRIBUTING.md does not allow."""
 
 import os
+import re
 import subprocess
 from pathlib import Path
 
@@ -28,8 +29,7 @@ def test_a_subject_of_72_characters_or_fewer_is_accepted(message: str) -> None:
     ],
 )
 def test_an_empty_or_long_subject_is_refused(message: str, words: str) -> None:
-    with pytest.raises(AssertionError, match=words):
-        assert fault_of(message) is None, fault_of(message)
+    assert re.search(words, fault_of(message) or "")
 
 
 @pytest.fixture

@@ -22,16 +22,17 @@ check="$(git rev-parse --show-toplevel)/tests/support/commit_message.py"
 
 
 def fault_of(message: str) -> str | None:
-    """Return what is wrong with the subject of a message, or None.
+    """Return the fault of the subject of a message, or None.
 
     Args:
         message: without comments.
     """
-    subject = " ".join(message.strip().partition("\n\n")[0].split("\n"))
+    lines = message.strip().partition("\n\n")[0].split("\n")
+    subject = " ".join(lines)
     if not subject:
         return "The subject of the commit is empty: say in one line what changes."
     if len(subject) > LONGEST and not subject.startswith(_TEMPORARY):
-        rest = "" if "\n" not in message.strip().partition("\n\n")[0] else " Leave a blank line after the subject."
+        rest = " Leave a blank line after the subject." if len(lines) > 1 else ""
         return f"The subject of the commit has {len(subject)} characters, at most {LONGEST}: {subject}{rest}"
     return None
 

@@ -28,7 +28,7 @@ ROOT = Path(__file__).parents[2]
 TABLE = "tests/support/plain_english.toml"
 _WORST_FILES = 5
 _TEST = re.compile(r"^\s*(?:async )?def (test_\w+)", re.MULTILINE)
-# A docstring states what a function does or what a value is: "Return ...", "Seconds until ...".
+# A docstring states the work of a function or the meaning of a value: "Return ...", "Seconds until ...".
 _QUESTION = re.compile(r"(?:What|Who|Whose|Whether|Where|How|When|Of|Have|Say|Tell|Give)\b")
 
 
@@ -197,7 +197,7 @@ def _length(item: tuple[str, Path]) -> int:
 
 
 def main(arguments: list[str]) -> int:
-    """Check the files of the project, or do what the arguments ask; return 1 if a limit is exceeded."""
+    """Check the files of the project, list phrases, or lower limits; return 1 if a limit is exceeded."""
     table = ROOT / TABLE
     rules = read_rules(table.read_text(encoding="utf-8"))
     if arguments and arguments != ["--lower"]:

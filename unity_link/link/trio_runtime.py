@@ -162,7 +162,7 @@ class Structured:
         self._token.run_sync_soon(self._stir, idempotent=True)
 
     def is_protected(self, frame: FrameType | None, /) -> bool:
-        """Return whether trio's own code was interrupted, or code that it has called other than a task.
+        """Return whether trio's own code was interrupted, or a function that this code has called.
 
         trio protects its loop, but not a function of it that a task calls: an exception in the middle of `start_soon`
         leaves a task that never runs, and the nursery waits for it for ever.
@@ -315,7 +315,7 @@ async def _call_handler(number: int, handler: Handler) -> None:
 
 
 def _is_called_by_trio(frame: FrameType | None) -> bool:
-    """Return whether a function of trio runs in a frame, or has called what runs, within the innermost coroutine."""
+    """Return whether a frame is of trio, or one of its callers up to the innermost coroutine is."""
     while frame is not None:
         if frame.f_code.co_filename.startswith(_TRIO):
             return True
