@@ -22,8 +22,10 @@ import threading
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
+from unittest import mock
 
 import pytest
+from trio._core import _thread_cache
 
 from gateware.bench.network.host import HOST_IP
 from gateware.bench.network.wire import GATEWAY_IP, GATEWAY_PORT, Wire
@@ -84,7 +86,9 @@ def own_network() -> Iterator[None]:
             pytest.skip("no network namespace can be made: run it as root, or behind `unshare --user --map-root-user`")
         try:
             run_ip("link", "set", "lo", "up")
-            yield
+            # A thread stays in the namespace in which it began, and trio lends idle threads of earlier runs.
+            with mock.patch.object(_thread_cache, "THREAD_CACHE", _thread_cache.ThreadCache()):
+                yield
         finally:
             _call("setns", before, _CLONE_NEWNET)
     finally:

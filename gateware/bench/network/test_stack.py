@@ -13,7 +13,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
+import trio
 
+import unity_link
 from gateware.bench.network.host import checked
 from gateware.bench.network.tap import GATEWAY, HOST, INTERFACE, URL, own_network, plugged
 from gateware.bench.network.wire import GATEWAY_MAC, GATEWAY_PORT
@@ -63,6 +65,17 @@ def test_a_link_reads_and_writes_through_a_packet_socket_where_there_is_no_tap()
     with own_network(), plugged(kind="veth") as gateway:
         exchange()
         assert gateway.written()[-1] == (0x10, 42)
+
+
+def test_trio_link_opens_in_a_namespace_after_a_program_outside_of_it() -> None:
+    async def read_one_word() -> int:
+        async with unity_link.connect(URL, timeout=60) as link:
+            return await link.read(0x10)
+
+    # Its thread is idle for ten seconds from now on.
+    trio.run(trio.to_thread.run_sync, time.time)
+    with own_network(), plugged():
+        assert trio.run(read_one_word) == 0
 
 
 def test_what_the_kernel_sends_in_fragments_leaves_no_trace(gateway: Plugged) -> None:
