@@ -9,6 +9,7 @@
   everywhere (it needs a board, or does not end) stands after `<!-- skip: next -->` or in a block of `shell`.
 """
 
+import logging
 import os
 import signal
 import sys
@@ -122,9 +123,17 @@ def run_console_block(example: Example) -> None:
         run(command, expected)
 
 
+def reset_log_levels(namespace: dict[str, object]) -> None:  # noqa: ARG001  (Sybil passes it)
+    """Set the levels of the package's loggers back, because later tests of the process read the log."""
+    for name in list(logging.root.manager.loggerDict):
+        if name.partition(".")[0] == "unity_link":
+            logging.getLogger(name).setLevel(logging.NOTSET)
+
+
 pytest_collect_file = Sybil(
     parsers=[PythonCodeBlockParser(), CodeBlockParser("console", run_console_block), SkipParser()],
     patterns=["README.md", "docs/*.md", "docs/**/*.md"],
     # A walkthrough is followed from an empty folder, by tests/test_walkthroughs.py.
     excludes=["docs/_build/**", *WALKTHROUGHS],
+    teardown=reset_log_levels,
 ).pytest()

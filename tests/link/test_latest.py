@@ -55,7 +55,7 @@ class Host:
         runtime = SimpleNamespace(
             time=lambda: self.now, create_future=lambda: asyncio.get_running_loop().create_future()
         )
-        publishing = Publishing(cast("Any", SimpleNamespace(session=session)), cast("Any", runtime))
+        publishing = Publishing(cast("Any", SimpleNamespace(session=session)), cast("Any", runtime), "a gateway")
         publishing._clock = GatewayClock(CLOCK_HZ)
         flags |= GroupFlag.TIMESTAMP if stamped else GroupFlag(0)
         self.intake = LatestIntake(publishing, Schedule((0,), divisor, flags), 1, "drop_oldest", callback)

@@ -34,7 +34,7 @@ class Host:
     def __init__(self, clock_hz: int, divisors: list[int]) -> None:
         info = GatewayInfo(clock_hz=clock_hz, base_frequency_millihertz=BASE_HZ * 1000)
         session = SimpleNamespace(codec=SimpleNamespace(info=info), epoch=0)
-        self.publishing = Publishing(cast("Any", SimpleNamespace(session=session)), cast("Any", None))
+        self.publishing = Publishing(cast("Any", SimpleNamespace(session=session)), cast("Any", None), "a gateway")
         self.publishing._clock = GatewayClock(clock_hz)
         self.publishing._together = SamplesTogether
         flags = GroupFlag.PERIODIC | GroupFlag.TIMESTAMP

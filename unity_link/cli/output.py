@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any, TextIO
 from unity_link.quoting import terminal
 
 if TYPE_CHECKING:
+    import logging
     from collections.abc import Iterable
 
     from rich.console import Console
@@ -51,6 +52,18 @@ def _console_class() -> type[Console]:
     return Quoting
 
 
+def _is_no_report_of_a_command(record: logging.LogRecord) -> bool:
+    """Return whether a record is shown on stderr: warnings of links, samples and leases are not.
+
+    Commands report lost connections and samples by themselves.
+    """
+    return record.levelname != "WARNING" or record.name not in {
+        "unity_link.link",
+        "unity_link.data",
+        "unity_link.cores",
+    }
+
+
 def quote_logs() -> None:
     """Make the warnings and errors that are logged on stderr such that a terminal shows and does not obey them."""
     import logging
@@ -61,6 +74,7 @@ def quote_logs() -> None:
 
     if logging.lastResort is not None:
         logging.lastResort.setFormatter(Quoting())
+        logging.lastResort.addFilter(_is_no_report_of_a_command)
 
 
 def is_live() -> bool:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import contextlib
 import functools
+import logging
 import secrets
 from collections import deque
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol, Self, TypeVar
@@ -42,6 +43,7 @@ if TYPE_CHECKING:
     from unity_link.spec.model import ComponentSpec
 
 T = TypeVar("T")
+log = logging.getLogger("unity_link.cores")
 TIME_BITS = 40
 """Bits of an end in a word that arms or kicks; the token stands above."""
 TOKEN_BITS = 24
@@ -216,9 +218,11 @@ class LeaseVerbs(Verbs):
         state = registers.ask()
         try:
             await registers.disarm.set(1)
-            return registers.condition_of(await state.words()).armed
+            was_armed = registers.condition_of(await state.words()).armed
         finally:
             state.give_up()
+        log.info("%s: lease %s: disarmed by a stop", registers.link.name, registers.name)
+        return was_armed
 
 
 class LeasedRobot(RobotVerbs):
@@ -318,6 +322,7 @@ class Lease(Sealed):
             await self._let_go(error, arming=True)
             raise
         self._is_on = True
+        log.info("%s: lease %s: armed, with a time-out of %g s", self._link.name, self._registers.name, self.timeout)
         guard(self._link, self._registers.guarded, self)
         return self
 
@@ -413,9 +418,18 @@ class Lease(Sealed):
         """
         if self._ended is None and self._session not in {None, self._link.interruptions}:
             name, why = self._registers.name, self._link.interrupted_by
-            message = f"{name} has ended: the link has begun another session since it was armed ({why})"
-            self._ended = message, "reset", None
+            self._end_as(f"{name} has ended: the link has begun another session since it was armed ({why})", "reset")
         return None if self._ended is None else NotArmedError(*self._ended)
+
+    def _end_as(self, message: str, reason: str, instant: float | None = None) -> None:
+        """Record why the lease is over, for a call that raises it."""
+        self._ended = message, reason, instant
+        log.info("%s: lease %s: %s", self._link.name, self._registers.name, message)
+
+    def _log_silence(self) -> None:
+        """Log that the lease ran out in a block that has not kicked since, so that no call has raised it."""
+        if self._ended is None:
+            log.warning("%s: lease %s: it ran out, because no kick came in time", self._link.name, self._registers.name)
 
     def _check_session(self) -> None:
         """Check that the lease is not known to be over.
@@ -458,6 +472,8 @@ class Lease(Sealed):
         try:
             if not self._has_ended() or await self._is_finishing():
                 await self._write_disarm()
+            else:
+                self._log_silence()
         except UnityLinkError as lost:
             lost.add_note(self._note())
             raise
@@ -483,12 +499,15 @@ class Lease(Sealed):
                     # The gateway may have it armed.
                     error.add_note(self._note())
                 if not waits or not await self._goes_on(arming=arming):
+                    if not arming:
+                        self._log_silence()
                     return
             if waits:
                 async with running().last_timeout(self.timeout):
                     await self._write_disarm()
             else:
                 await post_in_session(self._link, self._registers.disarm.signal.address, 1)
+                log.info("%s: lease %s: a disarm is posted", self._link.name, self._registers.name)
         except (UnityLinkError, TimeoutError):
             error.add_note(self._note())
 
@@ -496,6 +515,7 @@ class Lease(Sealed):
         """Disarm; in another session than the one under way this could be the lease of another program."""
         signal = self._registers.disarm.signal
         await Asked(self._link, signal.address, write=signal.encode(1)).words()
+        log.info("%s: lease %s: disarmed", self._link.name, self._registers.name)
 
     async def _goes_on(self, *, arming: bool) -> bool:
         """Return whether a lease is to be disarmed that may not be armed; waits no longer than the lease lasts."""
@@ -634,13 +654,13 @@ class Lease(Sealed):
             return
         if condition.state != "armed":
             fault = await self._in_session(self._registers.fault(condition))
-            self._ended = str(fault), fault.reason, fault.instant
+            self._end_as(str(fault), fault.reason, fault.instant)
         elif is_mine:
             how = "a server has refused its kick, as after another session of the server with the gateway"
-            self._ended = f"{name} has ended: {how}", "reset", None
+            self._end_as(f"{name} has ended: {how}", "reset")
         else:
             how = _ENDED.get(condition.reason, "has ended")
-            self._ended = f"{name} {how}, and another program has armed it since", condition.reason, None
+            self._end_as(f"{name} {how}, and another program has armed it since", condition.reason)
         self._check_session()
 
 

@@ -7,6 +7,7 @@ does a shared gateway that is away; callbacks, which have no way to begin again,
 
 from __future__ import annotations
 
+import logging
 from collections import Counter, deque
 from typing import TYPE_CHECKING, Self
 
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
     from unity_link.link.runtime import Job, Waiter
     from unity_link.link.subscription import Overflow
 
+log = logging.getLogger("unity_link.data")
 LOOK_EVERY = 1.0
 """Seconds between looks whether a gateway is there that was away when the samples were to begin."""
 
@@ -51,6 +53,7 @@ class Listener:
         """Samples of each gateway that were dropped since the last batch of it was taken."""
         self._waiter: Waiter | None = None
         self._error: Exception | None = None
+        self._is_overflow_logged = False
 
     async def next(self) -> Batch:
         """Wait for the next batch.
@@ -99,6 +102,7 @@ class Listener:
             if self._overflow == "fail":
                 self.fail(SamplesLostError(f"the reader is too slow: {self._buffer} samples are waiting for it"))
                 return
+            self._log_overflow()
             self._drop(self._waiting - self._buffer)
         self._wake()
 
@@ -111,6 +115,13 @@ class Listener:
     def is_deaf(self) -> bool:
         """Return whether an error would reach no listener."""
         return self._callback is not None or not self._buffer
+
+    def _log_overflow(self) -> None:
+        """Log that samples are dropped, once, unless the listener wants only the newest one."""
+        if self._buffer > 1 and not self._is_overflow_logged:
+            self._is_overflow_logged = True
+            text = "the reader of %s is too slow: its buffer (samples: %d) drops the oldest (logged once)"
+            log.warning(text, self._feed.name, self._buffer)
 
     def _drop(self, count: int) -> None:
         """Drop the oldest samples; the first that is left of their gateway tells how many."""
@@ -133,7 +144,8 @@ class Feed:
     """The samples of one group, for all who listen."""
 
     def __init__(self, name: str, subscribe: Callable[[], GroupSubscription]) -> None:
-        self._name = name
+        self.name = name
+        """Name of the group in messages."""
         self._subscribe = subscribe
         self._listeners: dict[Listener, None] = {}
         self._task: Job | None = None
@@ -198,11 +210,11 @@ class Feed:
                         await self._deliver_all(subscription)
                 except (BusTimeoutError, GatewayResetError) as error:
                     # Of a gateway behind a server that is away, or was reset just then.
-                    what = f"the samples of {self._name}, which callbacks wait for, do not come yet (told once)"
+                    what = f"the samples of {self.name}, which callbacks wait for, do not come yet (told once)"
                     self._refuse(what, error)
                 await running().sleep(LOOK_EVERY)
         except StopAsyncIteration:
-            self._end(LinkLostError(f"the samples of {self._name} have ended", Outcome.NO_REQUEST))
+            self._end(LinkLostError(f"the samples of {self.name} have ended", Outcome.NO_REQUEST))
         except Exception as error:  # noqa: BLE001  (whatever it is, no listener may wait for samples that don't come)
             self._end(error)
 
@@ -211,7 +223,7 @@ class Feed:
             try:
                 batch = await subscription.take()
             except GatewayError as error:
-                self._refuse(f"a read of {self._name}, which callbacks wait for, was refused (told once)", error)
+                self._refuse(f"a read of {self.name}, which callbacks wait for, was refused (told once)", error)
                 continue
             for listener in tuple(self._listeners):
                 listener.deliver(batch)
@@ -225,7 +237,7 @@ class Feed:
     def _end(self, error: Exception) -> None:
         listeners, self._listeners = self._listeners, {}
         if _fail(listeners, error) and not isinstance(error, LinkClosedError):
-            report(f"the samples of {self._name}, which callbacks wait for, have ended", error)
+            report(f"the samples of {self.name}, which callbacks wait for, have ended", error)
 
 
 def _fail(listeners: Collection[Listener], error: Exception) -> bool:

@@ -125,6 +125,7 @@ class Connection:
             compact=takes_compact_form(target),
             echo=has_echo(target),
         )
+        self._session.on_retransmission = self._retransmitted
         self._flow = Flow(self._session, self._runtime, self._happened, self._disconnected)
         self._opened: Waiter = self._new_waiter()
         """Done when the connection that is being opened is of use, or is known not to be."""
@@ -195,6 +196,11 @@ class Connection:
         elif not self._opening:
             self._lose(f"the connection was lost ({reason})" if reason else "the other side closed the connection")
 
+    def _retransmitted(self, count: int) -> None:
+        """Log a retransmission."""
+        why = "no answer came in time" if self._session.window.signs.timed_out else "a frame was lost or damaged"
+        log.debug("%s: requests retransmitted: %d, because %s", self._name, count, why)
+
     # Events
 
     def _take_change(self, event: SessionEvent) -> None:
@@ -238,7 +244,7 @@ class Connection:
             self._opened.set_result(None)
 
     def _gateway_was_reset(self, event: Interrupted) -> None:
-        log.info("%s: %s", self._name, event.error.reason)
+        log.warning("%s: %s", self._name, event.error.reason)
         self.resets += 1
         self._session_ended(event.error)
 
@@ -334,7 +340,7 @@ class Connection:
         if self._reconnect is None:
             self._end(LinkLostError(reason))
             return
-        log.info("%s: %s; connecting again", self._name, reason)
+        log.warning("%s: %s; connecting again", self._name, reason)
         self._flow.go_on(self._session.disconnect(reason))
         self._session_ended(LinkLostError(reason))
         if self._reconnection is None:

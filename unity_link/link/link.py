@@ -136,7 +136,7 @@ class Link(OfLink, Connection):
         runtime: Runtime | None = None,
     ) -> None:
         super().__init__(target, reconnect, resumes=resumes, runtime=runtime)
-        self._publishing = Publishing(self._flow, self._runtime)
+        self._publishing = Publishing(self._flow, self._runtime, self._name)
         self._left_open: LeftOpen | None = None
         self._posted = False
         self._caller = self._runtime.caller

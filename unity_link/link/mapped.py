@@ -62,7 +62,7 @@ class MappedLink(Link):
             raise ConnectError(f"{name_of(self._url)}: {error}") from error
         self.gateway = bus.info
         self._words_at = bus.words
-        self._publishing = Polling(self._runtime, bus)
+        self._publishing = Polling(self._runtime, bus, self._name)
         self._session.codec = codec = HostCodec(bus.info, None)
         self._begin(codec)
         codec.highest_address = len(bus.words) - 1
@@ -248,10 +248,12 @@ class Polling(Publishing):
     Args:
         runtime: of the link.
         bus: whose words are read.
+        name: of the bus, for the log.
     """
 
-    def __init__(self, runtime: Runtime, bus: MemoryBus) -> None:
+    def __init__(self, runtime: Runtime, bus: MemoryBus, name: str) -> None:
         # No session: what is done with one is done here.
+        self.name = name
         self.samples = self.samples_lost = 0
         self.runtime = runtime
         self._bus = bus

@@ -7,6 +7,7 @@ stated size; a reader that is too slow loses the oldest, and is told how many, o
 from __future__ import annotations
 
 import contextlib
+import logging
 import math
 import time
 import warnings
@@ -65,6 +66,7 @@ if TYPE_CHECKING:
     from unity_link.protocol.group_table import HeldGroup
     from unity_link.protocol.host_codec import HostCodec
 
+log = logging.getLogger("unity_link.link")
 Overflow = Literal["drop_oldest", "fail"]
 NOT_OPEN = "the subscription is not open: write `async with ...subscribe(...) as samples:`, or `with` in blocking code"
 INSTEAD = {"next": "`await anext(samples)` waits for one sample, and `take` for all that are there"}
@@ -268,9 +270,11 @@ class Publishing:
     Args:
         flow: of the link.
         runtime: what runs it.
+        name: of the gateway, for the log.
     """
 
-    def __init__(self, flow: Flow, runtime: Runtime) -> None:
+    def __init__(self, flow: Flow, runtime: Runtime, name: str) -> None:
+        self.name = name
         self.samples = 0
         self.samples_lost = 0
         self._flow = flow
@@ -409,6 +413,8 @@ class Intake:
         overflow: what becomes of more.
         callback: takes the samples, if there is one.
     """
+
+    _is_loss_logged = _is_overflow_logged = False
 
     def __init__(
         self,
@@ -650,6 +656,7 @@ class Intake:
         self.received += 1
         self._publishing.samples += 1
         if sample.lost:
+            self._log_loss(sample)
             self._lose(sample.lost)
         if self.error is not None:
             self._lose(1)
@@ -662,10 +669,30 @@ class Intake:
                 self.fail(SamplesLostError(f"the reader is too slow: {len(self.buffer)} samples are waiting for it"))
                 self._lose(1)
                 return
+            if not self._is_overflow_logged:
+                self._log_overflow()
             self._drop_oldest()
         self.buffer.append(sample)
         if self._waiter is not None:
             self.wake()
+
+    def _log_loss(self, sample: Sample) -> None:
+        """Log a gap in the sequence: the first of a subscription as a warning, since a bad line may have many."""
+        level = logging.DEBUG if self._is_loss_logged else logging.WARNING
+        self._is_loss_logged = True
+        name, group = self._publishing.name, self._called()
+        log.log(level, "%s: samples of %s lost: %d, before sample %d", name, group, sample.lost, sample.sequence)
+
+    def _log_overflow(self) -> None:
+        """Log that samples are dropped, once: a reader that is too slow drops one for each that arrives."""
+        self._is_overflow_logged = True
+        text = "%s: the reader of %s is too slow: its buffer (samples: %d) drops the oldest (logged once)"
+        log.warning(text, self._publishing.name, self._called(), self._buffer_size)
+
+    def _called(self) -> str:
+        """Return the group's name in the log: its first address, and how many more it has."""
+        first, *others = self.schedule.addresses
+        return f"the group of 0x{first:02X}{f' and {len(others)} more' if others else ''}"
 
     def _lose(self, count: int) -> None:
         self.lost += count
@@ -694,6 +721,8 @@ class LatestIntake(Intake):
     Apart from `Intake`, so that other samples are not asked for their age.
     """
 
+    _is_overflow_logged = True
+    """Its reader wants the older samples dropped."""
     _freshness: Freshness | None = None
     """Ages of the samples, where they come at a rate alone; of others an old one may be the newest."""
 
@@ -738,6 +767,8 @@ class LatestIntake(Intake):
         self.received += 1
         self._publishing.samples += 1
         self._dropped += sample.lost + 1
+        if sample.lost:
+            self._log_loss(sample)
         self._lose(sample.lost + 1)
 
     def _call(self, callback: Callable[[Sample], object], sample: Sample) -> None:

@@ -100,6 +100,8 @@ class Session:
     """The network of the connection; None if frames are not in datagrams."""
     _mtu = LONGEST_MTU
     """Bytes of an IP packet that the networks of earlier connections carried, as far as their ends show."""
+    on_retransmission: Callable[[int], object] | None = None
+    """Called after requests are queued for retransmission, with their number, for a log."""
     _opened_at = 0.0
     """Instant of the begin of the session."""
 
@@ -612,17 +614,21 @@ class Session:
         """Send unanswered requests again; an ``h`` in place of those that are not wanted any more."""
         if self._blocked or not self._may_send or (self._is_half_duplex and self._asks_alone()):
             return
-        repeated, window = False, self.window
+        repeated, window = 0, self.window
         if window.signs.place == window.repetition.sent and not self._is_half_duplex:
             # Ahead of all.
             self._ask_whose()
         for number, run, offset, count in window.repeat():
-            self.counters.repetitions += count
             frames = self.codec.confirmations(number, count) if run.unwanted() else run.frames_of(offset, count)
             self.output.append(frames)
-            repeated = True
-        if repeated and not window.allowance.loses:
+            repeated += count
+        if not repeated:
+            return
+        self.counters.repetitions += repeated
+        if not window.allowance.loses:
             self.output.append(self.codec.burst_end)
+        if self.on_retransmission is not None:
+            self.on_retransmission(repeated)
 
     # Groups
 
