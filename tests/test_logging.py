@@ -269,5 +269,5 @@ for name in ("link", "data", "cores", "virtual"):
 logging.getLogger("unity_link.link").error("an error")
 """
     command = [sys.executable, "-c", code, *arguments]
-    shown = subprocess.run(command, check=True, capture_output=True, text=True, timeout=60).stderr.split("\n")
+    shown = subprocess.run(command, check=True, capture_output=True, text=True, timeout=300).stderr.split("\n")
     assert shown == [*([] if arguments else ["link", "data", "cores"]), "virtual", "an error", ""]
