@@ -40,6 +40,21 @@ def test_the_installed_version_is_the_one_of_the_sources() -> None:
     assert importlib.metadata.version("unity-link") == unity_link.__version__
 
 
+def test_the_command_and_the_changelog_name_the_version_of_the_package() -> None:
+    text = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    unreleased, latest = re.split(r"^## ", text, flags=re.MULTILINE)[1:3]
+    command = [sys.executable, "-m", "unity_link", "--version"]
+    printed = subprocess.run(command, check=True, capture_output=True, text=True).stdout.strip()
+    assert printed == f"unity-link {unity_link.__version__}"
+    assert unreleased.startswith("[Unreleased]\n\n### Breaking\n")
+    assert latest.startswith(f"[{unity_link.__version__}]")
+
+
+def test_the_changelog_describes_the_first_version_in_150_lines() -> None:
+    text = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    assert text.partition("## [0.1.0]")[2].partition("\n## ")[0].count("\n") <= 150
+
+
 def test_everything_public_is_exported_and_documented() -> None:
     for name in unity_link.__all__:
         assert (getattr(unity_link, name).__doc__ or "").strip(), name
