@@ -21,9 +21,10 @@ from support.searching import examples
 from support.simulated_time import on_simulated_time
 from unity_link import ArgumentError, BusError, LinkLostError, NotArmedError
 from unity_link.cores.clock import READ_AGAIN, TickBounds
-from unity_link.cores.lease import MOST_KICKS
+from unity_link.cores.lease import MOST_KICKS, TIME_BITS, LeaseRegisters
 from unity_link.data import Group, read_interface
 from unity_link.generate.python.model import model_text
+from unity_link.link.asked import Asked
 from unity_link.spec import compile_text
 from unity_link.virtual.build import simulated
 from unity_link.virtual.bus import AccessError
@@ -288,6 +289,26 @@ async def test_a_lease_that_has_ended_leaves_that_of_the_next_program_alone() ->
                 await standing
             await robot.left.value.set(1)
             assert world.seen("drive.armed")
+
+
+@on_simulated_time
+async def test_write_after_the_time_out_does_not_act_under_another_lease() -> None:
+    world = World()
+    async with unity_link.connect(world.gateway) as link:
+        robot = world.kind(link)
+        async with robot.armed(timeout=0.02):
+            await robot.left.value.set(1)
+            await asyncio.sleep(0.03)
+            other = LeaseRegisters(robot, "drive").arm.signal
+            word = 5 << TIME_BITS | (world.ticks + HZ // 10)
+            await Asked(link, other.address, write=other.encode(word)).words()
+            assert world.seen("drive.armed")
+            for write in (robot.left.value.set, robot.left.value.post):
+                with pytest.raises(NotArmedError, match=r"drive has ended: no kick came within 0\.02 s") as refused:
+                    await write(2)
+                assert refused.value.reason == "silence"
+            assert world.seen("left.value") == 0
+        assert world.seen("drive.armed")
 
 
 @on_simulated_time

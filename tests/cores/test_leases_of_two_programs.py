@@ -261,7 +261,7 @@ def test_no_write_acts_under_a_lease_of_the_other_program(
     assert resets > 3
 
 
-@pytest.mark.campaign
+@pytest.mark.slow
 @pytest.mark.parametrize("name", SPECS)
 def test_ten_thousand_resets_arms_and_writes(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     acted, resets = drive(name, 0, OPERATIONS, monkeypatch)

@@ -116,6 +116,13 @@ class LeaseRegisters(CoreRegisters):
         addresses: frozenset[int] = self.robot.interface.written_under(self.name)
         return addresses
 
+    @functools.cached_property
+    def cancels(self) -> frozenset[int]:
+        """Addresses that cancel the schedules of the lease."""
+        interface = self.robot.interface
+        names = (f"{path}.cancel" for path in interface.schedules_of(self.name))
+        return frozenset(interface.signals[name].address for name in names if name in interface.signals)
+
     def held(self, condition: _Condition) -> Lease | None:
         """Return the lease of this program that the registers describe; None for another program's."""
         lease = guard_of(self.link, self.kick.signal.address)
@@ -420,6 +427,20 @@ class Lease(Sealed):
             name, why = self._registers.name, self._link.interrupted_by
             self._end_as(f"{name} has ended: the link has begun another session since it was armed ({why})", "reset")
         return None if self._ended is None else NotArmedError(*self._ended)
+
+    def refusal(self, address: int) -> NotArmedError | None:
+        """Return the error for a write to an address if the lease is over, or its time-out has passed; None otherwise.
+
+        Another program may have armed the lease after the time-out, and the write would act under that program's lease.
+        A kick asks the gateway, whose clock decides: if the lease has not ended there, writes are accepted again. What
+        is scheduled may be cancelled while the lease is finishing.
+        """
+        error = self.ended()
+        if error is None and self._has_ended() and not (self._finishes and address in self._registers.cancels):
+            more = ", and writes that were scheduled by then may still act" if self._finishes else ""
+            message = f"{self._registers.name} has ended: no kick came within {self.timeout:g} s{more}"
+            error = NotArmedError(message, "silence")
+        return error
 
     def _end_as(self, message: str, reason: str, instant: float | None = None) -> None:
         """Record why the lease is over, for a call that raises it."""

@@ -17,8 +17,8 @@ if TYPE_CHECKING:
 class Guard(Protocol):
     """A lease, as a link knows it."""
 
-    def ended(self) -> NotArmedError | None:
-        """Return the error for a lease that the program has no more; None while it may have it."""
+    def refusal(self, address: int) -> NotArmedError | None:
+        """Return the error for a write under a lease that the program has no more; None while it may have it."""
 
 
 class Guarded(Protocol):

@@ -752,11 +752,11 @@ class Link(OfLink, Connection):
             return
         for address in self._guards.keys() & {int(address) for address in addresses}:
             source.of_session = True
-            ended = self._guards[address].ended()
-            if ended is not None:
+            refusal = self._guards[address].refusal(address)
+            if refusal is not None:
                 name = self._session.codec.names.get(address, "a word")
                 where = f"write of {name} at 0x{address:0{self.gateway.address_digits}X}"
-                raise NotArmedError(f"{where}: {ended}", ended.reason, ended.instant)
+                raise NotArmedError(f"{where}: {refusal}", refusal.reason, refusal.instant)
 
     def _divisor(self, rate_hz: float | None, divisor: int | None) -> int:
         base = self.gateway.base_frequency_hz
