@@ -60,8 +60,8 @@ LANGUAGES = {
     "docs": "tests/generate/test_docs.py::test_a_signal_has_all_that_is_said_of_it",
     "matlab": "tests/generate/test_matlab.py::test_signals_do_what_their_kind_access_and_place_allow",
     "python": "tests/generate/test_python.py::test_the_generated_scara_reads_writes_and_is_published",
-    "ros1": "tests/generate/test_ros_packages.py::test_a_package_has_the_topics_of_the_bridge",
-    "ros2": "tests/generate/test_ros_packages.py::test_a_package_has_the_topics_of_the_bridge",
+    "ros1": "tests/generate/test_ros.py::test_the_program_of_a_package_becomes_the_bridge_with_its_spec",
+    "ros2": "tests/generate/test_ros.py::test_the_program_of_a_package_becomes_the_bridge_with_its_spec",
     "verilog": "tests/generate/test_verilog.py::test_a_netlist_has_the_clock_and_the_baud_rate_that_are_asked_for",
     "vhdl": "tests/generate/test_vhdl.py::test_gateway_and_boards_elaborate_with_the_gateware",
 }

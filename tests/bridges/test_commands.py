@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import logging
 import math
 import threading
 from contextlib import asynccontextmanager
@@ -40,7 +41,7 @@ def noted(notes: Path) -> list[int]:
 async def commanding(robot_type: Any, notes: Path, told: list[str]) -> AsyncIterator[tuple[Any, SignalCommands]]:
     """Run commands until the end of the block, and see that they end in order."""
     async with unity_link.connect(noting_gateway(str(notes))) as link:
-        commands = SignalCommands(link, told.append)
+        commands = SignalCommands(link, lambda text, **_: told.append(text))
         running = asyncio.create_task(commands.run())
         # A task that was cancelled before it began does nothing at all.
         await asyncio.sleep(0)
@@ -108,3 +109,30 @@ def test_a_bad_value_spoils_none_of_the_others_and_each_kind_of_fault_of_each_si
         "posted write of refused at 0x21: the bus refused the access (told once)",
         "target: 1000001 is outside of its limits, 0 to 1000000 (told once)",
     ]
+
+
+@pytest.mark.parametrize("value", [4e-323, -4e-323, 2.2e-308])
+def test_a_subnormal_value_is_refused_with_its_cause_and_normal_ones_are_written(tmp_path: Path, value: float) -> None:
+    spec = tmp_path / "number.ul"
+    spec.write_text("public bench() { @target = 0x20: float READWRITE(); }")
+    told: list[tuple[str, int]] = []
+
+    async def write() -> float:
+        async with unity_link.connect("sim:") as link:
+            robot: Any = load(spec)(link)
+            commands = SignalCommands(link, lambda text, *, level: told.append((text, level)))
+            running = asyncio.create_task(commands.run())
+            await asyncio.sleep(0)
+            for one in (2.5, value, 0.0, value, 1.5):
+                await asyncio.to_thread(commands.give, (robot.target, one))
+            running.cancel()
+            with pytest.raises(asyncio.CancelledError):
+                await running
+            assert commands.written == 3
+            return float(await robot.target.get())
+
+    assert asyncio.run(write()) == 1.5
+    ((text, level),) = told
+    assert text.startswith(f"target: {value} is subnormal, as rclpy sends an int in the place of a float")
+    assert "ROS_PYTHON_CHECK_FIELDS=1" in text
+    assert level == logging.ERROR

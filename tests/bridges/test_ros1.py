@@ -304,6 +304,37 @@ def test_one_message_sets_all_joints_and_one_that_is_wrong_sets_none(ros: int, t
 
 
 @pytest.mark.slow
+def test_of_two_robots_in_two_namespaces_one_set_point_moves_one(
+    ros: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    with master(ros), contextlib.ExitStack() as bridges:
+        links = []
+        for name in ("left", "right"):
+            (tmp_path / name).mkdir()
+            # As roslaunch starts the nodes of a <group ns="left">.
+            monkeypatch.setenv("ROS_NAMESPACE", name)
+            bridge = bridge_on_shared("ros1", SPEC, GATEWAY, tmp_path / name, "scara/j2/pos_sp:=elbow")
+            process, url = bridges.enter_context(bridge)
+            wait_for(process, f"node /{name}/unity_link_scara")
+            links.append(bridges.enter_context(blocking.connect(url)))
+        monkeypatch.delenv("ROS_NAMESPACE")
+        peer(TALKER.replace("/scara", "/left/scara"), "25")
+        peer(TALKER.replace("/scara/j1/pos_sp", "/left/elbow"), "12")
+        wait_until(lambda: links[0].read_block(0x8C, 2).tolist() == [round(v / SCALES[0]) for v in (25, 12)])
+        assert links[1].read_block(0x8C, 2).tolist() == [0, 0]
+
+
+@pytest.mark.slow
+def test_a_refused_value_is_an_error_on_rosout(ros: int, tmp_path: Path) -> None:
+    with master(ros), bridge_on_shared("ros1", SPEC, GATEWAY, tmp_path) as (process, _):
+        wait_for(process, "node /unity_link_scara")
+        peer(TALKER, "500")
+        logged = rostopic("echo", "-n1", "/rosout")
+    assert "level: 8" in logged
+    assert "j1.pos_sp: 500.0 is outside of its limits" in logged
+
+
+@pytest.mark.slow
 def test_diagnostics_tell_of_the_link(ros: int, tmp_path: Path) -> None:
     with master(ros), bridge_on_shared("ros1", SPEC, GATEWAY, tmp_path) as (process, url):
         wait_for(process, "node /unity_link_scara")

@@ -35,8 +35,8 @@ from support.bridge_programs import (
 )
 from support.own_robots import OWN
 from unity_link import ArgumentError, blocking, load
-from unity_link.bridges.ros2 import BridgeSettings, Quality, read_settings
-from unity_link.bridges.ros2.domain import open_participant
+from unity_link.bridges.ros2 import BridgeSettings, NodeNames, Quality, read_arguments, read_parameters, settings_of
+from unity_link.bridges.ros2.domain import domain_number, open_participant
 from unity_link.bridges.ros2.messages import DIAGNOSTICS, FLOAT_ARRAY, JOINT_STATE, STANDARD
 from unity_link.bridges.ros2.rows import joint_rows, number_rows
 from unity_link.data.blocking import put
@@ -223,9 +223,11 @@ def test_one_message_sets_all_joints_and_one_that_is_wrong_sets_none(tmp_path: P
 
 
 @pytest.mark.slow
-def test_diagnostics_tell_of_the_link(tmp_path: Path) -> None:
+@pytest.mark.parametrize("quality", Quality)
+def test_diagnostics_tell_of_the_link_to_reliable_readers(quality: Quality, tmp_path: Path) -> None:
     domain = free_domain()
-    with bridge_on_shared("ros2", SPEC, GATEWAY, tmp_path, "--domain", str(domain)) as (process, url):
+    options = "--domain", str(domain), "--quality", quality
+    with bridge_on_shared("ros2", SPEC, GATEWAY, tmp_path, *options) as (process, url):
         wait_for(process, "at /scara")
 
         (first, *_) = listen(domain, "rt/diagnostics", "diagnostic_msgs/msg/DiagnosticArray", 1)
@@ -371,7 +373,7 @@ def test_parameters_stand_in_a_file_as_ros_2_writes_them(tmp_path: Path) -> None
         "    topics:\n      j1/cpos: {quality: sensor_data}\n"
     )
 
-    settings = read_settings(file)
+    settings = settings_of(read_parameters(file))
 
     assert (settings.link, settings.namespace, settings.poll_hz) == ("sim:scara", "arm", 10.0)
     assert settings.quality_of("j1/cpos") is Quality.SENSOR_DATA
@@ -393,7 +395,67 @@ def test_a_file_of_parameters_that_is_wrong_is_told_why(tmp_path: Path, text: st
     file.write_text(text)
 
     with pytest.raises(ArgumentError, match=words):
-        read_settings(file)
+        read_parameters(file)
+
+
+def test_arguments_of_a_node_give_names_and_parameters_and_integers_for_floats(tmp_path: Path) -> None:
+    file = tmp_path / "bridge.yaml"
+    file.write_text("/**: {ros__parameters: {poll_hz: 5, frame_id: base}}")
+    words = f"--params-file {file} -r __ns:=/left -r arm/joint_states:=states -p topics.j1/cpos.quality:=sensor_data"
+
+    names, parameters = read_arguments([*words.split(), "-p", "frame_id:=tool", "--remap", "n:/diagnostics:=told"])
+
+    settings = settings_of(parameters)
+    assert (settings.poll_hz, settings.frame_id) == (5.0, "tool")
+    assert settings.quality_of("j1/cpos") is Quality.SENSOR_DATA
+    assert names.resolve("arm/joint_states") == "/left/states"
+    assert names.resolve("/diagnostics") == "/left/told"
+    assert names.resolve("arm/j1/cpos") == "/left/arm/j1/cpos"
+    assert NodeNames().resolve("arm/") == "/arm"
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        ("-p poll_hz:=fast", "a parameter is wrong: Expected `float | null`, got `str` - at `$.poll_hz`"),
+        ("-p pol_hz:=5", "a parameter is wrong: Object contains unknown field `pol_hz`"),
+        ("-r left", "--ros-args -r left: -r FROM:=TO"),
+        ("--params-file /nosuch", "/nosuch cannot be read"),
+    ],
+)
+def test_a_wrong_argument_of_a_node_is_refused_in_a_sentence(words: str, message: str) -> None:
+    with pytest.raises(ArgumentError) as error:
+        settings_of(read_arguments(words.split())[1])
+    assert str(error.value).startswith(message)
+
+
+@pytest.mark.parametrize(
+    ("text", "number"),
+    [("", 0), ("0", 0), ("10", 10), ("010", 8), ("0x1F", 31), ("232", 232), ("233", None), ("x", None)],
+)
+def test_the_domain_id_is_read_as_rcl_reads_it(text: str, number: int | None, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ROS_DOMAIN_ID", text)
+    if number is None:
+        with pytest.raises(ArgumentError, match=f"DDS domain {text}: a number from 0 to 232 was expected"):
+            domain_number(BridgeSettings())
+    else:
+        assert domain_number(BridgeSettings()) == number
+
+
+@pytest.mark.slow
+def test_of_two_robots_in_two_namespaces_one_set_point_moves_one(tmp_path: Path) -> None:
+    domain, folders = free_domain(), [tmp_path / name for name in ("left", "right")]
+    with contextlib.ExitStack() as bridges:
+        links = []
+        for folder in folders:
+            folder.mkdir()
+            words = "--domain", str(domain), "--ros-args", "-r", f"__ns:=/{folder.name}"
+            process, url = bridges.enter_context(bridge_on_shared("ros2", SPEC, GATEWAY, folder, *words))
+            wait_for(process, f"at /{folder.name}/scara")
+            links.append(bridges.enter_context(blocking.connect(url)))
+        peer(domain, "talk", "rt/left/scara/j1/pos_sp", "std_msgs/msg/Float64", "25.0")
+        wait_until(lambda: links[0].read(0x8C) == round(25 / SCALES[0]))
+        assert links[1].read(0x8C) == 0
 
 
 @pytest.mark.slow

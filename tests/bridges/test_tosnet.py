@@ -101,21 +101,13 @@ def test_figure_1_moves_the_motors_from_ros_1(gateway: str, spec: str, tmp_path:
 def test_a_launch_file_takes_the_parameters(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     write(generate("ros1", compile_text(FIGURE_1)), tmp_path / "packages")
     monkeypatch.setenv("ROS_PACKAGE_PATH", f"{tmp_path / 'packages'}:/usr/share")
-    # The package runs in the Python that ROS is installed for: not ours.
-    monkeypatch.setenv("PATH", "/usr/bin:/bin")
-    monkeypatch.delenv("PYTHONPATH", raising=False)
+    # The Python of ROS has no Unity-Link: the package finds that of another Python on the path.
     program, place = str(Path(sys.executable).parent / "unity-link"), tmp_path / "gateway"
+    monkeypatch.setenv("PATH", f"/usr/bin:/bin:{Path(program).parent}")
     with subprocess.Popen([program, "serve", "sim:tosnet", "--unix", str(place)], stdout=subprocess.PIPE) as server:
         assert server.stdout is not None
         url = server.stdout.readline().decode().strip()
-        arguments = [
-            "scara_unity_link",
-            "scara.launch",
-            f"link:={url}",
-            "given_ctrl:=0xF0",
-            "given_comm:=0xF4",
-            "diagnostics_hz:=0",
-        ]
+        arguments = ["scara_unity_link", "scara.launch", f"link:={url}", "options:=--give ctrl=0xF0 --give comm=0xF4"]
         with subprocess.Popen(
             [SYSTEM_PYTHON, shutil.which("roslaunch") or "", *arguments],
             stdout=subprocess.DEVNULL,
@@ -123,7 +115,7 @@ def test_a_launch_file_takes_the_parameters(tmp_path: Path, monkeypatch: pytest.
             text=True,
         ) as launched:
             try:
-                wait_for(launched, "the gateway answers at")
+                wait_for(launched, "node /unity_link_scara")
                 talk_to_ros_1()
                 wait_for_the_motors(url)
             finally:

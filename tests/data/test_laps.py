@@ -15,7 +15,6 @@ from hypothesis import strategies as st
 from mcap.reader import make_reader
 
 import unity_link
-from generate.test_ros_packages import loaded, packages
 from support.simulated_time import on_simulated_time, run_simulated
 from unity_link import ArgumentError
 from unity_link.bridges.recording import Recorder, Recording
@@ -245,27 +244,3 @@ def test_recordings_are_continuous_over_the_end_of_the_register(tmp_path: Path) 
         messages = [json.loads(message.data) for _, _, message in make_reader(file).iter_messages()]
     written = [message["signals"]["whole"]["position"] for message in messages]
     assert written == Recording(path)["state"]["whole.position"].tolist()
-
-
-def test_a_generated_package_of_ros_counts_on_until_it_connects_anew(tmp_path: Path) -> None:
-    package = loaded(packages(tmp_path, "ros1", SPEC))
-    (group,) = package["robot"].GROUPS
-    rounds = package["values"].Rounds()
-    (whole, command) = (
-        one for one in (*group.signals, *package["robot"].WRITABLE) if one.path in {"whole.position", "x.position_cmd"}
-    )
-    assert whole.message == "Int64"
-
-    def counted(place: int) -> int:
-        words = [place % ROUND if address == whole.address else 0 for address in group.addresses]
-        value: int = rounds.count(group.signals, group.values(words))["whole.position"]
-        return value
-
-    places = [2_000_000_000 * number for number in range(1, 11)]
-    assert [counted(place) for place in places] == places
-    rounds.restart()
-    assert counted(places[-1]) == places[-1] - 5 * ROUND
-    # A command beyond the register goes to the same place a round away.
-    assert rounds.register_value(command, 90_000) == 90_000
-    rounds._last["x.position"] = 80_000
-    assert command.encode(rounds.register_value(command, 90_000)) == command.encode(90_000 - LAP)

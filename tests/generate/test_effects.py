@@ -212,17 +212,6 @@ def test_matlab_refuses_what_a_read_clears_without_queue_commands(octave: Octave
     )
 
 
-@pytest.mark.parametrize("target", ["ros1", "ros2"])
-def test_ros_has_no_topic_of_what_a_read_clears_and_one_of_all_others(target: str) -> None:
-    (table,) = [file.text for file in generate(target, SPEC) if file.name.endswith("robot.py")]
-    made = set(re.findall(r"= Signal\('([^']+)'", table))
-    assert made == set(SPEC.interface().signals) - {"seen", "hit"}
-    listed = {name: table[table.index(name) :].partition("]")[0] for name in ("REST = ", "WRITABLE = ")}
-    numbers = {path: f"S{number}" for number, path in enumerate(SPEC.interface().signals)}
-    assert numbers["lost"] in listed["WRITABLE = "]
-    assert not {numbers["seen"], numbers["hit"]} & set(re.findall(r"S\d+", table))
-
-
 def test_documents_tell_the_effect_of_each_signal() -> None:
     (page,) = [file.text for file in generate("docs", SPEC) if file.name.endswith(".md")]
     for path, told in (

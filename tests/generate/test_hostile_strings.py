@@ -20,7 +20,7 @@ import yaml
 
 from support.readers import Tags, shape_of_markdown
 from unity_link.generate import TARGETS, generate
-from unity_link.spec import compile_file
+from unity_link.spec import compile_file, compile_text
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -128,6 +128,7 @@ SHAPES: dict[str, Callable[[str], Any]] = {
     ".vhd": without_lines("--"),
     ".v": without_lines("//"),
     ".txt": without_lines("#"),
+    ".ul": without_lines("//"),
 }
 
 
@@ -145,7 +146,8 @@ def made(
     options = package if target in {"ros1", "ros2"} else {}
     spec = compile_file(path)
     # The numbers of which they consist are those of its strings.
-    vars(spec.interface()).update(description=b"the same of each", fingerprint=0x12345678)
+    same = compile_text("public same() { @a = 1: READ(); }").interface().description
+    vars(spec.interface()).update(description=same, fingerprint=0x12345678)
     return {file.name: file for file in generate(target, spec, **options)}
 
 

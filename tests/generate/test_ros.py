@@ -1,7 +1,4 @@
-"""Generated packages of ROS: roslaunch starts that of ROS 1; of that of ROS 2, what needs no ROS 2 is checked.
-
-`test_ros_packages` runs what both have in common.
-"""
+"""Generated packages of ROS: roslaunch starts that of ROS 1; `bridges/test_rclpy` builds and starts that of ROS 2."""
 
 from __future__ import annotations
 
@@ -12,6 +9,7 @@ import shutil
 import signal
 import socket
 import subprocess
+import sys
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -21,8 +19,7 @@ import pytest
 import yaml
 
 from gateware.bench.network.tap import URL
-from generate.test_ros_packages import served
-from support.bridge_programs import wait_until
+from support.bridge_programs import PROGRAM, wait_until
 from unity_link import blocking
 from unity_link.generate import generate, write
 from unity_link.generate.ros.topics import topic_names
@@ -46,6 +43,16 @@ needs_ros = pytest.mark.skipif(
 )
 
 
+@contextmanager
+def served(folder: Path, gateway: str) -> Iterator[str]:
+    with subprocess.Popen(
+        [PROGRAM, "serve", gateway, "--unix", str(folder / "gateway")], stdout=subprocess.PIPE, text=True
+    ) as server:
+        assert server.stdout is not None
+        yield server.stdout.readline().strip()
+        server.terminate()
+
+
 @pytest.fixture
 def packages(tmp_path: Path) -> dict[str, Path]:
     spec = compile_file(EXAMPLES / "scara.ul")
@@ -56,7 +63,7 @@ def packages(tmp_path: Path) -> dict[str, Path]:
 
 @pytest.fixture
 def environment(tmp_path: Path, packages: dict[str, Path]) -> dict[str, str]:
-    """Return an environment in which ROS finds the package, and runs it by its own Python, not ours."""
+    """Return an environment in which ROS finds the package, whose Python has no Unity-Link, and ours on the path."""
     with socket.create_server(("127.0.0.1", 0)) as free:
         port = free.getsockname()[1]
     return {
@@ -65,8 +72,7 @@ def environment(tmp_path: Path, packages: dict[str, Path]) -> dict[str, str]:
         "ROS_IP": "127.0.0.1",
         "ROS_HOME": str(tmp_path / "ros"),
         "ROS_PACKAGE_PATH": f"{packages['ros1'].parent}:/usr/share",
-        "PATH": "/usr/bin:/bin",
-        "PYTHONPATH": "",
+        "PATH": f"/usr/bin:/bin:{Path(PROGRAM).parent}",
     }
 
 
@@ -88,7 +94,7 @@ def launched(environment: dict[str, str], *arguments: str) -> Iterator[None]:
     ) as process:
         try:
             assert process.stderr is not None
-            assert any("the gateway answers at unix:" in line for line in process.stderr)
+            assert any("node /unity_link_scara" in line for line in process.stderr)
             yield
         finally:
             process.send_signal(signal.SIGINT)
@@ -100,7 +106,7 @@ def launched(environment: dict[str, str], *arguments: str) -> Iterator[None]:
 def test_roslaunch_starts_the_node_of_a_generated_package(environment: dict[str, str], tmp_path: Path) -> None:
     with (
         served(tmp_path, "sim:scara") as url,
-        launched(environment, f"link:={url}", "frame_id:=base", "poll_hz:=10"),
+        launched(environment, f"link:={url}", "options:=--frame-id base --poll 10"),
         blocking.connect(url) as link,
     ):
         told = rostopic(environment, "pub", "-1", *J2_TO_HALF_A_RADIAN)
@@ -134,9 +140,36 @@ def test_a_package_of_ros_1_says_what_catkin_must_know(packages: dict[str, Path]
     assert package.findtext("name") == "scara_unity_link"
     assert launch.find("node").get("type") == "bridge"
     assert os.access(folder / "scripts" / "bridge", os.X_OK)
-    assert "scripts/client.py scripts/values.py scripts/bridge.py scripts/robot.py" in (
-        (folder / "CMakeLists.txt").read_text()
-    )
+    assert (folder / "scripts" / "scara.ul").is_file()
+    assert "test/test_spec.py" in {str(path.relative_to(folder)) for path in folder.rglob("*")}
+
+
+@pytest.mark.parametrize("target", ["ros1", "ros2"])
+def test_the_program_of_a_package_becomes_the_bridge_with_its_spec(target: str, packages: dict[str, Path]) -> None:
+    place = "scripts/bridge" if target == "ros1" else "scara_unity_link/bridge.py"
+    program = [sys.executable, str(packages[target] / place), "--link", "nosuch:", "--help"]
+    done = subprocess.run(program, capture_output=True, text=True, timeout=PATIENCE, check=True)
+    assert f"unity-link {target} [OPTIONS]" in " ".join(done.stdout.split())
+    copy = compile_file(packages[target] / place.rpartition("/")[0] / "scara.ul").interface()
+    assert copy.fingerprint == compile_file(EXAMPLES / "scara.ul").interface().fingerprint
+
+
+def test_a_package_has_the_maps_of_cores_of_ones_own_and_the_addresses_that_were_given(tmp_path: Path) -> None:
+    core = tmp_path / "cores" / "blinker"
+    core.mkdir(parents=True)
+    (core / "blinker.ul").write_text("BLINKER(): @(BASE) { @period = BASE: unsigned READWRITE(); }")
+    spec = tmp_path / "lamp.ul"
+    spec.write_text("public lamp() { left: BLINKER() @(0x10); }")
+    scara = compile_file(EXAMPLES / "scara.ul").given({"ctrl": 0xF0, "comm": 0xF4})
+    for target, place in (("ros1", "scripts"), ("ros2", "lamp_unity_link")):
+        write(generate(target, compile_file(spec)), tmp_path / target)
+        write(generate(target, scara), tmp_path / target)
+        folder = tmp_path / target / "lamp_unity_link"
+        assert "left.period" in compile_file(folder / place / "lamp.ul").interface().signals
+    launch = (tmp_path / "ros1/scara_unity_link/launch/scara.launch").read_text()
+    assert "--give ctrl=240 --give comm=244" in launch
+    parameters = yaml.safe_load((tmp_path / "ros2/scara_unity_link/config/scara.yaml").read_text())
+    assert parameters["/**"]["ros__parameters"]["given"] == {"ctrl": 0xF0, "comm": 0xF4}
 
 
 def test_a_package_of_ros_2_says_what_colcon_must_know(packages: dict[str, Path]) -> None:
@@ -145,7 +178,7 @@ def test_a_package_of_ros_2_says_what_colcon_must_know(packages: dict[str, Path]
     parameters = yaml.safe_load((folder / "config" / "scara.yaml").read_text())
     assert package.findtext("export/build_type") == "ament_python"
     assert (folder / "resource" / "scara_unity_link").is_file()
-    assert parameters["unity_link_scara"]["ros__parameters"]["namespace"] == "scara"
+    assert parameters["/**"]["ros__parameters"]["namespace"] == "scara"
     for path in folder.rglob("*.py"):
         ast.parse(path.read_text(), str(path))
 

@@ -9,7 +9,10 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-from typing import TYPE_CHECKING, Any
+import functools
+import logging
+import sys
+from typing import TYPE_CHECKING, Any, Protocol
 
 from unity_link.bridges.log_once import Faults
 from unity_link.bridges.merged_writes import Objects, Value, write_in_order
@@ -17,7 +20,7 @@ from unity_link.errors import ArgumentError, UnityLinkError
 from unity_link.transport.inbox import Inbox
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Sequence
 
     from unity_link.data import Writable
     from unity_link.link.link import Link
@@ -32,20 +35,47 @@ BACK = "the gateway is back: values are written again"
 Command = tuple["Writable[Any]", Any]
 
 
+class Report(Protocol):
+    """Logs a sentence for people."""
+
+    def __call__(self, text: str, /, *, level: int) -> None:
+        """Log a sentence at a level of `logging`."""
+
+
+def check_number(name: str, value: float) -> None:
+    """Check a floating-point set point.
+
+    rclpy serialises an int in a ``Float64`` as the bits of another object, which are a subnormal number.
+
+    Args:
+        name: of the signal or the topic.
+        value: of the message.
+
+    Raises:
+        ArgumentError: if it is subnormal.
+    """
+    if 0 < abs(value) < sys.float_info.min:
+        raise ArgumentError(
+            f"{name}: {value} is subnormal, as rclpy sends an int in the place of a float: give a float such as 20.0, "
+            "and set ROS_PYTHON_CHECK_FIELDS=1 in the sender for an error there"
+        )
+
+
 class SignalCommands:
     """Writes values to signals, as posted writes.
 
     Args:
         link: what they are written through.
-        report: is told in a sentence of a value that cannot be written, once for each signal and kind of fault.
+        report: is told in a sentence, with its level, of a value that cannot be written, once for each signal and kind
+            of fault.
     """
 
-    def __init__(self, link: Link, report: Callable[[str], None]) -> None:
+    def __init__(self, link: Link, report: Report) -> None:
         self.written = 0
         """Values that were posted."""
         self._link = link
         self._report = report
-        self._faults = Faults(report)
+        self._faults = Faults(functools.partial(report, level=logging.ERROR))
         self._inbox: Inbox[Sequence[Command]] = Inbox(self._take, MOST_WAITING)
         self._taken: list[Sequence[Command]] = []
         self._woken = asyncio.Event()
@@ -103,6 +133,9 @@ class SignalCommands:
         objects = []
         for together in commands:
             try:
+                for proxy, value in together:
+                    if isinstance(value, float):
+                        check_number(proxy.path, value)
                 objects.append([Value.of(proxy, value) for proxy, value in together])
             except ArgumentError as error:
                 self._faults.tell(str(error))
@@ -125,11 +158,11 @@ class SignalCommands:
             connected = self._link.connected
             if self._away and connected:
                 self._away = False
-                self._report(BACK)
+                self._report(BACK, level=logging.INFO)
             # For a moment only, and the link goes on where it was.
             elif not (self._away or connected or was_connected):
                 self._away = True
-                self._report(AWAY)
+                self._report(AWAY, level=logging.WARNING)
                 if self._limit is not None:
                     # What was not sent by now never is.
                     self._limit.reschedule(0)

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import asyncio
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from unity_link.cores.lease import LeasedRobot, LeaseRegisters, leases_of
 from unity_link.errors import UnityLinkError
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
     from unity_link.data import Robot
     from unity_link.link.link import Link
 
@@ -28,6 +30,29 @@ class Status(NamedTuple):
     message: str
     hardware_id: str
     values: list[tuple[str, str]]
+
+
+def array_of(
+    statuses: Sequence[Status], array: Any, status: Any, pair: Any, level: Callable[[int], Any] = lambda level: level
+) -> Any:
+    """Return a ``DiagnosticArray`` without a stamp.
+
+    Args:
+        statuses: what it has.
+        array: class of the message.
+        status: class of a ``DiagnosticStatus``.
+        pair: class of a ``KeyValue``.
+        level: converts a level to what the message has for it.
+    """
+    fields = (
+        {
+            **one._asdict(),
+            "level": level(one.level),
+            "values": [pair(key=key, value=value) for key, value in one.values],
+        }
+        for one in statuses
+    )
+    return array(status=[status(**one) for one in fields])
 
 
 class Diagnostics:

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import abc
 import asyncio
+import functools
+import logging
 import time
 from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
 
@@ -71,18 +73,19 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
         self._frame_id = frame_id
         self._link = robot.link
         self._namespace = read_namespace(robot.interface.name if namespace is None else namespace)
+        """Prefix of the names of topics, which ROS resolves in the namespace of the node."""
         self._report = report
         self._groups = published_groups(robot, poll_hz)
         self._command_topics = command_topics(robot, self._groups)
         self._joint_command_topics = joint_command_topics(robot, self._groups)
         self._outlets: dict[str, AnyOutlet] = {}
-        self._faults = Faults(report)
-        self._commands = SignalCommands(robot.link, report)
+        self._faults = Faults(functools.partial(self._log, level=logging.ERROR))
+        self._losses = Faults(functools.partial(self._log, level=logging.WARNING))
+        self._commands = SignalCommands(robot.link, self._log)
         self._time = GatewayTime(robot.link)
-        name = f"unity_link{self._namespace.replace('/', '_') or '_' + robot.interface.name}"
-        self._diagnostics = Diagnostics(name, robot.link, robot.link.name)
-        self._leases = LeaseDiagnostics(name, robot, robot.link.name)
-        self._carrier = Carrier([published.group for published in self._groups], self._publish, report, buffer=BUFFER)
+        self._robot = robot
+        groups = [published.group for published in self._groups]
+        self._carrier = Carrier(groups, self._publish, self._losses.tell, buffer=BUFFER)
 
     @property
     def published(self) -> int:
@@ -110,6 +113,14 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
 
     # Of each ROS
 
+    def _log(self, text: str, *, level: int = logging.INFO) -> None:  # noqa: ARG002  (nodes of ROS have levels)
+        """Log a sentence for people, at a level of `logging`."""
+        self._report(text)
+
+    @abc.abstractmethod
+    def _resolve(self, name: str) -> str:
+        """Return the full name of a topic or a namespace: resolved in the namespace of the node, and remapped."""
+
     @abc.abstractmethod
     def _open_outlet(self, name: str, package: str, kind: str) -> AnyOutlet:
         """Publish a topic, such as ``j1/cpos`` of ``std_msgs`` and ``Float64``."""
@@ -132,18 +143,27 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
 
     async def _diagnose(self, publishing: Executor) -> None:
         """Publish how the bridge is, again and again."""
+        # Robots of one kind have namespaces of their own, and so names.
+        name, link = self._name_at(self._resolve(self._namespace)), self._link
+        diagnostics = Diagnostics(name, link, link.name), LeaseDiagnostics(name, self._robot, link.name)
         presence = Presence(self._link, asyncio.get_running_loop().time())
         with first_error():
             async with asyncio.TaskGroup() as tasks:
                 tasks.create_task(presence.ask())
-                await self._tell_again_and_again(publishing, presence)
+                await self._tell_again_and_again(publishing, presence, *diagnostics)
 
-    async def _tell_again_and_again(self, publishing: Executor, presence: Presence) -> None:
+    def _name_at(self, namespace: str) -> str:
+        """Return the name of the bridge at a namespace."""
+        return f"unity_link_{namespace.strip('/').replace('/', '_') or self._robot.interface.name}"
+
+    async def _tell_again_and_again(
+        self, publishing: Executor, presence: Presence, diagnostics: Diagnostics, leases: LeaseDiagnostics
+    ) -> None:
         loop, carrier = asyncio.get_running_loop(), self._carrier
         while True:
             away = presence.away_since is not None
-            statuses = [self._diagnostics.status(self.published, self.lost, self.written, away=away)]
-            statuses += await self._leases.statuses(away=away or not self._link.connected)
+            statuses = [diagnostics.status(self.published, self.lost, self.written, away=away)]
+            statuses += await leases.statuses(away=away or not self._link.connected)
             await asyncio.shield(loop.run_in_executor(publishing, self._tell, statuses, time.time()))
             for _ in range(LOOKS):
                 await asyncio.sleep(EVERY / LOOKS)
@@ -178,7 +198,7 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
     def _describe_topics(self) -> str:
         published = sum(len(published.topics) for published in self._groups)
         subscribed = len(self._command_topics) + len(self._joint_command_topics)
-        return f"{published} topics published, {subscribed} subscribed to at {self._namespace or '/'}"
+        return f"{published} topics published, {subscribed} subscribed to at {self._resolve(self._namespace)}"
 
     def _publish(self, number: int, batch: Batch) -> None:
         published = self._groups[number]

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 
+from unity_link.bridges.commands import check_number
 from unity_link.bridges.sampled import sampled_groups
 from unity_link.data import Writable
 from unity_link.errors import ArgumentError
@@ -222,6 +223,7 @@ def _command(proxy: Writable[Any] | None, value: float, refusal: str) -> Command
     """Return what sets a signal to a value in SI units."""
     if proxy is None:
         raise ArgumentError(refusal)
+    check_number(proxy.path, value)
     in_unit = value / SI.get(proxy.unit, 1.0)
     if not math.isfinite(in_unit):
         raise ArgumentError(f"{proxy.path}: {value} is no finite number" + (proxy.unit and f" in {proxy.unit}"))
@@ -229,17 +231,20 @@ def _command(proxy: Writable[Any] | None, value: float, refusal: str) -> Command
 
 
 def read_namespace(text: str) -> str:
-    """Return a namespace as it stands before names that begin with a slash: ``/arm``, or nothing.
+    """Return a namespace as it stands before the names of topics: ``arm/``, ``/arm/``, or nothing.
+
+    Without a slash at its beginning, ROS resolves the namespace in the namespace of the node.
 
     Raises:
         ArgumentError: where it is none that ROS takes.
     """
     name = text.strip("/")
+    root = "/" if text.startswith("/") else ""
     if not _NAMESPACE.fullmatch(name):
         raise ArgumentError(
             f"{text!r} is no namespace of ROS: names of letters, digits and _ were expected, with / between them"
         )
-    return f"/{name}" if name else ""
+    return f"{root}{name}/" if name else root
 
 
 def _joint_topic(topic: str, joints: tuple[Joint, ...], robot: Robot, names: Mapping[str, str]) -> JointTopic:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
+import functools
 from pathlib import Path  # noqa: TC003  (typer reads it)
 from typing import TYPE_CHECKING, Annotated, Any
 
-import msgspec
 import typer
+from typer.core import TyperCommand
 
 from unity_link.cli.arguments import check_poll
 from unity_link.cli.completion import complete_url
@@ -16,6 +18,8 @@ from unity_link.cli.spec import Given, Name, SpecOrBoard, compile_or_exit, url_a
 from unity_link.errors import ArgumentError, UnityLinkError
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from unity_link.bridges.ros1 import Ros1Bridge
     from unity_link.bridges.ros2 import BridgeSettings, Ros2Bridge
     from unity_link.bridges.zenoh import ZenohBridge
@@ -45,8 +49,29 @@ FrameId = Annotated[
 
 def add_to(app: typer.Typer) -> None:
     """Add the commands of this file."""
-    app.command()(ros1)
-    app.command()(ros2)
+    app.command(cls=_Ros1Command)(ros1)
+    app.command(cls=_Ros2Command)(ros2)
+
+
+ROS = "ros"
+"""Key of the arguments for ROS in the context of a command."""
+
+
+class _Ros1Command(TyperCommand):
+    """A command whose remappings, ``FROM:=TO`` and ``__name:=VALUE``, rospy reads from `sys.argv` itself."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        return super().parse_args(ctx, [word for word in args if ":=" not in word or word.startswith("-")])
+
+
+class _Ros2Command(TyperCommand):
+    """A command that leaves its words after ``--ros-args`` to ROS."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        from unity_link.bridges.ros2.arguments import split
+
+        own, ctx.meta[ROS] = split(args)
+        return super().parse_args(ctx, own)
 
 
 def ros1(
@@ -62,7 +87,8 @@ def ros1(
 ) -> None:
     """Be a node of ROS 1: signals that are sampled are topics, signals that can be written are subscribed to.
 
-    Needs rospy of the distribution; ROS_MASTER_URI says where the master is. Master and gateway may come and go.
+    Needs rospy of the distribution; ROS_MASTER_URI says where the master is. Master and gateway may come and go. Takes
+    remappings as any node does: __ns:=/left, scara/j1/pos_sp:=elbow.
     """
     check_poll(poll)
     options = {"namespace": namespace, "poll_hz": poll, "frame_id": frame_id or ""}
@@ -83,6 +109,7 @@ async def _ros1(spec: Spec, interface: str | None, url: str, options: dict[str, 
 
 
 def ros2(  # noqa: PLR0913  (each is an option)
+    ctx: typer.Context,
     url: BridgeUrl = None,
     spec: SpecOrBoard = None,
     *,
@@ -103,16 +130,22 @@ def ros2(  # noqa: PLR0913  (each is an option)
     interface: Name = None,
     given: Given = None,
 ) -> None:
-    """Be on the topics of ROS 2, without a ROS installation: signals that are sampled, and signals that can be written.
+    """Be a node of ROS 2, or on its topics without a ROS installation: signals that are sampled or can be written.
 
-    What is said here goes before what stands in --params. Needs pip install "unity-link[ros2]".
+    A Python that has rclpy makes a node; otherwise CycloneDDS publishes and subscribes: pip install "unity-link[ros2]".
+
+    Options go before --params. After --ros-args stand names and parameters as of any node of ROS 2: -r __ns:=/left,
+    -p poll_hz:=5, --params-file FILE.
     """
-    from unity_link.bridges.ros2 import BridgeSettings, Quality, find_dds, read_settings
+    from unity_link.bridges.ros2 import Quality, read_arguments, read_parameters, settings_of
+    from unity_link.bridges.ros2.domain import find_dds
+    from unity_link.bridges.ros2.over_rclpy import RclpyBridge, declare, has_rclpy, log, open_node, parameters_of
+    from unity_link.transport import is_url
 
     if quality is not None and quality not in set(Quality):
         raise ArgumentError(f"--quality {quality}: one of {', '.join(Quality)} was expected")
     check_poll(poll)
-    said = {
+    options = {
         "namespace": namespace,
         "poll_hz": poll,
         "frame_id": frame_id,
@@ -120,12 +153,32 @@ def ros2(  # noqa: PLR0913  (each is an option)
         "domain": domain,
         "network": network or None,
     }
-    find_dds()
-    read = BridgeSettings() if params is None else read_settings(params)
-    settings = msgspec.structs.replace(read, **{name: value for name, value in said.items() if value is not None})
-    url, spec = url_and_spec(url, spec, link, settings.link)
-    compiled = compile_or_exit(spec, interface=interface, given=given)
-    run(_ros2(_with_settings(compiled, interface, settings), interface, url, settings))
+    said = {name: value for name, value in options.items() if value is not None}
+    over_rclpy = has_rclpy()
+    if not over_rclpy:
+        find_dds()
+    named = next((one for one in (spec, url) if one is not None and not is_url(one)), None)
+    compiled = None if named is None else compile_or_exit(named, interface=interface, given=given)
+    with contextlib.ExitStack() as node_open:
+        report: Callable[..., None] = print_note
+        make: Callable[..., Ros2Bridge]
+        parameters = {} if params is None else read_parameters(params)
+        if over_rclpy:
+            of_robot = "robot" if compiled is None else compiled.interface(interface).name
+            name = (namespace or of_robot).strip("/").replace("/", "_")
+            node = node_open.enter_context(open_node(f"unity_link_{name}", ctx.meta[ROS], domain, network=network))
+            settings = settings_of(parameters | parameters_of(node) | said)
+            declare(node, settings)
+            report, make = functools.partial(log, node), functools.partial(RclpyBridge, node=node)
+        else:
+            from unity_link.bridges.ros2.over_dds import DdsBridge
+
+            names, given_to_node = read_arguments(ctx.meta[ROS])
+            settings = settings_of(parameters | given_to_node | said)
+            make = functools.partial(DdsBridge, names=names, report=print_note)
+        url, spec = url_and_spec(url, spec, link, settings.link)
+        compiled = compiled or compile_or_exit(spec, interface=interface, given=given)
+        run(_ros2(_with_settings(compiled, interface, settings), interface, url, settings, make, report))
 
 
 def _with_settings(spec: Spec, interface: str | None, settings: BridgeSettings) -> Spec:
@@ -135,15 +188,21 @@ def _with_settings(spec: Spec, interface: str | None, settings: BridgeSettings) 
     return spec.given(left, interface)
 
 
-async def _ros2(spec: Spec, interface: str | None, url: str, settings: BridgeSettings) -> None:
-    from unity_link.bridges.ros2 import Ros2Bridge
+async def _ros2(
+    spec: Spec,
+    interface: str | None,
+    url: str,
+    settings: BridgeSettings,
+    make: Callable[..., Ros2Bridge],
+    report: Callable[[str], None],
+) -> None:
     from unity_link.bridges.waiting import connect_when_there
     from unity_link.data import load
     from unity_link.data.describing import robot_behind
 
     robot_type = load(spec, interface)
-    async with connect_when_there(url, print_note) as link:
-        await run_and_sum_up(Ros2Bridge(await robot_behind(link, robot_type), settings, report=print_note))
+    async with connect_when_there(url, report) as link:
+        await run_and_sum_up(make(await robot_behind(link, robot_type), settings))
 
 
 async def run_and_sum_up(bridge: Ros1Bridge | Ros2Bridge | ZenohBridge) -> None:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
+from unity_link.bridges.diagnostics import array_of
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
@@ -54,11 +56,8 @@ def message(statuses: Sequence[Status], at: float) -> Any:
     import genpy
 
     types = _types()
-    pair, status = types["diagnostic_msgs/KeyValue"], types["diagnostic_msgs/DiagnosticStatus"]
-    told = [
-        status(**{**one._asdict(), "values": [pair(key=key, value=value) for key, value in one.values]})
-        for one in statuses
-    ]
-    array = array_type()(status=told)
+    array = array_of(
+        statuses, *(types[f"diagnostic_msgs/{one}"] for one in ("DiagnosticArray", "DiagnosticStatus", "KeyValue"))
+    )
     array.header.stamp = genpy.Time.from_sec(at)
     return array

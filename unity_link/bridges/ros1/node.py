@@ -6,7 +6,9 @@ import asyncio
 import contextlib
 import functools
 import importlib
+import logging
 import threading
+import time
 import xmlrpc.client
 from concurrent.futures import ThreadPoolExecutor
 from http.client import HTTPException
@@ -33,6 +35,8 @@ if TYPE_CHECKING:
 
 LOOK_EVERY = 1.0
 """Seconds between looks whether the master knows the node."""
+MOST_LOGGED = 100
+"""Sentences that wait for who reads /rosout."""
 ANSWERS_WITHIN = 2.0
 """Seconds after which a master that does not answer is away."""
 LEAVES_WITHIN = 3.0
@@ -67,8 +71,8 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
         find_rospy()
         choose_address()
         super().__init__(robot, namespace, poll_hz, frame_id, report)
-        # Robots of one kind have namespaces of their own, and so names.
-        self._node_name = f"unity_link_{self._namespace.strip('/').replace('/', '_') or robot.interface.name}"
+        self._node_name = self._name_at(self._namespace)
+        self._rosout: Any = None
         self._subscribers: list[Any] = []
         self._diagnostics_publisher: Any = None
 
@@ -86,7 +90,7 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
         try:
             await self._find_master(asking)
             await loop.run_in_executor(asking, self._start)
-            self._report(f"node {self._node_name}: {self._describe_topics()}")
+            self._log(f"node {self._node_name}: {self._describe_topics()}")
             await self._carrier.run(
                 publishing,
                 self._commands.run(),
@@ -110,6 +114,7 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
         rospy.init_node(self._node_name, disable_signals=True)
         # It may have been given another one on the command line.
         self._node_name = rospy.get_name()
+        self._rosout = rospy.Publisher("/rosout", _message("rosgraph_msgs", "Log"), queue_size=MOST_LOGGED)
         self._open_outlets()
         self._subscribers = [self._subscriber(topic) for topic in self._command_topics]
         self._subscribers += [self._joint_subscriber(topic) for topic in self._joint_command_topics]
@@ -119,7 +124,20 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
     def _open_outlet(self, name: str, package: str, kind: str) -> Ros1Outlet:
         from unity_link.bridges.ros1.outlet import Ros1Outlet
 
-        return Ros1Outlet(f"{self._namespace}/{name}", _message(package, kind), self._faults.tell)
+        return Ros1Outlet(self._namespace + name, _message(package, kind), self._losses.tell)
+
+    def _log(self, text: str, *, level: int = logging.INFO) -> None:
+        super()._log(text, level=level)
+        if self._rosout is not None:
+            # rospy's own functions ask the master on the way, and wait for one that stands still.
+            message = _message("rosgraph_msgs", "Log")(level=1 << level // 10 - 1, name=self._node_name, msg=text)
+            message.header.stamp = _message_time(time.time())
+            self._rosout.publish(message)
+
+    def _resolve(self, name: str) -> str:
+        import rospy
+
+        return str(rospy.resolve_name(name))
 
     def _number_rows(self, kind: str, values: NDArray[Any]) -> Rows:
         return number_rows(kind, values)
@@ -140,7 +158,7 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
         kind = (
             _message("sensor_msgs", "JointState") if topic.part is None else _message("std_msgs", "Float64MultiArray")
         )
-        name = f"{self._namespace}/{topic.name}"
+        name = self._namespace + topic.name
         take = functools.partial(self._give_joints, topic)
         return rospy.Subscriber(name, kind, take, tcp_nodelay=True, queue_size=None)
 
@@ -152,7 +170,7 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
         def take(message: Any) -> None:
             give((proxy, message.data))
 
-        name = f"{self._namespace}/{topic.name}"
+        name = self._namespace + topic.name
         return rospy.Subscriber(name, _message("std_msgs", topic.type), take, tcp_nodelay=True, queue_size=None)
 
     def _describe(self) -> None:
@@ -173,7 +191,7 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
         told = False
         while not await loop.run_in_executor(asking, _is_online):
             if not told:
-                self._report(f"waiting for the ROS master at {_master_uri()}")
+                self._log(f"waiting for the ROS master at {_master_uri()}")
             told = True
             await asyncio.sleep(LOOK_EVERY)
 
@@ -184,9 +202,10 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
             await asyncio.sleep(LOOK_EVERY)
             was_away, away = away, not await loop.run_in_executor(asking, _is_online)
             if away and not was_away:
-                self._report(f"the ROS master at {_master_uri()} is away: nodes that are connected stay so")
+                away_text = f"the ROS master at {_master_uri()} is away: nodes that are connected stay so"
+                self._log(away_text, level=logging.WARNING)
             if not away and await loop.run_in_executor(asking, self._register_again):
-                self._report("registered with the ROS master again")
+                self._log("registered with the ROS master again")
 
     def _register_again(self) -> bool:
         """Register with a master that does not know the node; say whether it was one."""
@@ -237,6 +256,12 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
 
 def _message(package: str, kind: str) -> Any:
     return getattr(importlib.import_module(f"{package}.msg"), kind)
+
+
+def _message_time(at: float) -> Any:
+    import genpy
+
+    return genpy.Time.from_sec(at)
 
 
 class _Limited(xmlrpc.client.Transport):

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import re
 import socket
 import sys
 import time
@@ -21,8 +22,14 @@ if TYPE_CHECKING:
 
     from unity_link.bridges.ros2.settings import BridgeSettings
 
-LOOPBACK = """
-<CycloneDDS><Domain>
+TYPES = """<CycloneDDS><Domain>
+  <Compatibility><IgnoreTypeInformation>1.15</IgnoreTypeInformation></Compatibility>
+</Domain></CycloneDDS>"""
+"""A configuration of CycloneDDS (its guide, "Configuration") that ignores the type objects of Fast DDS, vendor 1.15.
+
+CycloneDDS 11.0.1 rejects those that Fast DDS 3 of ROS 2 Kilted sends for types with sequences, and matches no endpoint.
+"""
+LOOPBACK = """<CycloneDDS><Domain>
   <General>
     <Interfaces><NetworkInterface name="lo"/></Interfaces>
     <AllowMulticast>false</AllowMulticast>
@@ -32,9 +39,8 @@ LOOPBACK = """
     <MaxAutoParticipantIndex>100</MaxAutoParticipantIndex>
     <Peers><Peer address="127.0.0.1"/></Peers>
   </Discovery>
-</Domain></CycloneDDS>
-"""
-"""A configuration of CycloneDDS (its guide, "Configuration") as ROS 2's LOCALHOST range has it."""
+</Domain></CycloneDDS>"""
+"""A configuration as ROS 2's LOCALHOST range has it."""
 HIGHEST_DOMAIN = 232
 _FIRST_PORT, _PORTS = 7400, 250
 """First UDP port of domain 0, and ports of each domain (DDS-RTPS 9.6.1.1)."""
@@ -68,15 +74,18 @@ def open_participant(settings: BridgeSettings, mark: str = "") -> tuple[Any, Any
     from cyclonedds.core import DDSException, Policy, Qos
     from cyclonedds.domain import Domain, DomainParticipant
 
-    number = _domain(settings)
+    number = domain_number(settings)
     reach = os.environ.get("ROS_AUTOMATIC_DISCOVERY_RANGE", "")
-    open_to_all = settings.network or reach.upper() == "SUBNET" or "CYCLONEDDS_URI" in os.environ
+    own = os.environ.get("CYCLONEDDS_URI", "")
+    open_to_all = settings.network or reach.upper() == "SUBNET" or bool(own)
+    # Later configurations go before earlier ones.
+    configurations = [TYPES, own if open_to_all else LOOPBACK]
     try:
-        domain = None if open_to_all else Domain(number, LOOPBACK)
+        domain = Domain(number, ",".join(filter(None, configurations)))
         participant = DomainParticipant(number, qos=Qos(Policy.Userdata(mark.encode())))
     except DDSException as error:
         raise ConnectError(f"DDS domain {number} cannot be joined: {error}") from None
-    if domain is not None and sys.platform == "linux":
+    if not open_to_all and sys.platform == "linux":
         _hear_this_machine_alone(number)
     return participant, domain
 
@@ -119,8 +128,19 @@ def is_alone(participant: Any, mark: str) -> bool:
     return True
 
 
-def _domain(settings: BridgeSettings) -> int:
+def domain_number(settings: BridgeSettings) -> int:
+    """Return the DDS domain that the settings or ROS_DOMAIN_ID choose.
+
+    Raises:
+        ArgumentError: for a domain that there is not.
+    """
     text = os.environ.get("ROS_DOMAIN_ID") or "0" if settings.domain is None else str(settings.domain)
-    if not text.isdigit() or int(text) > HIGHEST_DOMAIN:
+    # As rcl reads it, by strtoul with base 0: 010 is 8.
+    octal = re.fullmatch("0[0-7]+", text) is not None
+    try:
+        number = int(text, 8 if octal else 0)
+    except ValueError:
+        number = -1
+    if not 0 <= number <= HIGHEST_DOMAIN:
         raise ArgumentError(f"DDS domain {text}: a number from 0 to {HIGHEST_DOMAIN} was expected")
-    return int(text)
+    return number

@@ -24,6 +24,8 @@ from cyclonedds.idl.types import (
     uint64,
 )
 
+from unity_link.bridges.ros2.rows import HEADER
+
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
@@ -44,8 +46,6 @@ _LETTERS |= dict(
     zip(("Int8", "Int16", "Int32", "Int64", "UInt8", "UInt16", "UInt32", "UInt64"), "bhiqBHIQ", strict=True)
 )
 """Format characters of `struct` for the types."""
-HEADER = 4
-"""Bytes that say how the others are to be read (DDS-RTPS, 10.2)."""
 
 
 def _type(package: str, name: str, fields: Mapping[str, Any], digest: str) -> MessageType:

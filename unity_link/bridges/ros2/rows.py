@@ -1,4 +1,4 @@
-"""Messages of ROS 2 as rows of bytes, many at a time: what CycloneDDS would serialise one by one in Python.
+"""Messages of ROS 2 as rows of bytes, many at a time: what CycloneDDS or rclpy would serialise one by one.
 
 That is plain CDR, lowest bytes first, with its header (DDS-RTPS 10.2; DDS-XTypes 7.4.1). Messages of one topic are all
 of one length here: numbers, and states of always the same joints.
@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from unity_link.bridges.ros2.messages import HEADER
-
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from numpy.typing import NDArray
 
 
+HEADER = 4
+"""Bytes that say how the others are to be read (DDS-RTPS, 10.2)."""
 _HEADER = np.void(b"\0\1\0\0")
 
 

@@ -16,7 +16,7 @@
 from __future__ import annotations
 
 import enum
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import msgspec
 
@@ -30,9 +30,9 @@ class Quality(enum.StrEnum):
     """Profiles of quality of service, by ROS 2's names for them."""
 
     RELIABLE = "reliable"
-    """All messages arrive; a reader that is too slow holds up the bridge, which then loses samples and counts them."""
+    """All samples arrive; a reader that is too slow holds up the bridge, which then loses samples and counts them."""
     SENSOR_DATA = "sensor_data"
-    """Best effort: what is not taken at once is lost. Readers must ask for best effort, too."""
+    """Best effort: a sample that is not taken at once is lost. Readers must ask for best effort, too."""
 
 
 class TopicSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -47,7 +47,7 @@ class BridgeSettings(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_f
     link: str | None = None
     """The URL of the gateway."""
     namespace: str | None = None
-    """Prefix of all topics; None: the interface's name."""
+    """Prefix of all topics, in the namespace of the node unless it begins with a slash; None: the interface's name."""
     poll_hz: float | None = None
     """Reads a second, for publication, of signals that nothing samples."""
     frame_id: str = ""
@@ -71,8 +71,20 @@ class _Node(msgspec.Struct, forbid_unknown_fields=True):
     ros__parameters: BridgeSettings
 
 
-def read_settings(path: Path) -> BridgeSettings:
-    """Read a file of parameters of one node, whatever its name.
+def settings_of(parameters: dict[str, Any]) -> BridgeSettings:
+    """Return the settings that parameters give.
+
+    Raises:
+        ArgumentError: for parameters that there are not, or values of another type.
+    """
+    try:
+        return msgspec.convert(parameters, BridgeSettings)
+    except msgspec.ValidationError as error:
+        raise ArgumentError(f"a parameter is wrong: {error}") from None
+
+
+def read_parameters(path: Path) -> dict[str, Any]:
+    """Read the parameters in a file of one node, whatever its name.
 
     Raises:
         ArgumentError: where it cannot be read, or has something else in it.
@@ -81,7 +93,8 @@ def read_settings(path: Path) -> BridgeSettings:
 
     try:
         # libyaml, which msgspec prefers, overflows the stack of the process if a file is nested deeply.
-        nodes = msgspec.convert(yaml.load(path.read_bytes(), Loader=yaml.SafeLoader), dict[str, _Node])
+        read = yaml.load(path.read_bytes(), Loader=yaml.SafeLoader)
+        nodes = msgspec.convert(read, dict[str, _Node])
     except OSError as error:
         raise ArgumentError(f"{path} cannot be read: {error.strerror or error}") from None
     except RecursionError:
@@ -90,4 +103,6 @@ def read_settings(path: Path) -> BridgeSettings:
         raise ArgumentError(f"{path}: {error}") from None
     if len(nodes) != 1:
         raise ArgumentError(f"{path} has parameters of {len(nodes)} nodes: one was expected")
-    return next(iter(nodes.values())).ros__parameters
+    (node,) = read.values()
+    parameters: dict[str, Any] = node["ros__parameters"]
+    return parameters

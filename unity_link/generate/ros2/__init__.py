@@ -1,15 +1,11 @@
-"""ROS 2: a colcon package with a node on rclpy, its launch file and its parameters, for Python from 3.8.
-
-For those who have a ROS installation, and want a node that `ros2 node list` shows; without one, `unity-link ros2`
-speaks to the same topics. The modules beside the node are those of `unity_link.generate.ros`.
-"""
+"""ROS 2: a colcon package that starts `unity-link ros2`, with its launch file, its parameters and the spec."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 from unity_link.generate import GeneratedFile
-from unity_link.generate.ros import Options, names, runtime
+from unity_link.generate.ros import Options, common, names
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -19,7 +15,7 @@ if TYPE_CHECKING:
 
 __all__ = ["DOC", "Options", "files"]
 
-DOC = "a package of ROS 2: a node on rclpy, for colcon and ros2 launch"
+DOC = "a package of ROS 2 that starts unity-link ros2: for colcon and ros2 launch"
 
 
 def files(interface: Interface, templates: Templates, package: Options) -> Iterator[GeneratedFile]:
@@ -32,6 +28,4 @@ def files(interface: Interface, templates: Templates, package: Options) -> Itera
     yield GeneratedFile(f"{folder}/launch/{seen['module']}.launch.py", templates.render("launch.py", **seen))
     yield GeneratedFile(f"{folder}/config/{seen['module']}.yaml", templates.render("parameters.yaml", **seen))
     yield GeneratedFile(f"{folder}/{module_folder}/__init__.py", "")
-    yield GeneratedFile(f"{folder}/{module_folder}/node.py", templates.render("node.py", **seen))
-    for module in runtime(interface, templates, dot="."):
-        yield module._replace(name=f"{folder}/{module_folder}/{module.name}")
+    yield from common(interface, templates, "ros2", module_folder, "bridge.py", seen)
