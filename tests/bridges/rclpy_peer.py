@@ -106,6 +106,16 @@ class Peer:
             publisher.publish(made(type_of(kind), message))
         return int(publisher.get_subscription_count())
 
+    def publish_often(self, topic: str, kind: str, messages: list[dict[str, Any]]) -> None:
+        """Publish several times, because a subscriber that matches after the publisher misses the first messages."""
+        for _ in range(5):
+            self.publish(topic, kind, messages)
+            time.sleep(0.1)
+
+    def last(self, topic: str) -> Any:
+        """Return the last message of a topic, or None."""
+        return plain(self.seen[topic][-1]) if self.seen[topic] else None
+
     def unpublish(self, topic: str) -> None:
         """Destroy the publisher of a topic."""
         self.node.destroy_publisher(self.publishers.pop(topic))

@@ -52,6 +52,15 @@ class Bridge(RosBridge[Any]):
     def _open_outlet(self, *_: Any) -> Any:
         return _Nobody
 
+    def _resolve(self, name: str) -> str:
+        return f"/{name}".rstrip("/")
+
+    def _open_lease(self, *_: Any) -> Any:
+        raise NotImplementedError
+
+    def _programs(self, *_: Any) -> Any:
+        raise NotImplementedError
+
     def _number_rows(self, *_: Any) -> Any:
         raise NotImplementedError
 

@@ -108,7 +108,10 @@ async def test_a_value_that_no_number_holds_in_the_unit_of_the_spec_is_a_sentenc
             joints.of_array(part, [1e308])
 
 
-@given(values=st.lists(st.floats(-2, 2, allow_subnormal=False) | st.just(math.nan), min_size=4, max_size=4), order=st.permutations(range(4)))
+@given(
+    values=st.lists(st.floats(-2, 2, allow_subnormal=False) | st.just(math.nan), min_size=4, max_size=4),
+    order=st.permutations(range(4)),
+)
 @on_simulated_time
 async def test_an_array_asks_for_what_a_state_of_the_same_values_in_any_order_asks_for(
     values: list[float], order: list[int]

@@ -34,9 +34,10 @@ from support.bridge_programs import (
     wait_until,
 )
 from support.own_robots import OWN
-from unity_link import ConnectError, blocking
+from unity_link import ConnectError, blocking, load
 from unity_link.bridges.ros1 import environment
 from unity_link.bridges.ros1.rows import joint_rows, number_rows
+from unity_link.data.blocking import put
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -549,3 +550,51 @@ def test_a_machine_without_ros_is_told_what_to_install(monkeypatch: pytest.Monke
 
     with pytest.raises(ConnectError, match="apt install python3-rospy"):
         environment.find_rospy()
+
+
+ARMER = """
+import json, sys, time, rospy
+from std_msgs.msg import Bool, Int32
+from std_srvs.srv import SetBool
+rospy.init_node("armer", anonymous=True, disable_signals=True)
+arm = rospy.ServiceProxy("/rover/drive/arm", SetBool)
+arm.wait_for_service(60)
+said = [arm(True).message]
+publisher = rospy.Publisher("/rover/speed", Int32, tcp_nodelay=True, queue_size=None)
+while not publisher.get_num_connections():
+    time.sleep(0.01)
+deadline = time.monotonic() + 60
+while not said[-1].startswith("drive is armed for") or said[-1].startswith("drive is armed for one"):
+    assert time.monotonic() < deadline
+    said.append(arm(True).message)
+said.append(arm(True).message)
+armed = []
+rospy.Subscriber("/rover/drive/armed", Bool, lambda one: armed.append(one.data))
+print(json.dumps(said), flush=True)
+while time.monotonic() < deadline:
+    publisher.publish(int(sys.argv[1]))
+    time.sleep(0.05)
+"""
+
+
+@pytest.mark.slow
+def test_a_program_arms_by_a_service_moves_and_is_killed(ros: int, tmp_path: Path) -> None:
+    spec = tmp_path / "rover.ul"
+    spec.write_text(
+        "group state(RATE=10); public rover() { GATEWAY(ADDRESS_BITS=12); drive: LEASE(TIMEOUT=0.5) @(0xE0);"
+        " @speed = 0x10: signed READWRITE(SAFE(0, drive)); @way = 0x11: signed READ(PUBLISH(state)); }"
+    )
+    with master(ros), bridge_on_shared("ros1", str(spec), f"sim:{spec}", tmp_path, "--allow-arm") as (process, url):
+        wait_for(process, "node /unity_link_rover")
+        assert rostopic("echo", "-n1", "/rover/drive/armed").split()[:2] == ["data:", "False"]
+        with blocking.connect(url) as link, node(ARMER, "250") as armer:
+            robot = put(load(str(spec)), link)
+            said = json.loads(line_of(armer))
+            assert "and there are: none" in said[0]
+            assert said[-1] == "drive is armed already"
+            wait_until(lambda: robot.speed.get() == 250)
+            armer.kill()
+            wait_until(lambda: not robot.drive.armed_.get())
+            assert robot.speed.get() == 0
+        # The connection of a killed program ends at once, which is seen before the silence.
+        assert "drive" in wait_for(process, "drive is ")

@@ -21,8 +21,8 @@ import yaml
 from gateware.bench.network.tap import URL
 from support.bridge_programs import PROGRAM, wait_until
 from unity_link import blocking
+from unity_link.bridges.topic_names import topic_names
 from unity_link.generate import generate, write
-from unity_link.generate.ros.topics import topic_names
 from unity_link.spec import compile_file, compile_text
 
 if TYPE_CHECKING:

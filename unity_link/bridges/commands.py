@@ -20,7 +20,7 @@ from unity_link.errors import ArgumentError, UnityLinkError
 from unity_link.transport.inbox import Inbox
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from unity_link.data import Writable
     from unity_link.link.link import Link
@@ -68,13 +68,23 @@ class SignalCommands:
         link: what they are written through.
         report: is told in a sentence, with its level, of a value that cannot be written, once for each signal and kind
             of fault.
+        check_allowed: raises an ArgumentError if a signal may not be written now.
+        accept: is called with the values that were written.
     """
 
-    def __init__(self, link: Link, report: Report) -> None:
+    def __init__(
+        self,
+        link: Link,
+        report: Report,
+        check_allowed: Callable[[Writable[Any]], None] = lambda _: None,
+        accept: Callable[[Sequence[Value]], None] = lambda _: None,
+    ) -> None:
         self.written = 0
         """Values that were posted."""
         self._link = link
         self._report = report
+        self._check_allowed = check_allowed
+        self._accept = accept
         self._faults = Faults(functools.partial(report, level=logging.ERROR))
         self._inbox: Inbox[Sequence[Command]] = Inbox(self._take, MOST_WAITING)
         self._taken: list[Sequence[Command]] = []
@@ -136,6 +146,7 @@ class SignalCommands:
                 for proxy, value in together:
                     if isinstance(value, float):
                         check_number(proxy.path, value)
+                    self._check_allowed(proxy)
                 objects.append([Value.of(proxy, value) for proxy, value in together])
             except ArgumentError as error:
                 self._faults.tell(str(error))
@@ -146,6 +157,7 @@ class SignalCommands:
         values = [value for together in objects for value in together]
         self.written += len(values) - len(errors)
         self._posted = True
+        self._accept(values if not errors else [])
         for error in errors:
             self._faults.tell(str(error))
         for proxy, _, words in {value.proxy: value for value in values}.values():

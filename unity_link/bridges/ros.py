@@ -14,20 +14,24 @@ from unity_link.bridges.diagnostics import EVERY, Diagnostics, LeaseDiagnostics
 from unity_link.bridges.gateway_time import GatewayTime
 from unity_link.bridges.log_once import Faults
 from unity_link.bridges.presence import Presence
+from unity_link.bridges.ros_leases import RosLease
 from unity_link.bridges.thread_queue import Carrier
+from unity_link.bridges.topic_names import topic_names
 from unity_link.bridges.topics import command_topics, joint_command_topics, published_groups, read_namespace
+from unity_link.cores.lease import LeasedRobot, leases_of
 from unity_link.errors import ArgumentError, first_error
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Coroutine, Sequence
     from concurrent.futures import Executor
 
     import numpy as np
     from numpy.typing import NDArray
 
     from unity_link.bridges.diagnostics import Status
+    from unity_link.bridges.merged_writes import Value
     from unity_link.bridges.topics import JointCommandTopic, JointTopic
-    from unity_link.data import Batch, Robot
+    from unity_link.data import Batch, Robot, Writable
 
 BUFFER = 1 << 16
 """Samples of each group that wait while subscribers are slow; after that the oldest are lost and counted."""
@@ -66,7 +70,15 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
     """
 
     def __init__(
-        self, robot: Robot, namespace: str | None, poll_hz: float | None, frame_id: str, report: Callable[[str], None]
+        self,
+        robot: Robot,
+        namespace: str | None,
+        poll_hz: float | None,
+        frame_id: str,
+        report: Callable[[str], None],
+        *,
+        allow_arm: bool = False,
+        timeout: float | None = None,
     ) -> None:
         if "\0" in frame_id:
             raise ArgumentError("the name of a frame has no zero bytes")
@@ -81,7 +93,13 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
         self._outlets: dict[str, AnyOutlet] = {}
         self._faults = Faults(functools.partial(self._log, level=logging.ERROR))
         self._losses = Faults(functools.partial(self._log, level=logging.WARNING))
-        self._commands = SignalCommands(robot.link, self._log)
+        leases = leases_of(robot) if isinstance(robot, LeasedRobot) else {}
+        self._ros_leases = [
+            RosLease(verbs, path, allowed=allow_arm, timeout=timeout, log=self._log)
+            for path, verbs in leases.items()
+            if path in robot.interface.leases
+        ]
+        self._commands = SignalCommands(robot.link, self._log, self._check_allowed, self._accept)
         self._time = GatewayTime(robot.link)
         self._robot = robot
         groups = [published.group for published in self._groups]
@@ -139,7 +157,38 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
     def _tell(self, statuses: list[Status], at: float) -> None:
         """Publish a ``diagnostic_msgs/DiagnosticArray``, with its instant in seconds since 1970."""
 
+    @abc.abstractmethod
+    def _open_lease(self, lease: RosLease, name: str) -> Callable[[bool], None]:
+        """Offer ``NAME/arm``, and return what publishes on ``NAME/armed``, which is latched."""
+
+    @abc.abstractmethod
+    def _programs(self, topics: list[str]) -> set[str]:
+        """Return the names of the programs that publish on some topics that are subscribed to."""
+
     # Of both
+
+    def _open_leases(self) -> None:
+        names = topic_names(self._robot.interface)
+        for lease in self._ros_leases:
+            topics = [topic.name for topic in self._command_topics if lease.guards([topic.proxy])]
+            for joints in self._joint_command_topics:
+                parts = joints.joints.parts
+                if lease.guards(one for part, ones in parts.items() if joints.part in {None, part} for one in ones):
+                    topics.append(joints.name)
+            lease.programs = functools.partial(self._programs, topics)
+            lease.show = self._open_lease(lease, self._namespace + names[lease.path])
+
+    def _check_allowed(self, proxy: Writable[Any]) -> None:
+        for lease in self._ros_leases:
+            lease.check_allowed(proxy)
+
+    def _accept(self, values: Sequence[Value]) -> None:
+        for lease in self._ros_leases:
+            lease.accept(values)
+
+    def _beside(self, publishing: Executor) -> list[Coroutine[Any, Any, None]]:
+        """Return what runs beside the samples."""
+        return [self._commands.run(), self._diagnose(publishing), *(lease.run() for lease in self._ros_leases)]
 
     async def _diagnose(self, publishing: Executor) -> None:
         """Publish how the bridge is, again and again."""

@@ -16,9 +16,9 @@ import numpy as np
 
 from unity_link.bridges.commands import check_number
 from unity_link.bridges.sampled import sampled_groups
+from unity_link.bridges.topic_names import SI, message_type, topic_names
 from unity_link.data import Writable
 from unity_link.errors import ArgumentError
-from unity_link.generate.ros.topics import SI, message_type, topic_names
 from unity_link.spec.diagnostics import did_you_mean
 
 if TYPE_CHECKING:
@@ -177,9 +177,15 @@ def published_groups(robot: Robot, poll_hz: float | None = None) -> list[Publish
     sampled = sampled_groups(robot, poll_hz, is_needed=is_needed)
     several = sum(group.model is not None and bool(group.model.joints) for _, group in sampled) > 1
     names = topic_names(robot.interface)
+    # The bridge has a topic of this name itself.
+    armed = {f"{lease}.armed" for lease in robot.interface.leases}
     found = []
     for name, group in sampled:
-        topics = [Topic(names[proxy.path], message_type(proxy.signal.kind), proxy) for proxy in group.proxies]
+        topics = [
+            Topic(names[proxy.path], message_type(proxy.signal.kind), proxy)
+            for proxy in group.proxies
+            if proxy.path not in armed
+        ]
         joints = group.model.joints if group.model is not None else ()
         topic = f"{name}/joint_states" if several else "joint_states"
         found.append(PublishedGroup(group, topics, _joint_topic(topic, joints, robot, names) if joints else None))
@@ -187,12 +193,15 @@ def published_groups(robot: Robot, poll_hz: float | None = None) -> list[Publish
 
 
 def command_topics(robot: Robot, published: list[PublishedGroup]) -> list[CommandTopic]:
-    """Return the topics by which a robot's signals are written."""
+    """Return the topics by which a robot's signals are written; registers of leases and schedules have none."""
+    cores = {part.path: part.core for part in robot.interface.cores}
+    raw = {path for path, core in cores.items() if core is not None and core.word in {"LEASE", "SCHEDULE"}}
     taken = {topic.name for group in published for topic in group.topics}
     names = topic_names(robot.interface)
     found = []
     for proxy in robot.signals:
-        if isinstance(proxy, Writable):
+        # Words of leases and schedules have the token and the clock of a program in them; ROS arms by `RosLease`.
+        if isinstance(proxy, Writable) and proxy.path.rpartition(".")[0] not in raw:
             name = names[proxy.path]
             full_name = f"{name}/set" if name in taken else name
             found.append(CommandTopic(full_name, message_type(proxy.signal.kind), proxy))

@@ -42,6 +42,18 @@ Poll = Annotated[
     float | None,
     typer.Option("--poll", metavar="HZ", help="Also publish what nothing samples, by reading it so often."),
 ]
+AllowArm = Annotated[
+    bool,
+    typer.Option("--allow-arm", help="Let any program on ROS arm the leases of the robot: nobody is authenticated."),
+]
+Timeout = Annotated[
+    float | None,
+    typer.Option(
+        "--timeout",
+        metavar="SECONDS",
+        help="From a set point to the end of a lease that ROS has armed; the most without.",
+    ),
+]
 FrameId = Annotated[
     str | None, typer.Option("--frame-id", metavar="NAME", help="The frame that states of joints name; none without.")
 ]
@@ -74,7 +86,7 @@ class _Ros2Command(TyperCommand):
         return super().parse_args(ctx, own)
 
 
-def ros1(
+def ros1(  # noqa: PLR0913  (each is an option)
     url: BridgeUrl = None,
     spec: SpecOrBoard = None,
     *,
@@ -82,6 +94,8 @@ def ros1(
     namespace: Namespace = None,
     poll: Poll = None,
     frame_id: FrameId = None,
+    allow_arm: AllowArm = False,
+    timeout: Timeout = None,
     interface: Name = None,
     given: Given = None,
 ) -> None:
@@ -91,7 +105,13 @@ def ros1(
     remappings as any node does: __ns:=/left, scara/j1/pos_sp:=elbow.
     """
     check_poll(poll)
-    options = {"namespace": namespace, "poll_hz": poll, "frame_id": frame_id or ""}
+    options = {
+        "namespace": namespace,
+        "poll_hz": poll,
+        "frame_id": frame_id or "",
+        "allow_arm": allow_arm,
+        "timeout": timeout,
+    }
     url, spec = url_and_spec(url, spec, link)
     run(_ros1(compile_or_exit(spec, interface=interface, given=given), interface, url, options))
 
@@ -120,6 +140,8 @@ def ros2(  # noqa: PLR0913  (each is an option)
     namespace: Namespace = None,
     poll: Poll = None,
     frame_id: FrameId = None,
+    allow_arm: AllowArm = False,
+    timeout: Timeout = None,
     quality: Annotated[
         str | None, typer.Option(metavar="PROFILE", help="reliable (the default) or sensor_data, for all topics.")
     ] = None,
@@ -149,6 +171,8 @@ def ros2(  # noqa: PLR0913  (each is an option)
         "namespace": namespace,
         "poll_hz": poll,
         "frame_id": frame_id,
+        "allow_arm": allow_arm or None,
+        "timeout": timeout,
         "quality": None if quality is None else Quality(quality),
         "domain": domain,
         "network": network or None,

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from unity_link.bridges.diagnostics import Status
     from unity_link.bridges.ros1.outlet import Ros1Outlet
     from unity_link.bridges.ros1.rows import Rows
+    from unity_link.bridges.ros_leases import RosLease
     from unity_link.bridges.topics import CommandTopic, JointCommandTopic, Topic
     from unity_link.data import Robot
 
@@ -51,6 +52,8 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
         namespace: what stands before the names of all topics; that of the interface if nothing is said.
         poll_hz: also publish, read so often, what nothing samples.
         frame_id: of the headers of states of joints.
+        allow_arm: whether any program on ROS may arm the leases of the robot.
+        timeout: seconds from a set point to the end of a lease that ROS has armed; None for the most.
         report: is told in a sentence what a person should know.
 
     Raises:
@@ -66,13 +69,17 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
         namespace: str | None = None,
         poll_hz: float | None = None,
         frame_id: str = "",
+        allow_arm: bool = False,
+        timeout: float | None = None,
         report: Callable[[str], None] = lambda _: None,
     ) -> None:
         find_rospy()
         choose_address()
-        super().__init__(robot, namespace, poll_hz, frame_id, report)
+        super().__init__(robot, namespace, poll_hz, frame_id, report, allow_arm=allow_arm, timeout=timeout)
         self._node_name = self._name_at(self._namespace)
         self._rosout: Any = None
+        self._armed_publishers: list[Any] = []
+        self._services: list[Any] = []
         self._subscribers: list[Any] = []
         self._diagnostics_publisher: Any = None
 
@@ -93,8 +100,7 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
             self._log(f"node {self._node_name}: {self._describe_topics()}")
             await self._carrier.run(
                 publishing,
-                self._commands.run(),
-                self._diagnose(publishing),
+                *self._beside(publishing),
                 self._stay_registered(asking),
                 self._stay_till_shut_down(),
             )
@@ -118,6 +124,7 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
         self._open_outlets()
         self._subscribers = [self._subscriber(topic) for topic in self._command_topics]
         self._subscribers += [self._joint_subscriber(topic) for topic in self._joint_command_topics]
+        self._open_leases()
         self._diagnostics_publisher = rospy.Publisher(TOPIC, array_type(), queue_size=10)
         self._describe()
 
@@ -151,6 +158,28 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
         from unity_link.bridges.ros1.diagnostics import message
 
         self._diagnostics_publisher.publish(message(statuses, at))
+
+    def _open_lease(self, lease: RosLease, name: str) -> Callable[[bool], None]:
+        import rospy
+
+        try:
+            kind = importlib.import_module("std_srvs.srv").SetBool
+        except ImportError:
+            raise ConnectError("a robot with leases needs std_srvs: apt install python3-std-srvs (Debian)") from None
+        # rospy makes a response of the tuple.
+        service = rospy.Service(f"{name}/arm", kind, lambda request: lease.ask(bool(request.data)))
+        self._services.append(service)
+        publisher = rospy.Publisher(f"{name}/armed", _message("std_msgs", "Bool"), latch=True, queue_size=10)
+        self._armed_publishers.append(publisher)
+        publish: Callable[[bool], None] = publisher.publish
+        return publish
+
+    def _programs(self, topics: list[str]) -> set[str]:
+        import rospy
+
+        names = {rospy.resolve_name(self._namespace + topic) for topic in topics}
+        subscribers = [one for one in self._subscribers if one.resolved_name in names]
+        return {str(connection.endpoint_id) for one in subscribers for connection in list(one.impl.connections)}
 
     def _joint_subscriber(self, topic: JointCommandTopic) -> Any:
         import rospy
@@ -224,8 +253,10 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
         listeners = get_registration_listeners()
         for outlet in self._outlets.values():
             listeners.notify_added(*outlet.registered, Registration.PUB)
-        publisher = self._diagnostics_publisher
-        listeners.notify_added(publisher.resolved_name, publisher.type, Registration.PUB)
+        for publisher in (self._diagnostics_publisher, self._rosout, *self._armed_publishers):
+            listeners.notify_added(publisher.resolved_name, publisher.type, Registration.PUB)
+        for service in self._services:
+            listeners.notify_added(service.resolved_name, service.uri, Registration.SRV)
         for subscriber in self._subscribers:
             listeners.notify_added(subscriber.resolved_name, subscriber.type, Registration.SUB)
         try:

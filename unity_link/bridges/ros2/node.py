@@ -38,7 +38,8 @@ class Ros2Bridge(RosBridge[Ros2Outlet]):
 
     def __init__(self, robot: Robot, settings: BridgeSettings, report: Callable[[str], None]) -> None:
         self._settings = settings
-        super().__init__(robot, settings.namespace, settings.poll_hz, settings.frame_id, report)
+        arming: dict[str, Any] = {"allow_arm": settings.allow_arm, "timeout": settings.timeout}
+        super().__init__(robot, settings.namespace, settings.poll_hz, settings.frame_id, report, **arming)
         self._check_topics()
 
     def _check_topics(self) -> None:
@@ -62,7 +63,7 @@ class Ros2Bridge(RosBridge[Ros2Outlet]):
         try:
             await loop.run_in_executor(publishing, self._open)
             self._log(self._describe_topics())
-            await self._carrier.run(publishing, self._commands.run(), self._diagnose(publishing))
+            await self._carrier.run(publishing, *self._beside(publishing))
         finally:
             await asyncio.shield(loop.run_in_executor(publishing, self._close))
             publishing.shutdown(wait=False)

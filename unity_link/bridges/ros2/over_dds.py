@@ -6,6 +6,7 @@ import ctypes
 import functools
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 from cyclonedds.core import DDSException, Policy, Qos
 from cyclonedds.internal import DDS
 from cyclonedds.pub import DataWriter
@@ -20,6 +21,7 @@ from unity_link.bridges.ros2.inlets import Inlets
 from unity_link.bridges.ros2.messages import DIAGNOSTICS, FLOAT_ARRAY, JOINT_STATE, STANDARD, diagnostics
 from unity_link.bridges.ros2.node import Ros2Bridge
 from unity_link.bridges.ros2.outlet import Ros2Outlet
+from unity_link.bridges.ros2.rows import number_rows
 from unity_link.bridges.ros2.settings import Quality
 from unity_link.errors import ConnectError
 
@@ -30,6 +32,7 @@ if TYPE_CHECKING:
     from unity_link.bridges.ros2.arguments import NodeNames
     from unity_link.bridges.ros2.messages import MessageType
     from unity_link.bridges.ros2.settings import BridgeSettings
+    from unity_link.bridges.ros_leases import RosLease
     from unity_link.data import Robot
 
 MOST_KEPT = 1 << 14
@@ -67,6 +70,9 @@ class DdsBridge(Ros2Bridge):
         self._participant: Any = None
         self._domain: Any = None
         self._diagnostics: DdsOutlet | None = None
+        self._set_points: dict[str, Any] = {}
+        self._arming: list[tuple[Any, Callable[[Any], Any]]] = []
+        self._latched: list[DdsOutlet] = []
 
     def _open(self) -> None:
         mark = f"unity_link={self._resolve(self._namespace)};"
@@ -83,13 +89,40 @@ class DdsBridge(Ros2Bridge):
             )
             for topic in self._joint_command_topics
         ]
-        self._inlets = Inlets(self._participant, readers, joints, self._commands.give, self._faults.tell)
+        self._set_points = {reader.topic.name: reader for reader, _ in (*readers, *joints)}
+        self._open_leases()
+        self._inlets = Inlets(
+            self._participant, readers, [*joints, *self._arming], self._commands.give, self._faults.tell
+        )
+
+    def _open_lease(self, lease: RosLease, name: str) -> Callable[[bool], None]:
+        # Services do not cross from one vendor of DDS to another, so a topic arms.
+        kind = STANDARD["Bool"]
+        self._arming.append(
+            (self._reader(f"{name.removeprefix(self._namespace)}/arm", kind), lambda one: lease.ask(one.data))
+        )
+        outlet = self._outlet(f"{name}/armed", kind, Quality.RELIABLE, Policy.Durability.TransientLocal)
+        self._latched.append(outlet)
+        return lambda armed: outlet.send(number_rows("Bool", np.array([armed])))
+
+    def _programs(self, topics: list[str]) -> set[str]:
+        names = [f"rt{self._resolve(self._namespace + topic)}" for topic in topics]
+        found = (
+            reader.get_matched_publication_data(one)
+            for reader in (self._set_points[name] for name in names)
+            for one in reader.get_matched_publications()
+        )
+        return {str(one.participant_key) for one in found if one is not None}
 
     def _close(self) -> None:
         if self._inlets is not None:
             self._inlets.close()
         self._finish_outlets()
-        self._outlets.clear()
+        for outlet in self._latched:
+            outlet.finish(0)
+        self._set_points.clear()
+        self._arming.clear()
+        self._latched.clear()
         self._inlets = self._participant = self._domain = self._diagnostics = None
 
     def _resolve(self, name: str) -> str:
@@ -98,8 +131,8 @@ class DdsBridge(Ros2Bridge):
     def _topic(self, name: str, message: MessageType) -> Any:
         return Topic(self._participant, f"rt{self._resolve(name)}", message.struct)
 
-    def _outlet(self, name: str, message: MessageType, profile: Quality) -> DdsOutlet:
-        writer = functools.partial(DataWriter, self._participant, qos=_quality(profile, message))
+    def _outlet(self, name: str, message: MessageType, profile: Quality, *more: Any) -> DdsOutlet:
+        writer = functools.partial(DataWriter, self._participant, qos=_quality(profile, message, *more))
         return DdsOutlet(writer, self._topic(name, message), self._losses.tell)
 
     def _open_outlet(self, name: str, package: str, kind: str) -> DdsOutlet:
@@ -115,7 +148,7 @@ class DdsBridge(Ros2Bridge):
             self._diagnostics.send([diagnostics(statuses, at)])
 
 
-def _quality(profile: Quality, message: MessageType, *limits: Any) -> Any:
+def _quality(profile: Quality, message: MessageType, *more: Any) -> Any:
     if profile is Quality.SENSOR_DATA:
         reliability, history = Policy.Reliability.BestEffort, Policy.History.KeepLast(5)
     else:
@@ -123,7 +156,9 @@ def _quality(profile: Quality, message: MessageType, *limits: Any) -> Any:
         history = Policy.History.KeepAll
     # What differs between the two ends of a topic for no reason is warned of: the rest is as in ROS 2's profiles.
     typehash = Policy.Userdata(f"typehash={message.hash};".encode())
-    return Qos(reliability, history, Policy.Durability.Volatile, typehash, *limits)
+    if Policy.Durability.TransientLocal in more:
+        return Qos(reliability, Policy.History.KeepLast(1), typehash, *more)
+    return Qos(reliability, history, Policy.Durability.Volatile, typehash, *more)
 
 
 class DdsOutlet(Ros2Outlet):
@@ -158,6 +193,11 @@ class DdsOutlet(Ros2Outlet):
 
     def _flush(self) -> None:
         _library.dds_write_flush(self._writer._ref)  # noqa: SLF001
+
+    def finish(self, deadline: float) -> None:
+        """End, and release the writer."""
+        super().finish(deadline)
+        del self._writer
 
     def _is_confirmed(self, patience: float) -> bool:
         return int(_library.dds_wait_for_acks(self._writer._ref, round(patience * 1e9))) == 0  # noqa: SLF001

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
     from unity_link.bridges.diagnostics import Status
     from unity_link.bridges.ros2.settings import BridgeSettings
+    from unity_link.bridges.ros_leases import RosLease
     from unity_link.data import Robot, Writable
 
 _OF_ROS = {"use_sim_time", "start_type_description_service", "qos_overrides"}
@@ -157,6 +158,7 @@ class RclpyBridge(Ros2Bridge):
         for joints in self._joint_command_topics:
             package, kind = ("sensor_msgs", "JointState") if joints.part is None else ("std_msgs", "Float64MultiArray")
             self._subscribe(joints.name, package, kind, functools.partial(self._give_joints, joints))
+        self._open_leases()
         self._diagnostics = self._node.create_publisher(_type("diagnostic_msgs", "DiagnosticArray"), TOPIC, 10)
 
     def _refuse_second(self) -> None:
@@ -165,12 +167,16 @@ class RclpyBridge(Ros2Bridge):
         Raises:
             ConnectError: if one does.
         """
-        names = [topic.name for published in self._groups for topic in published.topics]
         until = time.monotonic() + LOOK
-        while names and time.monotonic() < until:
-            if self._node.count_publishers(self._resolve(self._namespace + names[0])):
+        while time.monotonic() < until:
+            if self._count_publishers():
                 raise ConnectError(self._second_bridge())
             time.sleep(LOOK / 50)
+
+    def _count_publishers(self) -> int:
+        """Return how many programs publish the first topic of this bridge."""
+        names = [topic.name for published in self._groups for topic in published.topics]
+        return int(self._node.count_publishers(self._resolve(self._namespace + names[0]))) if names else 0
 
     def _close(self) -> None:
         self._finish_outlets()
@@ -185,6 +191,24 @@ class RclpyBridge(Ros2Bridge):
         )
         return RclpyOutlet(publisher, self._resolve(full_name), self._losses.tell)
 
+    def _open_lease(self, lease: RosLease, name: str) -> Callable[[bool], None]:
+        from rclpy.qos import DurabilityPolicy, QoSProfile
+
+        def answer(request: Any, response: Any) -> Any:
+            response.success, response.message = lease.ask(request.data)
+            return response
+
+        kind = _type("std_msgs", "Bool")
+        self._node.create_service(_type("std_srvs", "SetBool", "srv"), f"{name}/arm", answer)
+        latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+        publisher = self._node.create_publisher(kind, f"{name}/armed", latched)
+        return lambda armed: publisher.publish(kind(data=armed))
+
+    def _programs(self, topics: list[str]) -> set[str]:
+        found = (self._node.get_publishers_info_by_topic(self._resolve(self._namespace + topic)) for topic in topics)
+        # The first bytes of an endpoint's number are those of its participant, which is a process.
+        return {f"{one.node_name} ({bytes(one.endpoint_gid[:12]).hex()})" for several in found for one in several}
+
     def _give(self, proxy: Writable[Any], message: Any) -> None:
         self._commands.give((proxy, message.data))
 
@@ -192,6 +216,9 @@ class RclpyBridge(Ros2Bridge):
         self._node.create_subscription(_type(package, kind), self._namespace + name, take, _reliable())
 
     def _tell(self, statuses: list[Status], at: float) -> None:
+        # A slow discovery may have found the other bridge after this one began.
+        if self._count_publishers() > 1:
+            self._faults.tell(self._second_bridge())
         array, status, pair = (
             _type("diagnostic_msgs", name) for name in ("DiagnosticArray", "DiagnosticStatus", "KeyValue")
         )
@@ -235,5 +262,5 @@ def _reliable() -> Any:
     return QoSProfile(history=HistoryPolicy.KEEP_ALL, reliability=ReliabilityPolicy.RELIABLE)
 
 
-def _type(package: str, kind: str) -> Any:
-    return getattr(importlib.import_module(f"{package}.msg"), kind)
+def _type(package: str, kind: str, part: str = "msg") -> Any:
+    return getattr(importlib.import_module(f"{package}.{part}"), kind)

@@ -57,6 +57,10 @@ class BridgeSettings(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_f
     """Settings of topics by their names without namespace."""
     given: dict[str, int] = {}
     """Addresses for the parameters of the interface; -1 for one that is not needed."""
+    allow_arm: bool = False
+    """True to let any program on ROS arm the leases of the robot."""
+    timeout: float | None = None
+    """Seconds from a set point to the end of a lease that ROS has armed; None: the most that the spec allows."""
     network: bool = False
     """True to speak to other machines too; else only to programs of this one."""
     domain: int | None = None

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import msgspec
 
-from unity_link.generate.ros.topics import topic_names
+from unity_link.bridges.topic_names import topic_names
 
 if TYPE_CHECKING:
     from unity_link.data import Proxy, Robot

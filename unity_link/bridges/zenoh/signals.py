@@ -22,11 +22,11 @@ import msgspec
 
 from unity_link.bridges.log_once import Faults
 from unity_link.bridges.merged_writes import Objects, write_in_order
+from unity_link.bridges.topic_names import topic_names
 from unity_link.bridges.zenoh.describing import describe
 from unity_link.bridges.zenoh.writing import Reader
 from unity_link.data import Group, Readable, Writable
 from unity_link.errors import ArgumentError, GatewayResetError, UnansweredError, UnityLinkError
-from unity_link.generate.ros.topics import topic_names
 from unity_link.transport.inbox import Inbox
 
 if TYPE_CHECKING:

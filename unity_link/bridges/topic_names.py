@@ -1,4 +1,4 @@
-"""Topics: how signals are named and typed in ROS, 1 and 2 alike, and in which units (REP 103)."""
+"""Names, types and units of signals as topics, in ROS 1 and 2 and in Zenoh (REP 103)."""
 
 from __future__ import annotations
 
