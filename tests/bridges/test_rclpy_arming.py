@@ -161,9 +161,7 @@ def test_a_timeout_beyond_that_of_the_spec_is_refused(ros: Ros, transport: str, 
 @pytest.mark.rtl
 @pytest.mark.slow
 @pytest.mark.parametrize("kills", [10, pytest.param(100, marks=pytest.mark.campaign)])
-def test_a_program_that_is_killed_leaves_the_compiled_robot_safe_within_the_timeout(
-    transport: str, kills: int, tmp_path: Path
-) -> None:
+def test_a_killed_program_leaves_the_compiled_robot_safe_in_time(transport: str, kills: int, tmp_path: Path) -> None:
     ros = Ros(next(iter(PYTHONS)))
     with rover(ros, transport, tmp_path, "--allow-arm", gateway="rtl:") as it:
         for number in range(kills):

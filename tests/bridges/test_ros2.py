@@ -398,7 +398,7 @@ def test_a_file_of_parameters_that_is_wrong_is_told_why(tmp_path: Path, text: st
         read_parameters(file)
 
 
-def test_arguments_of_a_node_give_names_and_parameters_and_integers_for_floats(tmp_path: Path) -> None:
+def test_arguments_of_a_node_give_names_parameters_and_ints_for_floats(tmp_path: Path) -> None:
     file = tmp_path / "bridge.yaml"
     file.write_text("/**: {ros__parameters: {poll_hz: 5, frame_id: base}}")
     words = f"--params-file {file} -r __ns:=/left -r arm/joint_states:=states -p topics.j1/cpos.quality:=sensor_data"

@@ -154,7 +154,7 @@ def test_the_program_of_a_package_becomes_the_bridge_with_its_spec(target: str, 
     assert copy.fingerprint == compile_file(EXAMPLES / "scara.ul").interface().fingerprint
 
 
-def test_a_package_has_the_maps_of_cores_of_ones_own_and_the_addresses_that_were_given(tmp_path: Path) -> None:
+def test_a_package_has_the_maps_of_own_cores_and_given_addresses(tmp_path: Path) -> None:
     core = tmp_path / "cores" / "blinker"
     core.mkdir(parents=True)
     (core / "blinker.ul").write_text("BLINKER(): @(BASE) { @period = BASE: unsigned READWRITE(); }")

@@ -28,12 +28,11 @@ class Ros2Bridge(RosBridge[Ros2Outlet]):
 
     Args:
         robot: a robot of any spec, behind an open link.
-        settings: what was chosen; its link is the caller's affair.
+        settings: parameters of the bridge; the caller opens the link.
         report: logs a sentence.
 
     Raises:
-        ArgumentError: where nothing is published, polled or can be written; for a namespace that ROS does not
-            take, or settings of a topic that there is not.
+        ArgumentError: if the robot has no topics, or for a wrong namespace or settings of an unknown topic.
     """
 
     def __init__(self, robot: Robot, settings: BridgeSettings, report: Callable[[str], None]) -> None:

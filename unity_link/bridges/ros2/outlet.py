@@ -38,14 +38,14 @@ class Ros2Outlet(abc.ABC):
 
     @abc.abstractmethod
     def _is_confirmed(self, patience: float) -> bool:
-        """Return whether readers have all, or have it within so many seconds."""
+        """Return whether the readers have all messages within so many seconds."""
 
     @abc.abstractmethod
     def _flush(self) -> None:
-        """Send what was written."""
+        """Send the messages that were written."""
 
     def send(self, rows: list[bytes]) -> None:
-        """Send messages that are serialised already; where readers are stuck, none until they have taken the others."""
+        """Send serialised messages. If a reader is stuck, send none until all readers have the earlier ones."""
         if self._stuck and not self._is_confirmed(0):
             self.lost += len(rows)
             return
@@ -59,5 +59,5 @@ class Ros2Outlet(abc.ABC):
             self._report(f"a reader of {self._name} takes nothing: messages are lost")
 
     def finish(self, deadline: float) -> None:
-        """End, when all who read have what was sent, or at an instant of `time.monotonic`."""
+        """Wait until the readers have all messages, or until an instant of `time.monotonic`."""
         self._is_confirmed(max(0.0, deadline - time.monotonic()))

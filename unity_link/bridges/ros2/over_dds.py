@@ -51,7 +51,7 @@ class DdsBridge(Ros2Bridge):
 
     Args:
         robot: a robot of any spec, behind an open link.
-        settings: what was chosen.
+        settings: parameters of the bridge.
         names: that ROS gives the node from outside.
         report: logs a sentence.
     """
@@ -195,7 +195,7 @@ class DdsOutlet(Ros2Outlet):
         _library.dds_write_flush(self._writer._ref)  # noqa: SLF001
 
     def finish(self, deadline: float) -> None:
-        """End, and release the writer."""
+        """Wait as in the base class, and release the writer."""
         super().finish(deadline)
         del self._writer
 

@@ -51,7 +51,7 @@ def open_node(name: str, words: Sequence[str], domain: int | None, *, network: b
 
     Args:
         name: of the node, unless the words have another one.
-        words: what stands after ``--ros-args``.
+        words: arguments for ROS, without ``--ros-args``.
         domain: None for ROS_DOMAIN_ID.
         network: True to speak to other machines; otherwise ROS_AUTOMATIC_DISCOVERY_RANGE decides, or LOCALHOST.
 
@@ -92,7 +92,7 @@ def _spin(executor: Any) -> None:
 
 
 def parameters_of(node: Any) -> dict[str, Any]:
-    """Return the parameters that a node was given, as they stand in a file.
+    """Return the parameters that a node was given, nested as in a file.
 
     Raises:
         ArgumentError: for parameters that come too late.
@@ -107,7 +107,7 @@ def parameters_of(node: Any) -> dict[str, Any]:
 
 
 def declare(node: Any, settings: BridgeSettings) -> None:
-    """Declare the settings that were not given as parameters, for who lists them."""
+    """Declare the settings that were not given as parameters."""
     from rcl_interfaces.msg import ParameterDescriptor
 
     for name, value in msgspec.structs.asdict(settings).items():
@@ -132,7 +132,7 @@ class RclpyBridge(Ros2Bridge):
 
     Args:
         robot: a robot of any spec, behind an open link.
-        settings: what was chosen.
+        settings: parameters of the bridge.
         node: of `open_node`.
     """
 
