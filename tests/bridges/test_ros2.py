@@ -37,7 +37,7 @@ from support.own_robots import OWN
 from unity_link import ArgumentError, blocking, load
 from unity_link.bridges.ros2 import BridgeSettings, NodeNames, Quality, read_arguments, read_parameters, settings_of
 from unity_link.bridges.ros2.domain import domain_number, open_participant
-from unity_link.bridges.ros2.messages import DIAGNOSTICS, FLOAT_ARRAY, JOINT_STATE, STANDARD
+from unity_link.bridges.ros2.messages import DIAGNOSTICS, FLOAT_ARRAY, JOINT_STATE, JOINT_TRAJECTORY, STANDARD
 from unity_link.bridges.ros2.rows import joint_rows, number_rows
 from unity_link.data.blocking import put
 
@@ -264,6 +264,7 @@ def test_diagnostics_tell_of_each_lease(tmp_path: Path) -> None:
 
 def test_the_types_of_ros_2_have_its_hashes() -> None:
     assert FLOAT_ARRAY.hash == ROS.hash_rihs01("std_msgs/msg/Float64MultiArray")
+    assert JOINT_TRAJECTORY.hash == ROS.hash_rihs01("trajectory_msgs/msg/JointTrajectory")
     assert DIAGNOSTICS.hash == ROS.hash_rihs01("diagnostic_msgs/msg/DiagnosticArray")
 
 

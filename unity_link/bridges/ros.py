@@ -15,14 +15,18 @@ from unity_link.bridges.gateway_time import GatewayTime
 from unity_link.bridges.log_once import Faults
 from unity_link.bridges.presence import Presence
 from unity_link.bridges.ros_leases import RosLease
+from unity_link.bridges.ros_trajectories import RosTrajectory, schedule_of
 from unity_link.bridges.thread_queue import Carrier
 from unity_link.bridges.topic_names import topic_names
 from unity_link.bridges.topics import command_topics, joint_command_topics, published_groups, read_namespace
+from unity_link.cores import members_of
 from unity_link.cores.lease import LeasedRobot, leases_of
+from unity_link.cores.schedule import ScheduleVerbs
+from unity_link.cores.timeline import ScheduleRegisters
 from unity_link.errors import ArgumentError, first_error
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Coroutine, Sequence
+    from collections.abc import Callable, Coroutine, Iterator, Sequence
     from concurrent.futures import Executor
 
     import numpy as np
@@ -83,7 +87,7 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
         if "\0" in frame_id:
             raise ArgumentError("the name of a frame has no zero bytes")
         self._frame_id = frame_id
-        self._link = robot.link
+        self._robot, self._link = robot, robot.link
         self._namespace = read_namespace(robot.interface.name if namespace is None else namespace)
         """Prefix of the names of topics, which ROS resolves in the namespace of the node."""
         self._report = report
@@ -99,9 +103,9 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
             for path, verbs in leases.items()
             if path in robot.interface.leases
         ]
+        self._trajectories = list(self._find_trajectories())
         self._commands = SignalCommands(robot.link, self._log, self._check_allowed, self._accept)
         self._time = GatewayTime(robot.link)
-        self._robot = robot
         groups = [published.group for published in self._groups]
         self._carrier = Carrier(groups, self._publish, self._losses.tell, buffer=BUFFER)
 
@@ -167,6 +171,16 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
 
     # Of both
 
+    def _find_trajectories(self) -> Iterator[RosTrajectory]:
+        schedules = members_of(self._robot, ScheduleVerbs)
+        for topic in self._joint_command_topics:
+            schedule = schedule_of(topic.joints) if topic.part is None else None
+            if schedule in schedules:
+                guard = ScheduleRegisters.of(schedules[schedule]).lease
+                lease = next((one for one in self._ros_leases if one.path == guard), None)
+                name = topic.name.replace("joint_commands", "joint_trajectory")
+                yield RosTrajectory(name, topic.joints, schedules[schedule], lease, self._log)
+
     def _open_leases(self) -> None:
         names = topic_names(self._robot.interface)
         for lease in self._ros_leases:
@@ -175,6 +189,7 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
                 parts = joints.joints.parts
                 if lease.guards(one for part, ones in parts.items() if joints.part in {None, part} for one in ones):
                     topics.append(joints.name)
+            topics += [one.name for one in self._trajectories if one.is_under(lease)]
             lease.programs = functools.partial(self._programs, topics)
             lease.show = self._open_lease(lease, self._namespace + names[lease.path])
 
@@ -188,7 +203,11 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
 
     def _beside(self, publishing: Executor) -> list[Coroutine[Any, Any, None]]:
         """Return what runs beside the samples."""
-        return [self._commands.run(), self._diagnose(publishing), *(lease.run() for lease in self._ros_leases)]
+        return [
+            self._commands.run(),
+            self._diagnose(publishing),
+            *(one.run() for one in self._ros_leases + self._trajectories),
+        ]
 
     async def _diagnose(self, publishing: Executor) -> None:
         """Publish how the bridge is, again and again."""
@@ -199,20 +218,21 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
         with first_error():
             async with asyncio.TaskGroup() as tasks:
                 tasks.create_task(presence.ask())
-                await self._tell_again_and_again(publishing, presence, *diagnostics)
+                await self._tell_again_and_again(publishing, presence, name, *diagnostics)
 
     def _name_at(self, namespace: str) -> str:
         """Return the name of the bridge at a namespace."""
         return f"unity_link_{namespace.strip('/').replace('/', '_') or self._robot.interface.name}"
 
     async def _tell_again_and_again(
-        self, publishing: Executor, presence: Presence, diagnostics: Diagnostics, leases: LeaseDiagnostics
+        self, publishing: Executor, presence: Presence, name: str, diagnostics: Diagnostics, leases: LeaseDiagnostics
     ) -> None:
         loop, carrier = asyncio.get_running_loop(), self._carrier
         while True:
             away = presence.away_since is not None
             statuses = [diagnostics.status(self.published, self.lost, self.written, away=away)]
             statuses += await leases.statuses(away=away or not self._link.connected)
+            statuses += [one.status(name, self._link.name) for one in self._trajectories]
             await asyncio.shield(loop.run_in_executor(publishing, self._tell, statuses, time.time()))
             for _ in range(LOOKS):
                 await asyncio.sleep(EVERY / LOOKS)

@@ -57,7 +57,8 @@ class RosLease:
         self._why = f"nothing on ROS has armed {path}"
         """Reason for which ROS does not hold the lease."""
         self._log = log
-        self._lease: Lease | None = None
+        self.held: Lease | None = None
+        """The lease while ROS holds it."""
         self._holding: asyncio.Task[None] | None = None
         self._accepted = asyncio.Event()
         self._shown: bool | None = None
@@ -74,12 +75,25 @@ class RosLease:
         Raises:
             ArgumentError: if the lease guards it, and ROS does not hold the lease.
         """
-        if self.allowed and self._lease is None and self.guards([proxy]):
-            raise ArgumentError(f"{proxy.path} is not written, because {self._why}")
+        if self.allowed and self.guards([proxy]):
+            self.check_held(f"{proxy.path} is not written")
+
+    def check_held(self, refusal: str) -> None:
+        """Check that ROS holds the lease.
+
+        Raises:
+            ArgumentError: if it does not, which begins with the refusal.
+        """
+        if self.held is None:
+            raise ArgumentError(f"{refusal}, because {self._why}")
+
+    def disarm_soon(self) -> None:
+        """Disarm, without waiting for it; to be called in the event loop."""
+        self._disarming = asyncio.ensure_future(self._disarm())
 
     def accept(self, values: Iterable[Value]) -> None:
         """Kick, if set points of what the lease guards are among values that were written."""
-        if self._lease is not None and self.guards(value.proxy for value in values):
+        if self.held is not None and self.guards(value.proxy for value in values):
             self._accepted.set()
 
     def ask(self, armed: bool) -> tuple[bool, str]:  # noqa: FBT001  (it is what a message has)
@@ -152,7 +166,7 @@ class RosLease:
         """Arm, and kick with each set point, until the lease or its program ends."""
         try:
             async with self._new() as lease:
-                self._lease = lease
+                self.held = lease
                 self._accepted.clear()
                 self._show_now(armed=True)
                 armed.set_result(None)
@@ -164,7 +178,7 @@ class RosLease:
             else:
                 armed.set_exception(error)
         finally:
-            self._lease = self._holding = None
+            self.held = self._holding = None
             armed.cancel()
             self._show_now(armed=False)
 

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from unity_link.spec.model import ComponentSpec, Core, Interface
 
 K = TypeVar("K", bound=type)
+V = TypeVar("V")
 
 
 class Verbs:
@@ -80,6 +81,18 @@ def path_of(component: Any) -> str:
     """Return the path of a component with verbs in its robot."""
     path: str = component._model.path  # noqa: SLF001  (verbs are bases of its class)
     return path
+
+
+def members_of(robot: Any, kind: type[V]) -> dict[str, V]:
+    """Return the components of a robot with verbs of a kind, by their paths."""
+    found: dict[str, V] = {}
+    waiting = list(getattr(robot, "_members", ()))
+    while waiting:
+        member = waiting.pop(0)
+        if isinstance(member, kind):
+            found[path_of(member)] = member
+        waiting += getattr(member, "_members", ())
+    return found
 
 
 class Surroundings(Protocol):

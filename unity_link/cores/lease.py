@@ -14,7 +14,7 @@ import secrets
 from collections import deque
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol, Self, TypeVar
 
-from unity_link.cores import AtPins, CoreRegisters, Model, RobotVerbs, Verbs, path_of
+from unity_link.cores import AtPins, CoreRegisters, Model, RobotVerbs, Verbs, members_of
 from unity_link.cores.clock import TURN, TickBounds
 from unity_link.errors import (
     ArgumentError,
@@ -254,14 +254,7 @@ class LeasedRobot(RobotVerbs):
 
 def leases_of(robot: Any) -> dict[str, LeaseVerbs]:
     """Return the leases of a robot by their paths."""
-    found: dict[str, LeaseVerbs] = {}
-    waiting = list(robot._members)  # noqa: SLF001  (it is a base of its class)
-    while waiting:
-        member = waiting.pop(0)
-        if isinstance(member, LeaseVerbs):
-            found[path_of(member)] = member
-        waiting += getattr(member, "_members", ())
-    return found
+    return members_of(robot, LeaseVerbs)
 
 
 class Lease(Sealed):

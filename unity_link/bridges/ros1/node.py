@@ -124,6 +124,10 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
         self._open_outlets()
         self._subscribers = [self._subscriber(topic) for topic in self._command_topics]
         self._subscribers += [self._joint_subscriber(topic) for topic in self._joint_command_topics]
+        for trajectory in self._trajectories:
+            kind = _message("trajectory_msgs", "JointTrajectory")
+            name = self._namespace + trajectory.name
+            self._subscribers.append(rospy.Subscriber(name, kind, trajectory.give, tcp_nodelay=True))
         self._open_leases()
         self._diagnostics_publisher = rospy.Publisher(TOPIC, array_type(), queue_size=10)
         self._describe()
@@ -162,10 +166,7 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
     def _open_lease(self, lease: RosLease, name: str) -> Callable[[bool], None]:
         import rospy
 
-        try:
-            kind = importlib.import_module("std_srvs.srv").SetBool
-        except ImportError:
-            raise ConnectError("a robot with leases needs std_srvs: apt install python3-std-srvs (Debian)") from None
+        kind = _message("std_srvs", "SetBool", "srv")
         # rospy makes a response of the tuple.
         service = rospy.Service(f"{name}/arm", kind, lambda request: lease.ask(bool(request.data)))
         self._services.append(service)
@@ -285,8 +286,12 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
         raise ConnectError(f"ROS ended the node {self._node_name}: {await told}")
 
 
-def _message(package: str, kind: str) -> Any:
-    return getattr(importlib.import_module(f"{package}.msg"), kind)
+def _message(package: str, kind: str, part: str = "msg") -> Any:
+    try:
+        return getattr(importlib.import_module(f"{package}.{part}"), kind)
+    except ImportError:
+        advice = f"apt install python3-{package.replace('_', '-')} (Debian), or source the set-up file of your ROS"
+        raise ConnectError(f"this robot needs {package} of ROS 1: {advice}") from None
 
 
 def _message_time(at: float) -> Any:

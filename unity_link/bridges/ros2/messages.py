@@ -120,6 +120,16 @@ DIAGNOSTICS = _type(
     "5a8a36efb05fb25070fa0fb3810290c0e6cd4862b54a8fb975a1ee8dc55a333e",
 )
 
+_duration = _type("builtin_interfaces::msg", "Duration", {"sec": int32, "nanosec": uint32}, "").struct
+_numbers = dict.fromkeys(("positions", "velocities", "accelerations", "effort"), _sequence[float64])
+_point = _type("trajectory_msgs::msg", "JointTrajectoryPoint", {**_numbers, "time_from_start": _duration}, "").struct
+JOINT_TRAJECTORY = _type(
+    "trajectory_msgs::msg",
+    "JointTrajectory",
+    {"header": _header, "joint_names": _sequence[str], "points": _sequence[_point]},
+    "179b33eba59d676f6d967ac71fe35e7ca2f64b2f3928f4a018cec115e213796e",
+)
+
 
 def diagnostics(statuses: Sequence[Status], at: float) -> bytes:
     """Return a ``diagnostic_msgs/DiagnosticArray``, at an instant in seconds since 1970."""

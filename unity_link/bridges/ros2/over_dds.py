@@ -18,7 +18,14 @@ from unity_link.bridges.diagnostics import TOPIC
 from unity_link.bridges.ros import PATIENCE
 from unity_link.bridges.ros2.domain import is_alone, open_participant
 from unity_link.bridges.ros2.inlets import Inlets
-from unity_link.bridges.ros2.messages import DIAGNOSTICS, FLOAT_ARRAY, JOINT_STATE, STANDARD, diagnostics
+from unity_link.bridges.ros2.messages import (
+    DIAGNOSTICS,
+    FLOAT_ARRAY,
+    JOINT_STATE,
+    JOINT_TRAJECTORY,
+    STANDARD,
+    diagnostics,
+)
 from unity_link.bridges.ros2.node import Ros2Bridge
 from unity_link.bridges.ros2.outlet import Ros2Outlet
 from unity_link.bridges.ros2.rows import number_rows
@@ -82,13 +89,14 @@ class DdsBridge(Ros2Bridge):
         self._open_outlets()
         self._diagnostics = self._outlet(TOPIC, DIAGNOSTICS, Quality.RELIABLE)
         readers = [(self._reader(topic.name, STANDARD[topic.type]), topic.proxy) for topic in self._command_topics]
-        joints = [
+        joints: list[tuple[Any, Callable[[Any], None]]] = [
             (
                 self._reader(topic.name, JOINT_STATE if topic.part is None else FLOAT_ARRAY),
                 functools.partial(self._give_joints, topic),
             )
             for topic in self._joint_command_topics
         ]
+        joints += [(self._reader(one.name, JOINT_TRAJECTORY), one.give) for one in self._trajectories]
         self._set_points = {reader.topic.name: reader for reader, _ in (*readers, *joints)}
         self._open_leases()
         self._inlets = Inlets(

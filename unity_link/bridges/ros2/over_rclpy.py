@@ -158,6 +158,8 @@ class RclpyBridge(Ros2Bridge):
         for joints in self._joint_command_topics:
             package, kind = ("sensor_msgs", "JointState") if joints.part is None else ("std_msgs", "Float64MultiArray")
             self._subscribe(joints.name, package, kind, functools.partial(self._give_joints, joints))
+        for trajectory in self._trajectories:
+            self._subscribe(trajectory.name, "trajectory_msgs", "JointTrajectory", trajectory.give)
         self._open_leases()
         self._diagnostics = self._node.create_publisher(_type("diagnostic_msgs", "DiagnosticArray"), TOPIC, 10)
 
