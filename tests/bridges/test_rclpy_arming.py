@@ -68,11 +68,11 @@ class Rover(NamedTuple):
 
 
 @contextlib.contextmanager
-def rover(ros: Ros, transport: str, folder: Path, *words: str, gateway: str = "sim:") -> Iterator[Rover]:
+def rover(ros: Ros, transport: str, folder: Path, *words: str, gateway: str = "sim:{}") -> Iterator[Rover]:
     spec = folder / "rover.ul"
     spec.write_text(SPEC)
     with (
-        served(folder, f"{gateway}{spec}") as url,
+        served(folder, gateway.format(spec)) as url,
         ros.bridge(transport, str(spec), "--link", url, *words) as bridge,
         ros.node() as node,
         blocking.connect(url) as link,
@@ -163,7 +163,7 @@ def test_a_timeout_beyond_that_of_the_spec_is_refused(ros: Ros, transport: str, 
 @pytest.mark.parametrize("kills", [10, pytest.param(100, marks=pytest.mark.campaign)])
 def test_a_killed_program_leaves_the_compiled_robot_safe_in_time(transport: str, kills: int, tmp_path: Path) -> None:
     ros = Ros(next(iter(PYTHONS)))
-    with rover(ros, transport, tmp_path, "--allow-arm", gateway="rtl:") as it:
+    with rover(ros, transport, tmp_path, "--allow-arm", gateway="rtl:{}?clock_hz=1000000") as it:
         for number in range(kills):
             speed = math.copysign(0.1 + 0.001 * number, number % 2 - 0.5)
             with ros.node(f"mover_{number}") as node:

@@ -103,6 +103,7 @@ def test_a_launch_file_takes_the_parameters(tmp_path: Path, monkeypatch: pytest.
     monkeypatch.setenv("ROS_PACKAGE_PATH", f"{tmp_path / 'packages'}:/usr/share")
     # The Python of ROS has no Unity-Link: the package finds that of another Python on the path.
     program, place = str(Path(sys.executable).parent / "unity-link"), tmp_path / "gateway"
+    monkeypatch.delenv("PYTHONPATH", raising=False)
     monkeypatch.setenv("PATH", f"/usr/bin:/bin:{Path(program).parent}")
     with subprocess.Popen([program, "serve", "sim:tosnet", "--unix", str(place)], stdout=subprocess.PIPE) as server:
         assert server.stdout is not None

@@ -73,6 +73,7 @@ def environment(tmp_path: Path, packages: dict[str, Path]) -> dict[str, str]:
         "ROS_HOME": str(tmp_path / "ros"),
         "ROS_PACKAGE_PATH": f"{packages['ros1'].parent}:/usr/share",
         "PATH": f"/usr/bin:/bin:{Path(PROGRAM).parent}",
+        "PYTHONPATH": "",
     }
 
 
