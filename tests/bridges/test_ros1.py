@@ -598,3 +598,37 @@ def test_a_program_arms_by_a_service_moves_and_is_killed(ros: int, tmp_path: Pat
             assert robot.speed.get() == 0
         # The connection of a killed program ends at once, which is seen before the silence.
         assert "drive" in wait_for(process, "drive is ")
+
+
+PLANNER = """
+import time, rospy
+from std_srvs.srv import SetBool
+from trajectory_msgs.msg import JointTrajectory, JointTrajectoryPoint
+rospy.init_node("planner", anonymous=True, disable_signals=True)
+arm = rospy.ServiceProxy("/arm/drive/arm", SetBool)
+arm.wait_for_service(60)
+publisher = rospy.Publisher("/arm/joint_trajectory", JointTrajectory, queue_size=10)
+while not (publisher.get_num_connections() and arm(True).success):
+    time.sleep(0.05)
+points = [JointTrajectoryPoint(positions=[0.1 * n], time_from_start=rospy.Duration(0.2 * n)) for n in range(4)]
+publisher.publish(JointTrajectory(joint_names=["elbow"], points=points))
+time.sleep(60)
+"""
+
+
+@pytest.mark.slow
+def test_a_trajectory_of_ros_1_is_played_point_by_point(ros: int, tmp_path: Path) -> None:
+    spec = tmp_path / "arm.ul"
+    spec.write_text(
+        "group state(RATE=10, TIMESTAMPS, JOINTS(POSITION=position, SET_POSITION=target)); public arm() {"
+        " GATEWAY(ADDRESS_BITS=12); drive: LEASE(TIMEOUT=1) @(0xC0); plan: SCHEDULE() @(0xE0);"
+        " elbow: joint(drive, plan) @(0x10); } joint(lease, plan): @(base) {"
+        ' @position = base: signed READ(SCALE=0.001, UNIT="rad", PUBLISH(state));'
+        ' @target = base + 1: signed READWRITE(SCALE=0.001, UNIT="rad", SAFE(0, lease), TIMED(plan)); }'
+    )
+    with master(ros), bridge_on_shared("ros1", str(spec), f"sim:{spec}", tmp_path, "--allow-arm") as (process, url):
+        wait_for(process, "node /unity_link_arm")
+        with blocking.connect(url) as link, node(PLANNER):
+            assert "4 points are played" in wait_for(process, "joint_trajectory:")
+            assert "4 points have acted" in wait_for(process, "joint_trajectory:")
+            assert put(load(str(spec)), link).elbow.target.get() in {0, 0.3}
