@@ -85,6 +85,7 @@ class _Scheduler(LoadScopeScheduling):  # type: ignore[misc]  # pytest-xdist has
         "test_gantry.py",
         "test_own_robot.py",
         "test_quick_models_on_rtl.py",
+        "test_rclpy_on_rtl.py",
         "test_rtl_of_spec.py",
         "test_schedule_on_rtl.py",
     )

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import math
 import signal
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -156,24 +155,3 @@ def test_a_timeout_beyond_that_of_the_spec_is_refused(ros: Ros, transport: str, 
     with ros.bridge(transport, str(spec), "--link", f"sim:{spec}", *words) as bridge:
         wait_for(bridge, "error: the time-out of drive is a number of seconds above 0, and 1 s at most")
         assert bridge.wait(PATIENCE) == 2
-
-
-@pytest.mark.rtl
-@pytest.mark.slow
-@pytest.mark.parametrize("kills", [10, pytest.param(100, marks=pytest.mark.campaign)])
-def test_a_killed_program_leaves_the_compiled_robot_safe_in_time(transport: str, kills: int, tmp_path: Path) -> None:
-    ros = Ros(next(iter(PYTHONS)))
-    with rover(ros, transport, tmp_path, "--allow-arm", gateway="rtl:{}?clock_hz=1000000") as it:
-        for number in range(kills):
-            speed = math.copysign(0.1 + 0.001 * number, number % 2 - 0.5)
-            with ros.node(f"mover_{number}") as node:
-                wait_until(lambda node=node, speed=speed: it.moves(node, speed))  # type: ignore[misc]
-                node.process.kill()
-                node.process.wait(PATIENCE)
-                killed = it.robot.drive.clock.get()
-            wait_until(lambda: not it.robot.drive.armed_.get())
-            assert it.robot.left.speed.get() == 0
-            # Otherwise the bridge has seen that the publisher was gone.
-            if it.robot.drive.reason.get().name == "silence":
-                # A set point may have been on its way when its program was killed.
-                assert it.robot.drive.fault_time.get() <= killed + 1.1 * it.robot.link.gateway.clock_hz

@@ -94,21 +94,6 @@ def transport(request: pytest.FixtureRequest) -> str:
     return str(request.param)
 
 
-@pytest.mark.rtl
-def test_five_hundred_points_of_six_joints_act_at_1_khz_on_compiled_gateware(transport: str, tmp_path: Path) -> None:
-    with arm(transport, tmp_path, "rtl:{}?clock_hz=1000000", "--allow-arm") as it:
-        wait_until(it.is_armed)
-        it.node.publish(*TOPIC, [path(500)])
-        assert "500 points are played" in wait_for(it.bridge, "joint_trajectory:")
-        assert "500 points have acted" in wait_for(it.bridge, "joint_trajectory:")
-        wait_until(lambda: it.says("500 points have acted"))
-        # The schedule counts a point that acts in another cycle than its own as late, or as refused.
-        assert [it.robot.plan.late.get(), it.robot.plan.refused.get()] == [0, 0]
-        assert it.robot.plan.fates.get() == 500
-        it.node.publish(*TOPIC, [{}])
-        wait_until(lambda: not it.robot.drive.armed_.get())
-
-
 WRONG: dict[str, tuple[dict[str, Any], str]] = {
     "no names": ({"joint_names": []}, "it names no joints"),
     "a joint twice": ({"joint_names": [*NAMES[:5], "j_0"]}, "point 0: a joint is named twice"),
