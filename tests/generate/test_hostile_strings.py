@@ -146,8 +146,9 @@ def made(
     options = package if target in {"ros1", "ros2"} else {}
     spec = compile_file(path)
     # The numbers of which they consist are those of its strings.
-    same = compile_text("public same() { @a = 1: READ(); }").interface().description
-    vars(spec.interface()).update(description=same, fingerprint=0x12345678)
+    same = compile_text("public same() { @a = 1: READ(); }").interface()
+    facts = {"description": b"the same of each", "describe_open": same.describe_open, "fingerprint": 0x12345678}
+    vars(spec.interface()).update(facts)
     return {file.name: file for file in generate(target, spec, **options)}
 
 

@@ -158,7 +158,7 @@ def test_the_program_of_a_package_becomes_the_bridge_with_its_spec(target: str, 
 def test_a_package_has_the_maps_of_own_cores_and_given_addresses(tmp_path: Path) -> None:
     core = tmp_path / "cores" / "blinker"
     core.mkdir(parents=True)
-    (core / "blinker.ul").write_text("BLINKER(): @(BASE) { @period = BASE: unsigned READWRITE(); }")
+    (core / "blinker.ul").write_text('BLINKER(): @(BASE) { ENTITY("blinker"); @period = BASE: unsigned READWRITE(); }')
     spec = tmp_path / "lamp.ul"
     spec.write_text("public lamp() { left: BLINKER() @(0x10); }")
     scara = compile_file(EXAMPLES / "scara.ul").given({"ctrl": 0xF0, "comm": 0xF4})

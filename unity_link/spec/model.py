@@ -560,6 +560,11 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
         return bytes
 
     @functools.cached_property
+    def describe_open(self) -> Callable[[], bytes]:
+        """As `describe`, but also for an interface whose parameters were given: in its text they are open."""
+        return self.describe
+
+    @functools.cached_property
     def limits(self) -> tuple[Callable[[int], str], ...]:
         """Functions that take a clock in Hz, and return why a parameter of a core is not allowed; empty where it is."""
         return ()
@@ -717,7 +722,7 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
         )
         changed = msgspec.structs.replace(self, parameters=parameters, modules=modules)
         # No limit names an open parameter: those of cores hold as they are.
-        vars(changed)["limits"] = self.limits
+        vars(changed).update(limits=self.limits, describe_open=self.describe_open)
         return changed
 
     @functools.cached_property

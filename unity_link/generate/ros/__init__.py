@@ -65,7 +65,7 @@ def common(
     yield GeneratedFile(f"{place}/{program}", own.render("bridge.py", target=target, **seen), executable=True)
     yield GeneratedFile(f"{root}/test/test_spec.py", own.render("test_spec.py", folder=folder, **seen))
     # The description is the spec as one file, whatever it imports.
-    spec, maps = unpack(interface.description)
+    spec, maps = unpack(interface.describe_open())
     yield GeneratedFile(f"{place}/{seen['module']}.ul", own.render("spec.ul", text=spec))
     for name, text in ((word.lower(), text) for word, text in maps.items()):
         if not (INSTALLED / name).is_dir():
