@@ -35,7 +35,7 @@ BACK = "the gateway is back: values are written again"
 Command = tuple["Writable[Any]", Any]
 
 
-class Report(Protocol):
+class LevelledLog(Protocol):
     """Logs a sentence for people."""
 
     def __call__(self, text: str, /, *, level: int) -> None:
@@ -75,7 +75,7 @@ class SignalCommands:
     def __init__(
         self,
         link: Link,
-        report: Report,
+        report: LevelledLog,
         check_allowed: Callable[[Writable[Any]], None] = lambda _: None,
         accept: Callable[[Sequence[Value]], None] = lambda _: None,
     ) -> None:

@@ -18,7 +18,7 @@ from unity_link.errors import ArgumentError, NotArmedError, UnityLinkError
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
-    from unity_link.bridges.commands import Report
+    from unity_link.bridges.commands import LevelledLog
     from unity_link.bridges.merged_writes import Value
     from unity_link.cores.lease import Lease, LeaseVerbs
     from unity_link.data import Proxy
@@ -44,7 +44,7 @@ class RosLease:
         ArgumentError: for a time-out that the spec does not allow.
     """
 
-    def __init__(self, verbs: LeaseVerbs, path: str, *, allowed: bool, timeout: float | None, log: Report) -> None:
+    def __init__(self, verbs: LeaseVerbs, path: str, *, allowed: bool, timeout: float | None, log: LevelledLog) -> None:
         self.registers = LeaseRegisters.of(verbs)
         self.path = path
         self.allowed = allowed

@@ -15,7 +15,7 @@ from unity_link.errors import ArgumentError, UnityLinkError
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from unity_link.bridges.commands import Command, Report
+    from unity_link.bridges.commands import Command, LevelledLog
     from unity_link.bridges.ros_leases import RosLease
     from unity_link.bridges.topics import JointCommands
     from unity_link.cores.schedule import ScheduleVerbs
@@ -49,7 +49,7 @@ class RosTrajectory:
     """
 
     def __init__(
-        self, name: str, joints: JointCommands, schedule: ScheduleVerbs, lease: RosLease | None, log: Report
+        self, name: str, joints: JointCommands, schedule: ScheduleVerbs, lease: RosLease | None, log: LevelledLog
     ) -> None:
         self.name = name
         self._joints = joints
