@@ -111,7 +111,7 @@ ifeq ($(ROS_PYTHON),)
 ros-venvs:
 	@echo "No python3.12 is installed: rclpy of ROS 2 ($(ROS_DISTRIBUTIONS)) is not installed, and its tests do not run."
 else
-ros-venvs: $(ROS) ## rclpy of ROS 2 Jazzy and Kilted, if Python 3.12 is installed; `make test` runs their tests then
+ros-venvs: $(ROS) ## rclpy of ROS 2 Jazzy and Kilted, if Python 3.12 is installed; `make test-all` runs their tests then
 endif
 
 bench: $(ALL) bench-peers ## measure, beside peers and REVISION too, and write benchmarks/RESULTS.md

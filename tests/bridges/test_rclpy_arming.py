@@ -67,11 +67,11 @@ class Rover(NamedTuple):
 
 
 @contextlib.contextmanager
-def rover(ros: Ros, transport: str, folder: Path, *words: str, gateway: str = "sim:{}") -> Iterator[Rover]:
+def rover(ros: Ros, transport: str, folder: Path, *words: str) -> Iterator[Rover]:
     spec = folder / "rover.ul"
     spec.write_text(SPEC)
     with (
-        served(folder, gateway.format(spec)) as url,
+        served(folder, f"sim:{spec}") as url,
         ros.bridge(transport, str(spec), "--link", url, *words) as bridge,
         ros.node() as node,
         blocking.connect(url) as link,

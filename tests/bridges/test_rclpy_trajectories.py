@@ -26,7 +26,7 @@ SPEC = """
 group state(RATE=100, TIMESTAMPS, JOINTS(POSITION=position, SET_POSITION=target));
 public arm() {
   GATEWAY(ADDRESS_BITS=12);
-  drive: LEASE(TIMEOUT=1) @(0xC0);
+  drive: LEASE(TIMEOUT={timeout}) @(0xC0);
   plan: SCHEDULE(DEPTH=8192) @(0xE0);
   j[6]: joint(drive, plan) @(0x10 + 2 * i);
 }
@@ -53,17 +53,19 @@ def path(points: int) -> dict[str, Any]:
 class Arm(NamedTuple):
     """A robot, its bridge, and a node."""
 
+    ros: Ros
     transport: str
     bridge: subprocess.Popen[str]
     node: Node
     robot: Any
 
-    def is_armed(self) -> bool:
-        """Arm unless it is armed; the publisher of trajectories is there."""
+    def is_armed(self, node: Node | None = None) -> bool:
+        """Arm from a node unless it is armed; the publisher of trajectories is there."""
+        node = node or self.node
         if not self.robot.drive.armed_.get() and self.transport == "rclpy":
-            self.node.call(service="/arm/drive/arm", kind="std_srvs/SetBool", request={"data": True})
+            node.call(service="/arm/drive/arm", kind="std_srvs/SetBool", request={"data": True})
         elif not self.robot.drive.armed_.get():
-            self.node.publish("/arm/drive/arm", "std_msgs/Bool", [{"data": True}])
+            node.publish("/arm/drive/arm", "std_msgs/Bool", [{"data": True}])
         return bool(self.robot.drive.armed_.get())
 
     def says(self, words: str) -> bool:
@@ -74,9 +76,9 @@ class Arm(NamedTuple):
 
 
 @contextmanager
-def arm(transport: str, folder: Path, gateway: str, *words: str) -> Iterator[Arm]:
+def arm(transport: str, folder: Path, gateway: str, *words: str, timeout: int = 10) -> Iterator[Arm]:
     spec, ros = folder / "arm.ul", Ros(next(iter(PYTHONS)))
-    spec.write_text(SPEC)
+    spec.write_text(SPEC.replace("{timeout}", str(timeout)))
     with (
         served(folder, gateway.format(spec)) as url,
         ros.bridge(transport, str(spec), "--link", url, *words) as bridge,
@@ -86,7 +88,7 @@ def arm(transport: str, folder: Path, gateway: str, *words: str) -> Iterator[Arm
         wait_for(bridge, "at /arm")
         node.listen("/diagnostics", "diagnostic_msgs/DiagnosticArray")
         node.publish(*TOPIC, [])
-        yield Arm(transport, bridge, node, put(load(str(spec)), link))
+        yield Arm(ros, transport, bridge, node, put(load(str(spec)), link))
 
 
 @pytest.fixture(params=["dds", "rclpy"])
@@ -122,3 +124,20 @@ def test_ten_kinds_of_wrong_trajectories_are_refused_whole_with_the_reason(trans
             wait_until(lambda words=words: it.says(words))  # type: ignore[misc]
         assert it.robot.j[0].target.get() == 0
         assert it.robot.plan.fates.get() == 0
+
+
+@pytest.mark.parametrize("reason", ["it is empty", "its publisher is gone"])
+def test_a_trajectory_without_points_or_publisher_disarms(transport: str, reason: str, tmp_path: Path) -> None:
+    with arm(transport, tmp_path, "sim:{}", "--allow-arm") as it:
+        wait_until(it.is_armed)
+        # The second point is far away, and the lease is kicked until then.
+        it.node.publish(*TOPIC, [path(2) | {"points": [point(0, [0.1] * 6), point(60_000, [1.0] * 6)]}])
+        wait_until(lambda: it.robot.j[0].target.get() == pytest.approx(0.1))
+        if reason == "it is empty":
+            it.node.publish(*TOPIC, [{}])
+            wait_for(it.bridge, "an empty trajectory has stopped the robot")
+        else:
+            it.node.unpublish(TOPIC[0])
+            wait_for(it.bridge, "a topic of its set points has lost its publisher")
+        wait_until(lambda: not it.robot.drive.armed_.get())
+        assert it.robot.j[0].target.get() == 0
