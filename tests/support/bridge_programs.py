@@ -6,6 +6,7 @@ import os
 import socket
 import subprocess
 import sys
+import threading
 import time
 from contextlib import contextmanager
 from pathlib import Path
@@ -67,13 +68,20 @@ def seen_until_disarmed(robot: Any) -> set[int]:
 
 
 def wait_for(process: subprocess.Popen[str], words: str) -> str:
-    """Wait for a line on stderr."""
+    """Wait for a line on stderr; a program that has not printed it within `PATIENCE` is killed, and the test fails."""
     assert process.stderr is not None
-    for line in process.stderr:
-        assert "Traceback" not in line, line + process.stderr.read()
-        if words in line:
-            return line
-    pytest.fail(f"the program ended without saying {words!r}")
+    printed = []
+    limit = threading.Timer(PATIENCE, process.kill)
+    limit.start()
+    try:
+        for line in process.stderr:
+            printed.append(line)
+            assert "Traceback" not in line, line + process.stderr.read()
+            if words in line:
+                return line
+    finally:
+        limit.cancel()
+    pytest.fail(f"the program ended within {PATIENCE:g} s, or was killed then, without {words!r}:\n{''.join(printed)}")
 
 
 def line_of(process: subprocess.Popen[str]) -> str:
