@@ -18,7 +18,7 @@ import time
 from typing import TYPE_CHECKING, Any
 
 import rclpy
-from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
+from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, qos_profile_sensor_data
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -27,7 +27,7 @@ PATIENCE = 60.0
 DEPTH = 10_000
 QUALITIES: dict[str, Any] = {
     "default": 10,
-    "deep": DEPTH,
+    "all": QoSProfile(history=HistoryPolicy.KEEP_ALL),
     "sensor_data": qos_profile_sensor_data,
     "latched": QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL),
 }
@@ -77,10 +77,16 @@ class Peer:
         self.publishers: dict[str, Any] = {}
         threading.Thread(target=rclpy.spin, args=(self.node,), daemon=True).start()
 
-    def listen(self, topic: str, kind: str, quality: str = "default") -> None:
-        """Subscribe to a topic."""
+    def listen(self, topic: str, kind: str, quality: str = "default", seconds: float = 0) -> None:
+        """Subscribe to a topic, and spend some time on each message."""
         seen = self.seen[topic] = []
-        self.node.create_subscription(type_of(kind), topic, seen.append, QUALITIES[quality])
+
+        def take(message: Any) -> None:
+            seen.append(message)
+            if seconds:
+                time.sleep(seconds)
+
+        self.node.create_subscription(type_of(kind), topic, take, QUALITIES[quality])
 
     def heard(self, topic: str, count: int = 1) -> list[Any]:
         """Wait for so many messages of a topic that is listened to, and return all that have come."""
@@ -90,6 +96,15 @@ class Peer:
     def heard_count(self, topic: str) -> int:
         """Return how many messages of a topic have come."""
         return len(self.seen[topic])
+
+    def heard_recent(self, topic: str, seconds: float) -> bool:
+        """Wait until the header of the last message is as recent as this; return whether it is."""
+
+        def age() -> float:
+            stamp = self.seen[topic][-1].header.stamp
+            return time.time() - stamp.sec - stamp.nanosec * 1e-9
+
+        return wait_until(lambda: age() < seconds)
 
     def heard_last(self, topic: str, values: list[Any], field: str = "data") -> bool:
         """Wait until a field of the last message of a topic is one of some values; return whether it is."""

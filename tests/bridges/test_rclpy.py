@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from support.bridge_programs import PATIENCE, PROGRAM, wait_for, wait_until
+from support.bridge_programs import FAST_GATEWAY, FAST_SPEC, PATIENCE, PROGRAM, wait_for, wait_until
 from support.rclpy_peers import PYTHONS, Ros
 from unity_link import blocking
 from unity_link.bridges.ros2 import Quality
@@ -203,14 +203,30 @@ def test_twenty_thousand_joint_states_at_1_khz_all_arrive(ros: Ros, transport: s
         ros.node() as node,
     ):
         wait_for(bridge, "at /scara")
-        node.listen(*STATES, quality="deep")
-        wait_until(lambda: node.heard_count(STATES[0]) >= 20_000)
+        node.listen(*STATES, quality="all")
+        for count in range(1_000, 21_000, 1_000):
+            wait_until(lambda count=count: node.heard_count(STATES[0]) >= count)  # type: ignore[misc]
+        # On a busy machine, the node may be seconds late. The bridge waits only a few seconds at its end.
+        assert node.heard_recent(STATES[0], seconds=0.5)
         bridge.send_signal(signal.SIGINT)
         summary = wait_for(bridge, "messages sent")
         sent = int(re.search("([0-9,]+) messages sent", summary)[1].replace(",", ""))  # type: ignore[index]
         wait_until(lambda: node.heard_count(STATES[0]) >= sent)
         # A machine that is busy loses samples before they are messages.
         assert node.heard_count(STATES[0]) == sent
+
+
+def test_a_slow_subscriber_delays_the_end_of_a_bridge_by_seconds(ros: Ros, transport: str, tmp_path: Path) -> None:
+    spec = tmp_path / "bench.ul"
+    spec.write_text(FAST_SPEC)
+    with ros.bridge(transport, str(spec), "--link", FAST_GATEWAY) as bridge, ros.node() as node:
+        wait_for(bridge, "at /bench")
+        # Each message is confirmed just in time, and the samples that wait for it would need a quarter of an hour.
+        node.listen("/bench/value", "std_msgs/Float64", quality="all", seconds=0.02)
+        wait_until(lambda: node.heard_count("/bench/value") >= 200)
+        bridge.send_signal(signal.SIGINT)
+        wait_for(bridge, "messages sent")
+        assert bridge.wait(PATIENCE) == 130
 
 
 def test_a_generated_package_is_built_and_started_in_two_namespaces(ros: Ros, tmp_path: Path) -> None:

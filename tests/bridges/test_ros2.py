@@ -305,7 +305,7 @@ def test_a_reader_that_is_stuck_holds_up_neither_writes_nor_the_end_and_others_a
         wait_for(process, "topics published")
         assert line_of(stuck) == "listening"
         stuck.send_signal(signal.SIGSTOP)
-        wait_for(process, "a reader of rt/bench/value takes nothing: messages are lost")
+        wait_for(process, "a reader of /bench/value takes nothing: messages are lost")
         peer(domain, "talk", "rt/bench/target", "std_msgs/msg/Float64", *map(str, range(100)))
         with running_peer(domain, *follow, "20000") as other:
             assert line_of(other) == "listening"

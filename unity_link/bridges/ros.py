@@ -42,7 +42,9 @@ BUFFER = 1 << 16
 LOOKS = 10
 """Between two messages of how the bridge is, whether the gateway is there."""
 PATIENCE = 1.0
-"""Seconds for which a subscriber that takes nothing is waited for, also at the end."""
+"""Seconds for which a subscriber that takes nothing is waited for."""
+ENDS_WITHIN = 4.0
+"""Seconds for slow subscribers at the end: `ros2 launch` interrupts a node, and terminates the node 5 s later."""
 
 
 class Outlet(Protocol):
@@ -52,6 +54,8 @@ class Outlet(Protocol):
     """Messages that were sent, while somebody subscribed."""
     lost: int
     """Messages that a subscriber did not take."""
+    deadline: float
+    """Instant of `time.monotonic` until which messages are sent and confirmed."""
 
     @property
     def is_wanted(self) -> bool:
@@ -60,8 +64,8 @@ class Outlet(Protocol):
     def send(self, rows: Any, /) -> None:
         """Send messages that are serialised already."""
 
-    def finish(self, deadline: float) -> None:
-        """End, when all was sent, or at an instant of `time.monotonic`."""
+    def finish(self) -> None:
+        """Wait until the subscribers have all messages, or until the deadline."""
 
 
 AnyOutlet = TypeVar("AnyOutlet", bound=Outlet)
@@ -206,6 +210,7 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
         return [
             self._commands.run(),
             self._diagnose(publishing),
+            self._limit_end_if_cancelled(),
             *(one.run() for one in self._ros_leases + self._trajectories),
         ]
 
@@ -259,10 +264,22 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
                 name = published.joints.name
                 self._outlets[name] = self._open_outlet(name, "sensor_msgs", "JointState")
 
-    def _finish_outlets(self) -> None:
-        deadline = time.monotonic() + PATIENCE
+    async def _limit_end_if_cancelled(self) -> None:
+        """Limit the time in which the samples that have come are published after the bridge is cancelled."""
+        try:
+            await asyncio.Event().wait()
+        finally:
+            self._limit_end()
+
+    def _limit_end(self) -> None:
+        deadline = time.monotonic() + ENDS_WITHIN
         for outlet in self._outlets.values():
-            outlet.finish(deadline)
+            outlet.deadline = min(outlet.deadline, deadline)
+
+    def _finish_outlets(self) -> None:
+        self._limit_end()
+        for outlet in self._outlets.values():
+            outlet.finish()
 
     def _describe_topics(self) -> str:
         published = sum(len(published.topics) for published in self._groups)

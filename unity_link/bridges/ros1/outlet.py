@@ -6,6 +6,7 @@ come together go as one write: on the wire they are the same.
 
 from __future__ import annotations
 
+import math
 import time
 from typing import TYPE_CHECKING, Any
 
@@ -36,6 +37,8 @@ class Ros1Outlet:
         """Messages that were sent, while somebody subscribed."""
         self.lost = 0
         """Messages that a subscriber did not take."""
+        self.deadline = math.inf
+        """Instant of `time.monotonic` until which `finish` waits."""
         self._publisher = rospy.Publisher(name, message, tcp_nodelay=True, queue_size=MOST_WRITES)
         self._report = report
         self._given: dict[Any, int] = {}
@@ -73,9 +76,9 @@ class Ros1Outlet:
                     f"{connection.endpoint_id} reads {self._publisher.resolved_name} too slowly: it loses messages"
                 )
 
-    def finish(self, deadline: float) -> None:
-        """Wait until what was sent is on its way to all who read, or until an instant of `time.monotonic`."""
-        while any(self._is_behind(*one) for one in self._given.items()) and time.monotonic() < deadline:
+    def finish(self) -> None:
+        """Wait until all messages are on their way to all subscribers, or until the deadline."""
+        while any(self._is_behind(*one) for one in self._given.items()) and time.monotonic() < self.deadline:
             time.sleep(0.005)
 
     @staticmethod

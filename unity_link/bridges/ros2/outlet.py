@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import abc
+import math
 import time
 from typing import TYPE_CHECKING
 
@@ -23,6 +24,8 @@ class Ros2Outlet(abc.ABC):
         """Messages that were sent, while somebody read."""
         self.lost = 0
         """Messages that a reader asked for and did not take."""
+        self.deadline = math.inf
+        """Instant of `time.monotonic` until which messages are sent and confirmed."""
         self._name = name
         self._report = report
         self._stuck = False
@@ -50,7 +53,9 @@ class Ros2Outlet(abc.ABC):
             self.lost += len(rows)
             return
         self._stuck = False
-        sent = next((number for number, row in enumerate(rows) if not self._write(row)), len(rows))
+        # A slow reader may take each message just in time.
+        failed = (n for n, row in enumerate(rows) if time.monotonic() > self.deadline or not self._write(row))
+        sent = next(failed, len(rows))
         self._flush()
         self.sent += sent
         if sent < len(rows):
@@ -58,6 +63,7 @@ class Ros2Outlet(abc.ABC):
             self.lost += len(rows) - sent
             self._report(f"a reader of {self._name} takes nothing: messages are lost")
 
-    def finish(self, deadline: float) -> None:
-        """Wait until the readers have all messages, or until an instant of `time.monotonic`."""
-        self._is_confirmed(max(0.0, deadline - time.monotonic()))
+    def finish(self) -> None:
+        """Wait until the readers have all messages, or until the deadline."""
+        if not self._is_confirmed(max(0.0, self.deadline - time.monotonic())):
+            self._report(f"a reader of {self._name} has not confirmed all messages: the last ones may be lost")

@@ -79,7 +79,6 @@ class DdsBridge(Ros2Bridge):
         self._diagnostics: DdsOutlet | None = None
         self._set_points: dict[str, Any] = {}
         self._arming: list[tuple[Any, Callable[[Any], Any]]] = []
-        self._latched: list[DdsOutlet] = []
 
     def _open(self) -> None:
         mark = f"unity_link={self._resolve(self._namespace)};"
@@ -110,7 +109,7 @@ class DdsBridge(Ros2Bridge):
             (self._reader(f"{name.removeprefix(self._namespace)}/arm", kind), lambda one: lease.ask(one.data))
         )
         outlet = self._outlet(f"{name}/armed", kind, Quality.RELIABLE, Policy.Durability.TransientLocal)
-        self._latched.append(outlet)
+        self._outlets[f"{name}/armed"] = outlet
         return lambda armed: outlet.send(number_rows("Bool", np.array([armed])))
 
     def _programs(self, topics: list[str]) -> set[str]:
@@ -126,11 +125,8 @@ class DdsBridge(Ros2Bridge):
         if self._inlets is not None:
             self._inlets.close()
         self._finish_outlets()
-        for outlet in self._latched:
-            outlet.finish(0)
         self._set_points.clear()
         self._arming.clear()
-        self._latched.clear()
         self._inlets = self._participant = self._domain = self._diagnostics = None
 
     def _resolve(self, name: str) -> str:
@@ -202,9 +198,9 @@ class DdsOutlet(Ros2Outlet):
     def _flush(self) -> None:
         _library.dds_write_flush(self._writer._ref)  # noqa: SLF001
 
-    def finish(self, deadline: float) -> None:
+    def finish(self) -> None:
         """Wait as in the base class, and release the writer."""
-        super().finish(deadline)
+        super().finish()
         del self._writer
 
     def _is_confirmed(self, patience: float) -> bool:
