@@ -77,11 +77,11 @@ def ros2(what: str, seconds: float, rate: float) -> Count:
     from cyclonedds.util import duration
 
     from unity_link.bridges.ros2.domain import open_participant
-    from unity_link.bridges.ros2.messages import STANDARD
-    from unity_link.bridges.ros2.settings import BridgeSettings
+    from unity_link.bridges.ros2.messages import TYPES
+    from unity_link.bridges.ros_settings import BridgeSettings
 
     participant, domain = open_participant(BridgeSettings())
-    struct = STANDARD["Float64"].struct
+    struct = TYPES["Float64"].struct
     quality = Qos(Policy.Reliability.Reliable(duration(seconds=10)), Policy.History.KeepAll)
     if what == "listen":
         reader = DataReader(participant, Topic(participant, f"rt/{TOPIC_OUT}", struct), qos=quality)

@@ -102,7 +102,7 @@ class Peer:
 
         def age() -> float:
             stamp = self.seen[topic][-1].header.stamp
-            return time.time() - stamp.sec - stamp.nanosec * 1e-9
+            return float(time.time() - stamp.sec - stamp.nanosec * 1e-9)
 
         return wait_until(lambda: age() < seconds)
 

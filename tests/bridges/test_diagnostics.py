@@ -17,6 +17,7 @@ from support.valve import Valve
 from unity_link import NotArmedError
 from unity_link.bridges.diagnostics import ERROR, OK, STALE, WARN, Status
 from unity_link.bridges.ros import RosBridge
+from unity_link.bridges.ros_settings import BridgeSettings
 from unity_link.spec import compile_file, compile_text
 from unity_link.virtual.build import build_gateway, simulated
 from unity_link.virtual.simulated import SimulatedRobot
@@ -32,11 +33,11 @@ public robot() { @a = 0x10: READ(PUBLISH(changed)); }
 """)
 
 
-class Bridge(RosBridge[Any]):
+class Bridge(RosBridge):
     """A bridge without subscribers; keeps the diagnostics that it publishes."""
 
     def __init__(self, robot: Robot) -> None:
-        super().__init__(robot, None, None, "", lambda _: None)
+        super().__init__(robot, BridgeSettings(), lambda _: None)
         self.told: list[Status] = []
         self.leases: list[Status] = []
 
@@ -59,12 +60,6 @@ class Bridge(RosBridge[Any]):
         raise NotImplementedError
 
     def _programs(self, *_: Any) -> Any:
-        raise NotImplementedError
-
-    def _number_rows(self, *_: Any) -> Any:
-        raise NotImplementedError
-
-    def _joint_rows(self, *_: Any) -> Any:
         raise NotImplementedError
 
 

@@ -36,7 +36,7 @@ from support.bridge_programs import (
 from support.own_robots import OWN
 from unity_link import ConnectError, blocking, load
 from unity_link.bridges.ros1 import environment
-from unity_link.bridges.ros1.rows import joint_rows, number_rows
+from unity_link.bridges.ros_rows import joint_rows, number_rows
 from unity_link.data.blocking import put
 
 if TYPE_CHECKING:
@@ -202,7 +202,7 @@ def test_a_standard_message_is_the_bytes_that_rospy_gives_it(name: str, value: f
     environment.find_rospy()
     message = getattr(importlib.import_module("std_msgs.msg"), name)(data=value)
 
-    rows = number_rows(name, np.array([value, value]))
+    rows = number_rows(name, np.array([value, value]), cdr=False)
 
     assert rows.tobytes() == 2 * with_length(message)
 
@@ -229,7 +229,7 @@ def test_the_states_of_joints_are_the_bytes_that_rospy_gives_them(
         message.header.frame_id = frame_id
         theirs += with_length(message)
 
-    assert joint_rows(names, np.array([12.5, 12.75]), parts, 7, frame_id).tobytes() == theirs
+    assert joint_rows(names, np.array([12.5, 12.75]), parts, frame_id, 7).tobytes() == theirs
 
 
 @pytest.mark.slow

@@ -37,8 +37,8 @@ from support.own_robots import OWN
 from unity_link import ArgumentError, blocking, load
 from unity_link.bridges.ros2 import BridgeSettings, NodeNames, Quality, read_arguments, read_parameters, settings_of
 from unity_link.bridges.ros2.domain import domain_number, open_participant
-from unity_link.bridges.ros2.messages import DIAGNOSTICS, FLOAT_ARRAY, JOINT_STATE, JOINT_TRAJECTORY, STANDARD
-from unity_link.bridges.ros2.rows import joint_rows, number_rows
+from unity_link.bridges.ros2.messages import TYPES
+from unity_link.bridges.ros_rows import joint_rows, number_rows
 from unity_link.data.blocking import put
 
 if TYPE_CHECKING:
@@ -69,12 +69,12 @@ VALUES: dict[str, Any] = {
 }
 
 
-@pytest.mark.parametrize("name", STANDARD)
+@pytest.mark.parametrize("name", VALUES)
 def test_a_standard_message_is_the_bytes_the_name_and_the_hash_that_ros_2_gives_it(name: str) -> None:
-    known = STANDARD[name]
+    known = TYPES[name]
     full_name = f"std_msgs/msg/{name}"
 
-    (ours,) = number_rows(name, np.array([VALUES[name]]))
+    ours = number_rows(name, np.array([VALUES[name]]), cdr=True).tobytes()
 
     theirs = bytes(ROS.serialize_cdr(ROS.types[full_name](data=VALUES[name]), full_name))
     assert ours == theirs.ljust(len(ours), b"\0")
@@ -83,9 +83,9 @@ def test_a_standard_message_is_the_bytes_the_name_and_the_hash_that_ros_2_gives_
     assert known.hash == ROS.hash_rihs01(full_name)
 
 
-@pytest.mark.parametrize("name", STANDARD)
+@pytest.mark.parametrize("name", VALUES)
 def test_a_standard_message_of_either_byte_order_is_read_and_one_that_is_too_short_has_no_value(name: str) -> None:
-    struct, full_name = STANDARD[name].struct, f"std_msgs/msg/{name}"
+    struct, full_name = TYPES[name].struct, f"std_msgs/msg/{name}"
     for little_endian in (True, False):
         message = ROS.types[full_name](data=VALUES[name])
         theirs = bytes(ROS.serialize_cdr(message, full_name, little_endian=little_endian))
@@ -114,8 +114,7 @@ def test_the_states_of_joints_are_the_bytes_that_ros_2_gives_them(
     for number, (row, stamp) in enumerate(zip(ours, stamps, strict=True)):
         header = types["std_msgs/msg/Header"](stamp=stamp, frame_id=frame_id)
         message = types[name](header=header, name=names, **{part: column[number] for part, column in parts.items()})
-        assert row == bytes(ROS.serialize_cdr(message, name))
-    assert JOINT_STATE.hash == ROS.hash_rihs01(name)
+        assert row.tobytes() == bytes(ROS.serialize_cdr(message, name))
 
 
 # With a peer
@@ -263,9 +262,9 @@ def test_diagnostics_tell_of_each_lease(tmp_path: Path) -> None:
 
 
 def test_the_types_of_ros_2_have_its_hashes() -> None:
-    assert FLOAT_ARRAY.hash == ROS.hash_rihs01("std_msgs/msg/Float64MultiArray")
-    assert JOINT_TRAJECTORY.hash == ROS.hash_rihs01("trajectory_msgs/msg/JointTrajectory")
-    assert DIAGNOSTICS.hash == ROS.hash_rihs01("diagnostic_msgs/msg/DiagnosticArray")
+    known = {"Float64MultiArray": "std_msgs", "JointState": "sensor_msgs", "DiagnosticArray": "diagnostic_msgs"}
+    for name, package in {**known, "JointTrajectory": "trajectory_msgs"}.items():
+        assert TYPES[name].hash == ROS.hash_rihs01(f"{package}/msg/{name}")
 
 
 @pytest.mark.slow

@@ -6,8 +6,9 @@ import abc
 import asyncio
 import functools
 import logging
+import math
 import time
-from typing import TYPE_CHECKING, Any, Generic, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from unity_link.bridges.commands import SignalCommands
 from unity_link.bridges.diagnostics import EVERY, Diagnostics, LeaseDiagnostics
@@ -15,6 +16,7 @@ from unity_link.bridges.gateway_time import GatewayTime
 from unity_link.bridges.log_once import Faults
 from unity_link.bridges.presence import Presence
 from unity_link.bridges.ros_leases import RosLease
+from unity_link.bridges.ros_rows import joint_rows, number_rows
 from unity_link.bridges.ros_trajectories import RosTrajectory, schedule_of
 from unity_link.bridges.thread_queue import Carrier
 from unity_link.bridges.topic_names import topic_names
@@ -29,11 +31,10 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine, Iterator, Sequence
     from concurrent.futures import Executor
 
-    import numpy as np
-    from numpy.typing import NDArray
-
     from unity_link.bridges.diagnostics import Status
     from unity_link.bridges.merged_writes import Value
+    from unity_link.bridges.ros_rows import Rows
+    from unity_link.bridges.ros_settings import BridgeSettings
     from unity_link.bridges.topics import JointCommandTopic, JointTopic
     from unity_link.data import Batch, Robot, Writable
 
@@ -47,63 +48,70 @@ ENDS_WITHIN = 4.0
 """Seconds for slow subscribers at the end: `ros2 launch` interrupts a node, and terminates the node 5 s later."""
 
 
-class Outlet(Protocol):
-    """A topic that is published."""
+class Outlet(abc.ABC):
+    """A topic that is published.
 
-    sent: int
-    """Messages that were sent, while somebody subscribed."""
-    lost: int
-    """Messages that a subscriber did not take."""
-    deadline: float
-    """Instant of `time.monotonic` until which messages are sent and confirmed."""
+    Args:
+        name: full name of the topic.
+        report: logs a sentence about slow subscribers.
+    """
+
+    def __init__(self, name: str, report: Callable[[str], None]) -> None:
+        self.sent = 0
+        """Messages that were sent while the topic had a subscriber."""
+        self.lost = 0
+        """Messages that a subscriber did not take."""
+        self.deadline = math.inf
+        """Instant of `time.monotonic` until which messages are sent and confirmed."""
+        self._name = name
+        self._report = report
 
     @property
+    @abc.abstractmethod
     def is_wanted(self) -> bool:
         """Return whether the topic has a subscriber."""
 
-    def send(self, rows: Any, /) -> None:
-        """Send messages that are serialised already."""
+    @abc.abstractmethod
+    def send(self, rows: Rows) -> None:
+        """Send serialised messages."""
 
+    @abc.abstractmethod
     def finish(self) -> None:
         """Wait until the subscribers have all messages, or until the deadline."""
 
 
-AnyOutlet = TypeVar("AnyOutlet", bound=Outlet)
+class RosBridge(abc.ABC):
+    """Publishes the samples of a robot, and writes its set points.
 
+    Args:
+        robot: a robot of any spec, behind an open link.
+        settings: parameters of the bridge; the caller opens the link.
+        report: logs a sentence.
 
-class RosBridge(abc.ABC, Generic[AnyOutlet]):
-    """Publishes what a robot publishes, and writes what it is told.
-
-    What it is made of is said where it is made, by `Ros1Bridge` and `Ros2Bridge`.
+    Raises:
+        ArgumentError: if the robot has no topics, or for a wrong namespace, frame or time-out.
     """
 
-    def __init__(
-        self,
-        robot: Robot,
-        namespace: str | None,
-        poll_hz: float | None,
-        frame_id: str,
-        report: Callable[[str], None],
-        *,
-        allow_arm: bool = False,
-        timeout: float | None = None,
-    ) -> None:
-        if "\0" in frame_id:
+    _has_cdr: ClassVar[bool]
+    """Whether messages are serialised as in ROS 2."""
+
+    def __init__(self, robot: Robot, settings: BridgeSettings, report: Callable[[str], None]) -> None:
+        if "\0" in settings.frame_id:
             raise ArgumentError("the name of a frame has no zero bytes")
-        self._frame_id = frame_id
+        self._settings = settings
         self._robot, self._link = robot, robot.link
-        self._namespace = read_namespace(robot.interface.name if namespace is None else namespace)
+        self._namespace = read_namespace(robot.interface.name if settings.namespace is None else settings.namespace)
         """Prefix of the names of topics, which ROS resolves in the namespace of the node."""
         self._report = report
-        self._groups = published_groups(robot, poll_hz)
+        self._groups = published_groups(robot, settings.poll_hz)
         self._command_topics = command_topics(robot, self._groups)
         self._joint_command_topics = joint_command_topics(robot, self._groups)
-        self._outlets: dict[str, AnyOutlet] = {}
+        self._outlets: dict[str, Outlet] = {}
         self._faults = Faults(functools.partial(self._log, level=logging.ERROR))
         self._losses = Faults(functools.partial(self._log, level=logging.WARNING))
         leases = leases_of(robot) if isinstance(robot, LeasedRobot) else {}
         self._ros_leases = [
-            RosLease(verbs, path, allowed=allow_arm, timeout=timeout, log=self._log)
+            RosLease(verbs, path, allowed=settings.allow_arm, timeout=settings.timeout, log=self._log)
             for path, verbs in leases.items()
             if path in robot.interface.leases
         ]
@@ -148,18 +156,8 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
         """Return the full name of a topic or a namespace: resolved in the namespace of the node, and remapped."""
 
     @abc.abstractmethod
-    def _open_outlet(self, name: str, package: str, kind: str) -> AnyOutlet:
+    def _open_outlet(self, name: str, package: str, kind: str) -> Outlet:
         """Publish a topic, such as ``j1/cpos`` of ``std_msgs`` and ``Float64``."""
-
-    @abc.abstractmethod
-    def _number_rows(self, kind: str, values: NDArray[Any]) -> Any:
-        """Return messages of a type of ``std_msgs``."""
-
-    @abc.abstractmethod
-    def _joint_rows(
-        self, names: list[str], instants: NDArray[np.float64], columns: dict[str, NDArray[np.float64]], first: int
-    ) -> Any:
-        """Return messages of ``sensor_msgs/JointState``, of which the first has this number."""
 
     @abc.abstractmethod
     def _tell(self, statuses: list[Status], at: float) -> None:
@@ -243,8 +241,20 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
                 await asyncio.sleep(EVERY / LOOKS)
                 presence.look(loop.time(), carrier.received, carrier.rate_hz)
 
+    def _subscriptions(self) -> Iterator[tuple[str, str, str, Callable[[Any], None]]]:
+        """Return names, packages and types of the topics to subscribe to, and functions that take their messages."""
+        for topic in self._command_topics:
+            yield topic.name, "std_msgs", topic.type, functools.partial(self._give, topic.proxy)
+        for joints in self._joint_command_topics:
+            package, kind = ("sensor_msgs", "JointState") if joints.part is None else ("std_msgs", "Float64MultiArray")
+            yield joints.name, package, kind, functools.partial(self._give_joints, joints)
+        for trajectory in self._trajectories:
+            yield trajectory.name, "trajectory_msgs", "JointTrajectory", trajectory.give
+
+    def _give(self, proxy: Writable[Any], message: Any) -> None:
+        self._commands.give((proxy, message.data))
+
     def _give_joints(self, topic: JointCommandTopic, message: Any) -> None:
-        """Set joints as a message asks; to be called from the thread that took it."""
         joints = topic.joints
         try:
             if topic.part is None:
@@ -291,7 +301,7 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
         for topic in published.topics:
             outlet = self._outlets[topic.name]
             if outlet.is_wanted:
-                outlet.send(self._number_rows(topic.type, batch[topic.proxy]))
+                outlet.send(number_rows(topic.type, batch[topic.proxy], cdr=self._has_cdr))
         if published.joints is not None:
             self._publish_joints(published.joints, number, batch)
 
@@ -299,4 +309,5 @@ class RosBridge(abc.ABC, Generic[AnyOutlet]):
         outlet = self._outlets[joints.name]
         if outlet.is_wanted:
             instants = self._time.instants(number, batch)
-            outlet.send(self._joint_rows(joints.names, instants, joints.columns(batch), outlet.sent + 1))
+            first = None if self._has_cdr else outlet.sent + 1
+            outlet.send(joint_rows(joints.names, instants, joints.columns(batch), self._settings.frame_id, first))

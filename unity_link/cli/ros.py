@@ -21,7 +21,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from unity_link.bridges.ros1 import Ros1Bridge
-    from unity_link.bridges.ros2 import BridgeSettings, Ros2Bridge
+    from unity_link.bridges.ros2 import Ros2Bridge
+    from unity_link.bridges.ros_settings import BridgeSettings
     from unity_link.bridges.zenoh import ZenohBridge
     from unity_link.spec import Spec
 
@@ -104,19 +105,17 @@ def ros1(  # noqa: PLR0913  (each is an option)
     Needs rospy of the distribution; ROS_MASTER_URI says where the master is. Master and gateway may come and go. Takes
     remappings as any node does: __ns:=/left, scara/j1/pos_sp:=elbow.
     """
+    from unity_link.bridges.ros_settings import BridgeSettings
+
     check_poll(poll)
-    options = {
-        "namespace": namespace,
-        "poll_hz": poll,
-        "frame_id": frame_id or "",
-        "allow_arm": allow_arm,
-        "timeout": timeout,
-    }
+    settings = BridgeSettings(
+        namespace=namespace, poll_hz=poll, frame_id=frame_id or "", allow_arm=allow_arm, timeout=timeout
+    )
     url, spec = url_and_spec(url, spec, link)
-    run(_ros1(compile_or_exit(spec, interface=interface, given=given), interface, url, options))
+    run(_ros1(compile_or_exit(spec, interface=interface, given=given), interface, url, settings))
 
 
-async def _ros1(spec: Spec, interface: str | None, url: str, options: dict[str, Any]) -> None:
+async def _ros1(spec: Spec, interface: str | None, url: str, settings: BridgeSettings) -> None:
     from unity_link.bridges.ros1 import Ros1Bridge, find_rospy
     from unity_link.bridges.waiting import connect_when_there
     from unity_link.data import load
@@ -125,7 +124,7 @@ async def _ros1(spec: Spec, interface: str | None, url: str, options: dict[str, 
     robot_type = load(spec, interface)
     find_rospy()
     async with connect_when_there(url, print_note) as link:
-        await run_and_sum_up(Ros1Bridge(await robot_behind(link, robot_type), report=print_note, **options))
+        await run_and_sum_up(Ros1Bridge(await robot_behind(link, robot_type), settings, print_note))
 
 
 def ros2(  # noqa: PLR0913  (each is an option)

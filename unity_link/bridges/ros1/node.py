@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import functools
 import importlib
 import logging
 import threading
@@ -17,21 +16,17 @@ from typing import TYPE_CHECKING, Any
 from unity_link.bridges.diagnostics import TOPIC
 from unity_link.bridges.ros import RosBridge
 from unity_link.bridges.ros1.environment import choose_address, find_rospy
-from unity_link.bridges.ros1.rows import joint_rows, number_rows
 from unity_link.errors import ConnectError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
     from http.client import HTTPConnection
 
-    import numpy as np
-    from numpy.typing import NDArray
-
     from unity_link.bridges.diagnostics import Status
     from unity_link.bridges.ros1.outlet import Ros1Outlet
-    from unity_link.bridges.ros1.rows import Rows
     from unity_link.bridges.ros_leases import RosLease
-    from unity_link.bridges.topics import CommandTopic, JointCommandTopic, Topic
+    from unity_link.bridges.ros_settings import BridgeSettings
+    from unity_link.bridges.topics import CommandTopic, Topic
     from unity_link.data import Robot
 
 LOOK_EVERY = 1.0
@@ -44,43 +39,25 @@ LEAVES_WITHIN = 3.0
 """Seconds that it may take to tell the master of the end."""
 
 
-class Ros1Bridge(RosBridge["Ros1Outlet"]):
-    """Publishes what a robot publishes, and writes what it is told.
-
-    Args:
-        robot: a robot of any spec, behind an open link.
-        namespace: what stands before the names of all topics; that of the interface if nothing is said.
-        poll_hz: also publish, read so often, what nothing samples.
-        frame_id: of the headers of states of joints.
-        allow_arm: whether any program on ROS may arm the leases of the robot.
-        timeout: seconds from a set point to the end of a lease that ROS has armed; None for the most.
-        report: is told in a sentence what a person should know.
+class Ros1Bridge(RosBridge):
+    """A node of ROS 1; arguments and errors are those of `RosBridge`.
 
     Raises:
-        ConnectError: where ROS 1 is not installed.
-        ArgumentError: where nothing is published, polled or can be written; for a namespace that ROS does not
-            take; where the master is on another machine, and ROS_IP does not say how this one is reached.
+        ConnectError: if ROS 1 is not installed.
+        ArgumentError: if the master is on another machine, and ROS_IP does not say how this one is reached.
     """
 
-    def __init__(
-        self,
-        robot: Robot,
-        *,
-        namespace: str | None = None,
-        poll_hz: float | None = None,
-        frame_id: str = "",
-        allow_arm: bool = False,
-        timeout: float | None = None,
-        report: Callable[[str], None] = lambda _: None,
-    ) -> None:
+    _has_cdr = False
+
+    def __init__(self, robot: Robot, settings: BridgeSettings, report: Callable[[str], None]) -> None:
         find_rospy()
         choose_address()
-        super().__init__(robot, namespace, poll_hz, frame_id, report, allow_arm=allow_arm, timeout=timeout)
+        super().__init__(robot, settings, report)
         self._node_name = self._name_at(self._namespace)
-        self._rosout: Any = None
-        self._armed_publishers: list[Any] = []
+        self._publishers: list[Any] = []
         self._services: list[Any] = []
         self._subscribers: list[Any] = []
+        self._rosout: Any = None
         self._diagnostics_publisher: Any = None
 
     async def run(self) -> None:
@@ -120,22 +97,26 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
         rospy.init_node(self._node_name, disable_signals=True)
         # It may have been given another one on the command line.
         self._node_name = rospy.get_name()
-        self._rosout = rospy.Publisher("/rosout", _message("rosgraph_msgs", "Log"), queue_size=MOST_LOGGED)
+        self._rosout = self._publisher("/rosout", _message("rosgraph_msgs", "Log"), queue_size=MOST_LOGGED)
         self._open_outlets()
-        self._subscribers = [self._subscriber(topic) for topic in self._command_topics]
-        self._subscribers += [self._joint_subscriber(topic) for topic in self._joint_command_topics]
-        for trajectory in self._trajectories:
-            kind = _message("trajectory_msgs", "JointTrajectory")
-            name = self._namespace + trajectory.name
-            self._subscribers.append(rospy.Subscriber(name, kind, trajectory.give, tcp_nodelay=True))
+        for name, package, kind, take in self._subscriptions():
+            subscriber = rospy.Subscriber(self._namespace + name, _message(package, kind), take, tcp_nodelay=True)
+            self._subscribers.append(subscriber)
         self._open_leases()
-        self._diagnostics_publisher = rospy.Publisher(TOPIC, array_type(), queue_size=10)
+        self._diagnostics_publisher = self._publisher(TOPIC, array_type(), queue_size=10)
         self._describe()
 
     def _open_outlet(self, name: str, package: str, kind: str) -> Ros1Outlet:
-        from unity_link.bridges.ros1.outlet import Ros1Outlet
+        from unity_link.bridges.ros1.outlet import MOST_WRITES, Ros1Outlet
 
-        return Ros1Outlet(self._namespace + name, _message(package, kind), self._losses.tell)
+        publisher = self._publisher(self._namespace + name, _message(package, kind), queue_size=MOST_WRITES)
+        return Ros1Outlet(publisher, self._losses.tell)
+
+    def _publisher(self, name: str, kind: Any, **options: Any) -> Any:
+        import rospy
+
+        self._publishers.append(rospy.Publisher(name, kind, tcp_nodelay=True, **options))
+        return self._publishers[-1]
 
     def _log(self, text: str, *, level: int = logging.INFO) -> None:
         super()._log(text, level=level)
@@ -150,14 +131,6 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
 
         return str(rospy.resolve_name(name))
 
-    def _number_rows(self, kind: str, values: NDArray[Any]) -> Rows:
-        return number_rows(kind, values)
-
-    def _joint_rows(
-        self, names: list[str], instants: NDArray[np.float64], columns: dict[str, NDArray[np.float64]], first: int
-    ) -> Rows:
-        return joint_rows(names, instants, columns, first, self._frame_id)
-
     def _tell(self, statuses: list[Status], at: float) -> None:
         from unity_link.bridges.ros1.diagnostics import message
 
@@ -170,9 +143,9 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
         # rospy makes a response of the tuple.
         service = rospy.Service(f"{name}/arm", kind, lambda request: lease.ask(bool(request.data)))
         self._services.append(service)
-        publisher = rospy.Publisher(f"{name}/armed", _message("std_msgs", "Bool"), latch=True, queue_size=10)
-        self._armed_publishers.append(publisher)
-        publish: Callable[[bool], None] = publisher.publish
+        publish: Callable[[bool], None] = self._publisher(
+            f"{name}/armed", _message("std_msgs", "Bool"), latch=True, queue_size=10
+        ).publish
         return publish
 
     def _programs(self, topics: list[str]) -> set[str]:
@@ -181,27 +154,6 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
         names = {rospy.resolve_name(self._namespace + topic) for topic in topics}
         subscribers = [one for one in self._subscribers if one.resolved_name in names]
         return {str(connection.endpoint_id) for one in subscribers for connection in list(one.impl.connections)}
-
-    def _joint_subscriber(self, topic: JointCommandTopic) -> Any:
-        import rospy
-
-        kind = (
-            _message("sensor_msgs", "JointState") if topic.part is None else _message("std_msgs", "Float64MultiArray")
-        )
-        name = self._namespace + topic.name
-        take = functools.partial(self._give_joints, topic)
-        return rospy.Subscriber(name, kind, take, tcp_nodelay=True, queue_size=None)
-
-    def _subscriber(self, topic: CommandTopic) -> Any:
-        import rospy
-
-        proxy, give = topic.proxy, self._commands.give
-
-        def take(message: Any) -> None:
-            give((proxy, message.data))
-
-        name = self._namespace + topic.name
-        return rospy.Subscriber(name, _message("std_msgs", topic.type), take, tcp_nodelay=True, queue_size=None)
 
     def _describe(self) -> None:
         """Leave units, IDs and descriptions at the parameter server: ``~signals/j1/cpos/unit``."""
@@ -252,9 +204,7 @@ class Ros1Bridge(RosBridge["Ros1Outlet"]):
         else:
             return False
         listeners = get_registration_listeners()
-        for outlet in self._outlets.values():
-            listeners.notify_added(*outlet.registered, Registration.PUB)
-        for publisher in (self._diagnostics_publisher, self._rosout, *self._armed_publishers):
+        for publisher in self._publishers:
             listeners.notify_added(publisher.resolved_name, publisher.type, Registration.PUB)
         for service in self._services:
             listeners.notify_added(service.resolved_name, service.uri, Registration.SRV)

@@ -6,16 +6,17 @@ come together go as one write: on the wire they are the same.
 
 from __future__ import annotations
 
-import math
 import time
 from typing import TYPE_CHECKING, Any
 
 import rospy
 
+from unity_link.bridges.ros import Outlet
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.bridges.ros1.rows import Rows
+    from unity_link.bridges.ros_rows import Rows
 
 MOST_TOGETHER = 1 << 14
 """Bytes of messages in one write."""
@@ -23,31 +24,19 @@ MOST_WRITES = 1024
 """Writes that wait for a subscriber that does not read; after that the oldest are lost to it, and counted."""
 
 
-class Ros1Outlet:
+class Ros1Outlet(Outlet):
     """A topic that is published.
 
     Args:
-        name: of the topic.
-        message: the class of its messages.
-        report: is told in a sentence of a subscriber that is too slow.
+        publisher: of rospy, for the topic; its queue holds `MOST_WRITES` messages.
+        report: logs a sentence about slow subscribers.
     """
 
-    def __init__(self, name: str, message: Any, report: Callable[[str], None]) -> None:
-        self.sent = 0
-        """Messages that were sent, while somebody subscribed."""
-        self.lost = 0
-        """Messages that a subscriber did not take."""
-        self.deadline = math.inf
-        """Instant of `time.monotonic` until which `finish` waits."""
-        self._publisher = rospy.Publisher(name, message, tcp_nodelay=True, queue_size=MOST_WRITES)
-        self._report = report
+    def __init__(self, publisher: Any, report: Callable[[str], None]) -> None:
+        super().__init__(publisher.resolved_name, report)
+        self._publisher = publisher
         self._given: dict[Any, int] = {}
         """Number of writes given to each connection."""
-
-    @property
-    def registered(self) -> tuple[str, str]:
-        """The name of the topic, and its type."""
-        return self._publisher.resolved_name, self._publisher.type
 
     @property
     def is_wanted(self) -> bool:
@@ -72,9 +61,7 @@ class Ros1Outlet:
             if queue[0] is not oldest:
                 self._given[connection] -= 1
                 self.lost += len(oldest) // messages.size
-                self._report(
-                    f"{connection.endpoint_id} reads {self._publisher.resolved_name} too slowly: it loses messages"
-                )
+                self._report(f"{connection.endpoint_id} reads {self._name} too slowly: it loses messages")
 
     def finish(self) -> None:
         """Wait until all messages are on their way to all subscribers, or until the deadline."""

@@ -1,6 +1,6 @@
 """ROS 2: by rclpy if this Python has it, otherwise by CycloneDDS, because the topics of ROS 2 are topics of DDS.
 
-- `arguments`, `settings`: names and parameters of a node, from outside
+- `arguments`: names and parameters of a node, from outside
 - `node`: the bridge, with two ways to ROS 2: `over_rclpy`, and `over_dds` with its `domain`, `messages` and `inlets`
 
 ROS 2 calls the topic ``/scara/j1/cpos`` ``rt/scara/j1/cpos`` on DDS, and the type ``std_msgs/msg/Float64``
@@ -9,7 +9,7 @@ ROS 2 calls the topic ``/scara/j1/cpos`` ``rt/scara/j1/cpos`` on DDS, and the ty
 
 from unity_link.bridges.ros2.arguments import NodeNames, read_arguments
 from unity_link.bridges.ros2.node import Ros2Bridge
-from unity_link.bridges.ros2.settings import BridgeSettings, Quality, read_parameters, settings_of
+from unity_link.bridges.ros_settings import BridgeSettings, Quality, read_parameters, settings_of
 
 __all__ = [
     "BridgeSettings",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from unity_link.bridges.ros2.settings import read_parameters
+from unity_link.bridges.ros_settings import read_parameters
 from unity_link.errors import ArgumentError
 
 if TYPE_CHECKING:

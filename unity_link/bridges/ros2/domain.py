@@ -11,16 +11,15 @@ import os
 import re
 import socket
 import sys
-import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from unity_link.errors import ArgumentError, ConnectError
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable, Iterator
 
-    from unity_link.bridges.ros2.settings import BridgeSettings
+    from unity_link.bridges.ros_settings import BridgeSettings
 
 TYPES = """<CycloneDDS><Domain>
   <Compatibility><IgnoreTypeInformation>1.15</IgnoreTypeInformation></Compatibility>
@@ -44,8 +43,6 @@ LOOPBACK = """<CycloneDDS><Domain>
 HIGHEST_DOMAIN = 232
 _FIRST_PORT, _PORTS = 7400, 250
 """First UDP port of domain 0, and ports of each domain (DDS-RTPS 9.6.1.1)."""
-LOOK = 1.0
-"""Seconds in which another bridge of the same namespace shows itself."""
 
 
 def find_dds() -> None:
@@ -112,20 +109,15 @@ def _own_sockets() -> Iterator[socket.socket]:
                     yield one
 
 
-def is_alone(participant: Any, mark: str) -> bool:
-    """Return whether no other participant has the same mark. Blocks for `LOOK` seconds, unless there is one."""
+def finder(participant: Any, mark: str) -> Callable[[], bool]:
+    """Return what returns whether another participant with the same mark was found since the call before."""
     from cyclonedds.builtin import BuiltinDataReader, BuiltinTopicDcpsParticipant
     from cyclonedds.core import Policy
 
-    reader = BuiltinDataReader(participant, BuiltinTopicDcpsParticipant)
-    until = time.monotonic() + LOOK
-    while time.monotonic() < until:
-        for other in reader.take(N=100):
-            marked = Policy.Userdata(mark.encode()) in (getattr(other, "qos", None) or ())
-            if marked and other.key != participant.guid:
-                return False
-        time.sleep(LOOK / 50)
-    return True
+    reader, own = BuiltinDataReader(participant, BuiltinTopicDcpsParticipant), Policy.Userdata(mark.encode())
+    return lambda: any(
+        own in (getattr(other, "qos", None) or ()) and other.key != participant.guid for other in reader.take(N=100)
+    )
 
 
 def domain_number(settings: BridgeSettings) -> int:

@@ -4,49 +4,75 @@ from __future__ import annotations
 
 import abc
 import asyncio
+import time
 from concurrent.futures import ThreadPoolExecutor
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from unity_link.bridges.ros import RosBridge
-from unity_link.bridges.ros2.outlet import Ros2Outlet
-from unity_link.bridges.ros2.rows import joint_rows, number_rows
-from unity_link.errors import ArgumentError
+import numpy as np
+
+from unity_link.bridges.ros import Outlet, RosBridge
+from unity_link.bridges.ros_rows import number_rows
+from unity_link.bridges.ros_settings import Quality
+from unity_link.errors import ArgumentError, ConnectError
 from unity_link.spec.diagnostics import did_you_mean
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    import numpy as np
-    from numpy.typing import NDArray
-
-    from unity_link.bridges.ros2.settings import BridgeSettings
+    from unity_link.bridges.ros_leases import RosLease
+    from unity_link.bridges.ros_rows import Rows
+    from unity_link.bridges.ros_settings import BridgeSettings
     from unity_link.data import Robot
 
+LOOK = 1.0
+"""Seconds for the discovery of another bridge at the same namespace."""
 
-class Ros2Bridge(RosBridge[Ros2Outlet]):
-    """Publishes the samples of a robot, and writes its set points.
 
-    Args:
-        robot: a robot of any spec, behind an open link.
-        settings: parameters of the bridge; the caller opens the link.
-        report: logs a sentence.
+class Ros2Outlet(Outlet):
+    """A topic that is published: a reader that is stuck holds up no other topic for long."""
 
-    Raises:
-        ArgumentError: if the robot has no topics, or for a wrong namespace or settings of an unknown topic.
-    """
+    _stuck = False
+
+    @abc.abstractmethod
+    def _write(self, row: bytes) -> bool:
+        """Write a message; return False if there is no room for it."""
+
+    @abc.abstractmethod
+    def _is_confirmed(self, patience: float) -> bool:
+        """Return whether the readers have all messages within so many seconds."""
+
+    def send(self, rows: Rows) -> None:
+        """Send serialised messages. If a reader is stuck, send none until all readers have the earlier ones."""
+        if self._stuck and not self._is_confirmed(0):
+            self.lost += len(rows)
+            return
+        self._stuck = False
+        # A slow reader may take each message just in time.
+        late = (n for n, row in enumerate(rows) if time.monotonic() > self.deadline or not self._write(row.tobytes()))
+        sent = next(late, len(rows))
+        self.sent += sent
+        if sent < len(rows):
+            self._stuck = True
+            self.lost += len(rows) - sent
+            self._report(f"a reader of {self._name} takes nothing: messages are lost")
+
+    def finish(self) -> None:
+        """Wait until the readers have all messages, or until the deadline."""
+        if not self._is_confirmed(max(0.0, self.deadline - time.monotonic())):
+            self._report(f"a reader of {self._name} has not confirmed all messages: the last ones may be lost")
+
+
+class Ros2Bridge(RosBridge):
+    """A bridge to ROS 2; arguments and errors are those of `RosBridge`. Settings of unknown topics are errors, too."""
+
+    _has_cdr = True
 
     def __init__(self, robot: Robot, settings: BridgeSettings, report: Callable[[str], None]) -> None:
-        self._settings = settings
-        arming: dict[str, Any] = {"allow_arm": settings.allow_arm, "timeout": settings.timeout}
-        super().__init__(robot, settings.namespace, settings.poll_hz, settings.frame_id, report, **arming)
-        self._check_topics()
-
-    def _check_topics(self) -> None:
+        super().__init__(robot, settings, report)
         known = {topic.name for published in self._groups for topic in published.topics}
         known |= {published.joints.name for published in self._groups if published.joints is not None}
-        known |= {topic.name for topic in self._command_topics}
-        known |= {topic.name for topic in self._joint_command_topics}
-        for name in self._settings.topics.keys() - known:
+        known |= {name for name, *_ in self._subscriptions()}
+        for name in settings.topics.keys() - known:
             hint = did_you_mean(name, known) or "names without the namespace were expected"
             raise ArgumentError(f"the parameters choose a quality for {name!r}, which is no topic here: {hint}")
 
@@ -75,18 +101,35 @@ class Ros2Bridge(RosBridge[Ros2Outlet]):
     def _close(self) -> None:
         """Leave ROS 2."""
 
+    @abc.abstractmethod
+    def _outlet(self, name: str, package: str, kind: str, quality: Quality, *, latched: bool = False) -> Outlet:
+        """Publish a topic by its name in the namespace of the node."""
+
+    @abc.abstractmethod
+    def _offer(self, lease: RosLease, name: str) -> None:
+        """Let programs arm a lease by a service or a topic of this name."""
+
+    def _open_outlet(self, name: str, package: str, kind: str) -> Outlet:
+        return self._outlet(self._namespace + name, package, kind, self._settings.quality_of(name))
+
+    def _open_lease(self, lease: RosLease, name: str) -> Callable[[bool], None]:
+        self._offer(lease, f"{name}/arm")
+        armed = f"{name}/armed"
+        outlet = self._outlets[armed] = self._outlet(armed, "std_msgs", "Bool", Quality.RELIABLE, latched=True)
+        return lambda is_armed: outlet.send(number_rows("Bool", np.array([is_armed]), cdr=True))
+
+    def _refuse_second(self, is_there: Callable[[], bool]) -> None:
+        """Check for `LOOK` seconds that there is no other bridge.
+
+        Raises:
+            ConnectError: if there is one.
+        """
+        until = time.monotonic() + LOOK
+        while time.monotonic() < until:
+            if is_there():
+                raise ConnectError(self._second_bridge())
+            time.sleep(LOOK / 50)
+
     def _second_bridge(self) -> str:
         namespace = self._resolve(self._namespace)
         return f"another bridge is at {namespace}, and both would write: end that one, or choose another namespace"
-
-    def _number_rows(self, kind: str, values: NDArray[Any]) -> list[bytes]:
-        return number_rows(kind, values)
-
-    def _joint_rows(
-        self,
-        names: list[str],
-        instants: NDArray[np.float64],
-        columns: dict[str, NDArray[np.float64]],
-        first: int,  # noqa: ARG002  (messages of ROS 2 have no numbers)
-    ) -> list[bytes]:
-        return joint_rows(names, instants, columns, self._frame_id)

@@ -14,34 +14,31 @@ from cyclonedds.sub import DataReader
 from cyclonedds.topic import Topic
 from cyclonedds.util import duration
 
-from unity_link.bridges.diagnostics import TOPIC
+from unity_link.bridges.diagnostics import TOPIC, array_of
 from unity_link.bridges.ros import PATIENCE
-from unity_link.bridges.ros2.domain import is_alone, open_participant
+from unity_link.bridges.ros2.domain import finder, open_participant
 from unity_link.bridges.ros2.inlets import Inlets
-from unity_link.bridges.ros2.messages import (
-    DIAGNOSTICS,
-    FLOAT_ARRAY,
-    JOINT_STATE,
-    JOINT_TRAJECTORY,
-    STANDARD,
-    diagnostics,
-)
-from unity_link.bridges.ros2.node import Ros2Bridge
-from unity_link.bridges.ros2.outlet import Ros2Outlet
-from unity_link.bridges.ros2.rows import number_rows
-from unity_link.bridges.ros2.settings import Quality
-from unity_link.errors import ConnectError
+from unity_link.bridges.ros2.messages import TYPES
+from unity_link.bridges.ros2.node import Ros2Bridge, Ros2Outlet
+from unity_link.bridges.ros_settings import Quality
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from unity_link.bridges.diagnostics import Status
     from unity_link.bridges.ros2.arguments import NodeNames
-    from unity_link.bridges.ros2.messages import MessageType
-    from unity_link.bridges.ros2.settings import BridgeSettings
     from unity_link.bridges.ros_leases import RosLease
+    from unity_link.bridges.ros_rows import Rows
+    from unity_link.bridges.ros_settings import BridgeSettings
     from unity_link.data import Robot
 
+_RELIABLE = Policy.Reliability.Reliable(duration(seconds=PATIENCE))
+# DDS warns of each difference between the two ends of a topic: the other policies are those of ROS 2's profiles.
+_PROFILES = {
+    Quality.RELIABLE: (_RELIABLE, Policy.History.KeepAll, Policy.Durability.Volatile),
+    Quality.SENSOR_DATA: (Policy.Reliability.BestEffort, Policy.History.KeepLast(5), Policy.Durability.Volatile),
+}
+_LATCHED = _RELIABLE, Policy.History.KeepLast(1), Policy.Durability.TransientLocal
 MOST_KEPT = 1 << 14
 """Values of a topic that wait for the link; beyond, who writes it waits."""
 
@@ -77,47 +74,28 @@ class DdsBridge(Ros2Bridge):
         self._participant: Any = None
         self._domain: Any = None
         self._diagnostics: DdsOutlet | None = None
-        self._set_points: dict[str, Any] = {}
-        self._arming: list[tuple[Any, Callable[[Any], Any]]] = []
+        self._readers: dict[str, tuple[Any, Callable[[Any], object]]] = {}
+        """Readers by the full names of their topics, and what takes their messages."""
 
     def _open(self) -> None:
         mark = f"unity_link={self._resolve(self._namespace)};"
         self._participant, self._domain = open_participant(self._settings, mark)
-        if not is_alone(self._participant, mark):
-            raise ConnectError(self._second_bridge())
+        self._refuse_second(finder(self._participant, mark))
         self._open_outlets()
-        self._diagnostics = self._outlet(TOPIC, DIAGNOSTICS, Quality.RELIABLE)
-        readers = [(self._reader(topic.name, STANDARD[topic.type]), topic.proxy) for topic in self._command_topics]
-        joints: list[tuple[Any, Callable[[Any], None]]] = [
-            (
-                self._reader(topic.name, JOINT_STATE if topic.part is None else FLOAT_ARRAY),
-                functools.partial(self._give_joints, topic),
-            )
-            for topic in self._joint_command_topics
-        ]
-        joints += [(self._reader(one.name, JOINT_TRAJECTORY), one.give) for one in self._trajectories]
-        self._set_points = {reader.topic.name: reader for reader, _ in (*readers, *joints)}
+        self._diagnostics = self._outlet(TOPIC, "diagnostic_msgs", "DiagnosticArray", Quality.RELIABLE)
+        for name, _, kind, take in self._subscriptions():
+            self._subscribe(self._namespace + name, kind, take)
         self._open_leases()
-        self._inlets = Inlets(
-            self._participant, readers, [*joints, *self._arming], self._commands.give, self._faults.tell
-        )
+        self._inlets = Inlets(self._participant, list(self._readers.values()), self._faults.tell)
 
-    def _open_lease(self, lease: RosLease, name: str) -> Callable[[bool], None]:
+    def _offer(self, lease: RosLease, name: str) -> None:
         # Services do not cross from one vendor of DDS to another, so a topic arms.
-        kind = STANDARD["Bool"]
-        self._arming.append(
-            (self._reader(f"{name.removeprefix(self._namespace)}/arm", kind), lambda one: lease.ask(one.data))
-        )
-        outlet = self._outlet(f"{name}/armed", kind, Quality.RELIABLE, Policy.Durability.TransientLocal)
-        self._outlets[f"{name}/armed"] = outlet
-        return lambda armed: outlet.send(number_rows("Bool", np.array([armed])))
+        self._subscribe(name, "Bool", lambda message: lease.ask(message.data))
 
     def _programs(self, topics: list[str]) -> set[str]:
-        names = [f"rt{self._resolve(self._namespace + topic)}" for topic in topics]
+        readers = (self._readers[self._resolve(self._namespace + topic)][0] for topic in topics)
         found = (
-            reader.get_matched_publication_data(one)
-            for reader in (self._set_points[name] for name in names)
-            for one in reader.get_matched_publications()
+            reader.get_matched_publication_data(one) for reader in readers for one in reader.get_matched_publications()
         )
         return {str(one.participant_key) for one in found if one is not None}
 
@@ -125,60 +103,54 @@ class DdsBridge(Ros2Bridge):
         if self._inlets is not None:
             self._inlets.close()
         self._finish_outlets()
-        self._set_points.clear()
-        self._arming.clear()
+        self._readers.clear()
         self._inlets = self._participant = self._domain = self._diagnostics = None
 
     def _resolve(self, name: str) -> str:
         return self._names.resolve(name)
 
-    def _topic(self, name: str, message: MessageType) -> Any:
-        return Topic(self._participant, f"rt{self._resolve(name)}", message.struct)
+    def _topic(self, name: str, kind: str) -> Any:
+        return Topic(self._participant, f"rt{self._resolve(name)}", TYPES[kind].struct)
 
-    def _outlet(self, name: str, message: MessageType, profile: Quality, *more: Any) -> DdsOutlet:
-        writer = functools.partial(DataWriter, self._participant, qos=_quality(profile, message, *more))
-        return DdsOutlet(writer, self._topic(name, message), self._losses.tell)
+    def _outlet(
+        self,
+        name: str,
+        package: str,  # noqa: ARG002  (DDS finds a type by its name)
+        kind: str,
+        quality: Quality,
+        *,
+        latched: bool = False,
+    ) -> DdsOutlet:
+        policies = _quality(kind, *(_LATCHED if latched else _PROFILES[quality]))
+        return DdsOutlet(self._participant, self._topic(name, kind), policies, self._losses.tell)
 
-    def _open_outlet(self, name: str, package: str, kind: str) -> DdsOutlet:
-        message = STANDARD[kind] if package == "std_msgs" else JOINT_STATE
-        return self._outlet(self._namespace + name, message, self._settings.quality_of(name))
-
-    def _reader(self, name: str, message: MessageType) -> Any:
-        quality = _quality(Quality.RELIABLE, message, Policy.ResourceLimits(MOST_KEPT, -1, MOST_KEPT))
-        return DataReader(self._participant, self._topic(self._namespace + name, message), qos=quality)
+    def _subscribe(self, name: str, kind: str, take: Callable[[Any], object]) -> None:
+        quality = _quality(kind, *_PROFILES[Quality.RELIABLE], Policy.ResourceLimits(MOST_KEPT, -1, MOST_KEPT))
+        reader = DataReader(self._participant, self._topic(name, kind), qos=quality)
+        self._readers[self._resolve(name)] = reader, take
 
     def _tell(self, statuses: list[Status], at: float) -> None:
         if self._diagnostics is not None and self._diagnostics.is_wanted:
-            self._diagnostics.send([diagnostics(statuses, at)])
+            seconds, nanoseconds = divmod(round(at * 1e9), 1_000_000_000)
+            stamp = TYPES["Time"].struct(sec=seconds, nanosec=nanoseconds)
+            header = TYPES["Header"].struct(stamp=stamp, frame_id="")
+            array, *parts = (TYPES[name].struct for name in ("DiagnosticArray", "DiagnosticStatus", "KeyValue"))
+            message = array_of(statuses, functools.partial(array, header=header), *parts)
+            self._diagnostics.send(np.array([np.void(message.serialize())]))
 
 
-def _quality(profile: Quality, message: MessageType, *more: Any) -> Any:
-    if profile is Quality.SENSOR_DATA:
-        reliability, history = Policy.Reliability.BestEffort, Policy.History.KeepLast(5)
-    else:
-        reliability = Policy.Reliability.Reliable(duration(seconds=PATIENCE))
-        history = Policy.History.KeepAll
-    # What differs between the two ends of a topic for no reason is warned of: the rest is as in ROS 2's profiles.
-    typehash = Policy.Userdata(f"typehash={message.hash};".encode())
-    if Policy.Durability.TransientLocal in more:
-        return Qos(reliability, Policy.History.KeepLast(1), typehash, *more)
-    return Qos(reliability, history, Policy.Durability.Volatile, typehash, *more)
+def _quality(kind: str, *policies: Any) -> Any:
+    return Qos(*policies, Policy.Userdata(f"typehash={TYPES[kind].hash};".encode()))
 
 
 class DdsOutlet(Ros2Outlet):
-    """A topic that a participant publishes.
+    """A topic that a participant publishes."""
 
-    Args:
-        writer: makes the writer of a topic.
-        topic: of CycloneDDS.
-        report: logs a sentence about readers that are stuck.
-    """
-
-    def __init__(self, writer: Callable[[Any], Any], topic: Any, report: Callable[[str], None]) -> None:
+    def __init__(self, participant: Any, topic: Any, quality: Any, report: Callable[[str], None]) -> None:
         super().__init__(topic.name.removeprefix("rt"), report)
         # It is for all writers that are made from now on.
         _library.dds_write_set_batch(True)  # noqa: FBT003
-        self._writer = writer(topic)
+        self._writer = DataWriter(participant, topic, qos=quality)
         _library.dds_write_set_batch(False)  # noqa: FBT003
         self._message = topic.data_type.__new__(topic.data_type)
 
@@ -195,7 +167,9 @@ class DdsOutlet(Ros2Outlet):
             return False
         return True
 
-    def _flush(self) -> None:
+    def send(self, rows: Rows) -> None:
+        """Send as in the base class, and send the packet of the last messages."""
+        super().send(rows)
         _library.dds_write_flush(self._writer._ref)  # noqa: SLF001
 
     def finish(self) -> None:

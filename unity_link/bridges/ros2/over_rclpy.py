@@ -9,7 +9,6 @@ import importlib.util
 import logging
 import os
 import threading
-import time
 from typing import TYPE_CHECKING, Any
 
 import msgspec
@@ -17,27 +16,22 @@ import msgspec
 from unity_link.bridges.diagnostics import TOPIC, array_of
 from unity_link.bridges.ros import PATIENCE
 from unity_link.bridges.ros2.arguments import BEGIN, set_parameter
-from unity_link.bridges.ros2.node import Ros2Bridge
-from unity_link.bridges.ros2.outlet import Ros2Outlet
-from unity_link.bridges.ros2.settings import Quality
-from unity_link.errors import ArgumentError, ConnectError
+from unity_link.bridges.ros2.node import Ros2Bridge, Ros2Outlet
+from unity_link.bridges.ros_settings import Quality
+from unity_link.errors import ArgumentError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
     from unity_link.bridges.diagnostics import Status
-    from unity_link.bridges.ros2.settings import BridgeSettings
     from unity_link.bridges.ros_leases import RosLease
-    from unity_link.data import Robot, Writable
+    from unity_link.bridges.ros_settings import BridgeSettings
+    from unity_link.data import Robot
 
 _OF_ROS = {"use_sim_time", "start_type_description_service", "qos_overrides"}
 """Parameters that a node has by itself."""
 _FROM_OUTSIDE = {"domain", "network"}
 """Settings that rclpy takes from its environment when the node begins."""
-
-
-LOOK = 1.0
-"""Seconds in which another bridge of the same namespace shows itself."""
 
 
 def has_rclpy() -> bool:
@@ -151,29 +145,12 @@ class RclpyBridge(Ros2Bridge):
         return name or str(self._node.get_namespace())
 
     def _open(self) -> None:
-        self._refuse_second()
+        self._refuse_second(lambda: self._count_publishers() > 0)
         self._open_outlets()
-        for topic in self._command_topics:
-            self._subscribe(topic.name, "std_msgs", topic.type, functools.partial(self._give, topic.proxy))
-        for joints in self._joint_command_topics:
-            package, kind = ("sensor_msgs", "JointState") if joints.part is None else ("std_msgs", "Float64MultiArray")
-            self._subscribe(joints.name, package, kind, functools.partial(self._give_joints, joints))
-        for trajectory in self._trajectories:
-            self._subscribe(trajectory.name, "trajectory_msgs", "JointTrajectory", trajectory.give)
+        for name, package, kind, take in self._subscriptions():
+            self._node.create_subscription(_type(package, kind), self._namespace + name, take, _reliable())
         self._open_leases()
         self._diagnostics = self._node.create_publisher(_type("diagnostic_msgs", "DiagnosticArray"), TOPIC, 10)
-
-    def _refuse_second(self) -> None:
-        """Check that no other program publishes the topics of this bridge; waits for `LOOK` seconds.
-
-        Raises:
-            ConnectError: if one does.
-        """
-        until = time.monotonic() + LOOK
-        while time.monotonic() < until:
-            if self._count_publishers():
-                raise ConnectError(self._second_bridge())
-            time.sleep(LOOK / 50)
 
     def _count_publishers(self) -> int:
         """Return how many programs publish the first topic of this bridge."""
@@ -183,39 +160,26 @@ class RclpyBridge(Ros2Bridge):
     def _close(self) -> None:
         self._finish_outlets()
 
-    def _open_outlet(self, name: str, package: str, kind: str) -> Ros2Outlet:
-        from rclpy.qos import qos_profile_sensor_data
+    def _outlet(self, name: str, package: str, kind: str, quality: Quality, *, latched: bool = False) -> RclpyOutlet:
+        from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
 
-        best_effort = self._settings.quality_of(name) is Quality.SENSOR_DATA
-        full_name = self._namespace + name
-        publisher = self._node.create_publisher(
-            _type(package, kind), full_name, qos_profile_sensor_data if best_effort else _reliable()
-        )
-        return RclpyOutlet(publisher, self._resolve(full_name), self._losses.tell)
+        profile = qos_profile_sensor_data if quality is Quality.SENSOR_DATA else _reliable()
+        if latched:
+            profile = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+        publisher = self._node.create_publisher(_type(package, kind), name, profile)
+        return RclpyOutlet(publisher, self._resolve(name), self._losses.tell)
 
-    def _open_lease(self, lease: RosLease, name: str) -> Callable[[bool], None]:
-        from rclpy.qos import DurabilityPolicy, QoSProfile
-
+    def _offer(self, lease: RosLease, name: str) -> None:
         def answer(request: Any, response: Any) -> Any:
             response.success, response.message = lease.ask(request.data)
             return response
 
-        kind = _type("std_msgs", "Bool")
-        self._node.create_service(_type("std_srvs", "SetBool", "srv"), f"{name}/arm", answer)
-        latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-        publisher = self._node.create_publisher(kind, f"{name}/armed", latched)
-        return lambda armed: publisher.publish(kind(data=armed))
+        self._node.create_service(_type("std_srvs", "SetBool", "srv"), name, answer)
 
     def _programs(self, topics: list[str]) -> set[str]:
         found = (self._node.get_publishers_info_by_topic(self._resolve(self._namespace + topic)) for topic in topics)
         # The first bytes of an endpoint's number are those of its participant, which is a process.
         return {f"{one.node_name} ({bytes(one.endpoint_gid[:12]).hex()})" for several in found for one in several}
-
-    def _give(self, proxy: Writable[Any], message: Any) -> None:
-        self._commands.give((proxy, message.data))
-
-    def _subscribe(self, name: str, package: str, kind: str, take: Callable[[Any], None]) -> None:
-        self._node.create_subscription(_type(package, kind), self._namespace + name, take, _reliable())
 
     def _tell(self, statuses: list[Status], at: float) -> None:
         # A slow discovery may have found the other bridge after this one began.
@@ -248,9 +212,6 @@ class RclpyOutlet(Ros2Outlet):
         except RuntimeError:
             return False
         return True
-
-    def _flush(self) -> None:
-        """Do nothing: rclpy has sent each message."""
 
     def _is_confirmed(self, patience: float) -> bool:
         from rclpy.duration import Duration
