@@ -30,43 +30,41 @@ def package_name(interface: Interface) -> str:
     return f"{name if name[:1].isalpha() else f'x{name}'}_unity_link"
 
 
-def names(interface: Interface, package: Options) -> dict[str, Any]:
-    """Return what every template sees."""
-    return {
-        "package": package_name(interface),
+def package_files(
+    interface: Interface, templates: Templates, options: Options, target: str, program: str, own: dict[str, str]
+) -> Iterator[GeneratedFile]:
+    """Make a package: its program, its spec, its test, and the files of a target.
+
+    Args:
+        interface: the program is its bridge.
+        templates: of the target.
+        options: that the user has chosen.
+        target: ``"ros1"`` or ``"ros2"``.
+        program: path of the program in the package; the spec is in the same folder.
+        own: templates of the target by the paths of their files, in which ``{module}`` is the name of the robot.
+    """
+    root, folder = package_name(interface), program.partition("/")[0]
+    values: dict[str, Any] = {
+        **options._asdict(),
+        "target": target,
+        "folder": folder,
+        "package": root,
         "interface": interface.name,
         "module": module_name(interface),
         "parameters": {parameter.name: parameter.value for parameter in interface.parameters},
-        "leases": bool(interface.leases),
         "description": next(iter(interface.doc.splitlines()), "") or f"The robot {interface.name} behind Unity-Link.",
-        "maintainer": package.maintainer,
-        "email": package.email,
-        "licence": package.licence,
     }
-
-
-def common(
-    interface: Interface, templates: Templates, target: str, folder: str, program: str, seen: dict[str, Any]
-) -> Iterator[GeneratedFile]:
-    """Make the program, its spec and its test.
-
-    Args:
-        interface: whose bridge the program is.
-        templates: of the target.
-        target: ``"ros1"`` or ``"ros2"``.
-        folder: of the program in the package.
-        program: its name.
-        seen: by every template.
-    """
-    own = templates.of("ros", {})
-    own.origin = templates.origin
-    root = seen["package"]
-    place = f"{root}/{folder}"
-    yield GeneratedFile(f"{place}/{program}", own.render("bridge.py", target=target, **seen), executable=True)
-    yield GeneratedFile(f"{root}/test/test_spec.py", own.render("test_spec.py", folder=folder, **seen))
+    for name, template in own.items():
+        text = templates.render(template, **values)
+        yield GeneratedFile(f"{root}/{name.format(module=values['module'])}", text)
+    common = templates.of("ros", {})
+    common.origin = templates.origin
+    for name in ("package.xml", "README.md", "test/test_spec.py"):
+        yield GeneratedFile(f"{root}/{name}", common.render(name.rpartition("/")[2], **values))
+    yield GeneratedFile(f"{root}/{program}", common.render("bridge.py", **values), executable=True)
     # The description is the spec as one file, whatever it imports.
     spec, maps = unpack(interface.describe_open())
-    yield GeneratedFile(f"{place}/{seen['module']}.ul", own.render("spec.ul", text=spec))
+    yield GeneratedFile(f"{root}/{folder}/{values['module']}.ul", common.render("spec.ul", text=spec))
     for name, text in ((word.lower(), text) for word, text in maps.items()):
         if not (INSTALLED / name).is_dir():
-            yield GeneratedFile(f"{place}/cores/{name}/{name}.ul", own.render("spec.ul", text=text))
+            yield GeneratedFile(f"{root}/{folder}/cores/{name}/{name}.ul", common.render("spec.ul", text=text))

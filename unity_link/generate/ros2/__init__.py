@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from unity_link.generate import GeneratedFile
-from unity_link.generate.ros import Options, common, names
+from unity_link.generate.ros import Options, package_files, package_name
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -18,14 +18,10 @@ __all__ = ["DOC", "Options", "files"]
 DOC = "a package of ROS 2 that starts unity-link ros2: for colcon and ros2 launch"
 
 
-def files(interface: Interface, templates: Templates, package: Options) -> Iterator[GeneratedFile]:
+def files(interface: Interface, templates: Templates, options: Options) -> Iterator[GeneratedFile]:
     """Make the files of a package."""
-    seen = names(interface, package)
-    folder = module_folder = seen["package"]
-    for name in ("package.xml", "setup.py", "setup.cfg", "README.md"):
-        yield GeneratedFile(f"{folder}/{name}", templates.render(name, **seen))
-    yield GeneratedFile(f"{folder}/resource/{module_folder}", "")
-    yield GeneratedFile(f"{folder}/launch/{seen['module']}.launch.py", templates.render("launch.py", **seen))
-    yield GeneratedFile(f"{folder}/config/{seen['module']}.yaml", templates.render("parameters.yaml", **seen))
-    yield GeneratedFile(f"{folder}/{module_folder}/__init__.py", "")
-    yield from common(interface, templates, "ros2", module_folder, "bridge.py", seen)
+    name = package_name(interface)
+    own = {"setup.py": "setup.py", "setup.cfg": "setup.cfg"}
+    own |= {"launch/{module}.launch.py": "launch.py", "config/{module}.yaml": "parameters.yaml"}
+    yield from package_files(interface, templates, options, "ros2", f"{name}/bridge.py", own)
+    yield from (GeneratedFile(f"{name}/{empty}", "") for empty in (f"resource/{name}", f"{name}/__init__.py"))
