@@ -17,7 +17,7 @@ import pytest
 from support.bridge_programs import FAST_GATEWAY, FAST_SPEC, PATIENCE, PROGRAM, wait_for, wait_until
 from support.rclpy_peers import PYTHONS, Ros
 from unity_link import blocking
-from unity_link.bridges.ros2 import Quality
+from unity_link.bridges.ros_settings import Quality
 from unity_link.generate import generate, write
 from unity_link.spec import compile_file
 

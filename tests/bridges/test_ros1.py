@@ -545,7 +545,7 @@ def test_a_second_bridge_takes_the_name_of_the_first_which_ends_in_a_sentence(ro
 
 @pytest.mark.slow
 def test_a_machine_without_ros_is_told_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(environment, "_PLACES", ())
+    monkeypatch.setattr(environment, "_PLACE", "/nosuch")
     monkeypatch.setattr("importlib.util.find_spec", lambda _: None)
 
     with pytest.raises(ConnectError, match="apt install python3-rospy"):

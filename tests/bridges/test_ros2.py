@@ -35,10 +35,11 @@ from support.bridge_programs import (
 )
 from support.own_robots import OWN
 from unity_link import ArgumentError, blocking, load
-from unity_link.bridges.ros2 import BridgeSettings, NodeNames, Quality, read_arguments, read_parameters, settings_of
+from unity_link.bridges.ros2.arguments import NodeNames, read_arguments
 from unity_link.bridges.ros2.domain import domain_number, open_participant
 from unity_link.bridges.ros2.messages import TYPES
 from unity_link.bridges.ros_rows import joint_rows, number_rows
+from unity_link.bridges.ros_settings import BridgeSettings, Quality, read_parameters, settings_of
 from unity_link.data.blocking import put
 
 if TYPE_CHECKING:

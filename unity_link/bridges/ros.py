@@ -214,32 +214,27 @@ class RosBridge(abc.ABC):
 
     async def _diagnose(self, publishing: Executor) -> None:
         """Publish how the bridge is, again and again."""
+        loop, link = asyncio.get_running_loop(), self._link
         # Robots of one kind have namespaces of their own, and so names.
-        name, link = self._name_at(self._resolve(self._namespace)), self._link
-        diagnostics = Diagnostics(name, link, link.name), LeaseDiagnostics(name, self._robot, link.name)
-        presence = Presence(self._link, asyncio.get_running_loop().time())
+        name = self._name_at(self._resolve(self._namespace))
+        diagnostics, leases = Diagnostics(name, link, link.name), LeaseDiagnostics(name, self._robot, link.name)
+        presence = Presence(link, loop.time())
         with first_error():
             async with asyncio.TaskGroup() as tasks:
                 tasks.create_task(presence.ask())
-                await self._tell_again_and_again(publishing, presence, name, *diagnostics)
+                while True:
+                    away = presence.away_since is not None
+                    statuses = [diagnostics.status(self.published, self.lost, self.written, away=away)]
+                    statuses += await leases.statuses(away=away or not link.connected)
+                    statuses += [one.status(name, link.name) for one in self._trajectories]
+                    await asyncio.shield(loop.run_in_executor(publishing, self._tell, statuses, time.time()))
+                    for _ in range(LOOKS):
+                        await asyncio.sleep(EVERY / LOOKS)
+                        presence.look(loop.time(), self._carrier.received, self._carrier.rate_hz)
 
     def _name_at(self, namespace: str) -> str:
         """Return the name of the bridge at a namespace."""
         return f"unity_link_{namespace.strip('/').replace('/', '_') or self._robot.interface.name}"
-
-    async def _tell_again_and_again(
-        self, publishing: Executor, presence: Presence, name: str, diagnostics: Diagnostics, leases: LeaseDiagnostics
-    ) -> None:
-        loop, carrier = asyncio.get_running_loop(), self._carrier
-        while True:
-            away = presence.away_since is not None
-            statuses = [diagnostics.status(self.published, self.lost, self.written, away=away)]
-            statuses += await leases.statuses(away=away or not self._link.connected)
-            statuses += [one.status(name, self._link.name) for one in self._trajectories]
-            await asyncio.shield(loop.run_in_executor(publishing, self._tell, statuses, time.time()))
-            for _ in range(LOOKS):
-                await asyncio.sleep(EVERY / LOOKS)
-                presence.look(loop.time(), carrier.received, carrier.rate_hz)
 
     def _subscriptions(self) -> Iterator[tuple[str, str, str, Callable[[Any], None]]]:
         """Return names, packages and types of the topics to subscribe to, and functions that take their messages."""

@@ -1,17 +1,4 @@
-"""The settings of a bridge: on the command line, or in a file of parameters as ROS 2 writes them.
-
-::
-
-    unity_link_scara:
-      ros__parameters:
-        link: serial:/dev/ttyUSB0
-        namespace: arm
-        poll_hz: 10.0
-        frame_id: base_link
-        quality: reliable
-        topics:
-          j1/cpos: {quality: sensor_data}
-"""
+"""The settings of a bridge: on the command line, or in a file of parameters of ROS 2; ros.md has an example."""
 
 from __future__ import annotations
 

@@ -7,7 +7,7 @@ import itertools
 import logging
 import math
 import time
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from unity_link.bridges.diagnostics import ERROR, OK, Status
 from unity_link.errors import ArgumentError, UnityLinkError
@@ -24,17 +24,6 @@ if TYPE_CHECKING:
 LEAD = 0.1
 """Seconds from the arrival of a trajectory with the stamp 0 to its start."""
 _NANOSECONDS = 1_000_000_000
-
-
-class _Read(NamedTuple):
-    """A trajectory that was checked."""
-
-    times: list[float]
-    """Seconds from its start, of each point."""
-    values: dict[Writable[Any], list[Any]]
-    """Values by signal, of each point."""
-    lead: float
-    """Seconds from now to its start."""
 
 
 class RosTrajectory:
@@ -89,12 +78,13 @@ class RosTrajectory:
             if not message.points:
                 self._stop()
                 return
-            read = self._read(message)
+            times, values = self._read(message)
+            lead = self._lead(_seconds(message.header.stamp, "header.stamp"))
         except ArgumentError as error:
             self._tell(f"the trajectory is refused: {error}", logging.ERROR)
         else:
-            self._tell(f"{len(read.times)} points are played", logging.INFO)
-            self._playing = asyncio.create_task(self._play(read))
+            self._tell(f"{len(times)} points are played", logging.INFO)
+            self._playing = asyncio.create_task(self._play(times, values, lead))
 
     def _stop(self) -> None:
         if self._playing is not None:
@@ -107,10 +97,10 @@ class RosTrajectory:
         self._outcome = (ERROR if level >= logging.ERROR else OK), text
         self._log(f"{self.name}: {text}", level=level)
 
-    async def _play(self, read: _Read) -> None:
+    async def _play(self, times: list[float], values: dict[Writable[Any], list[Any]], lead: float) -> None:
         lease = None if self._lease is None else self._lease.held
         try:
-            acted = await self._schedule.play(read.times, dict(read.values), lead=read.lead, lease=lease)
+            acted = await self._schedule.play(times, dict(values), lead=lead, lease=lease)
         except UnityLinkError as error:
             self._tell(f"the trajectory has ended: {error}", logging.ERROR)
         else:
@@ -118,7 +108,8 @@ class RosTrajectory:
         finally:
             self._playing = None
 
-    def _read(self, message: Any) -> _Read:
+    def _read(self, message: Any) -> tuple[list[float], dict[Writable[Any], list[Any]]]:
+        """Return the times of the points, in seconds from the start, and the values of each signal."""
         if self._playing is not None:
             raise ArgumentError("another one is being played")
         if self._lease is not None:
@@ -138,7 +129,7 @@ class RosTrajectory:
                 raise ArgumentError(f"point {number}: {error}") from None
         if short := next((proxy for proxy, column in values.items() if len(column) != len(points)), None):
             raise ArgumentError(f"{short.path} has a value in some points and none in others")
-        return _Read(times, values, self._lead(_seconds(message.header.stamp, "header.stamp")))
+        return times, values
 
     def _set_points(self, names: list[str], point: Any) -> list[Command]:
         """Return the set points of a point."""

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from unity_link.bridges.ros1 import Ros1Bridge
-    from unity_link.bridges.ros2 import Ros2Bridge
+    from unity_link.bridges.ros2.node import Ros2Bridge
     from unity_link.bridges.ros_settings import BridgeSettings
     from unity_link.bridges.zenoh import ZenohBridge
     from unity_link.spec import Spec
@@ -158,9 +158,10 @@ def ros2(  # noqa: PLR0913  (each is an option)
     Options go before --params. After --ros-args stand names and parameters as of any node of ROS 2: -r __ns:=/left,
     -p poll_hz:=5, --params-file FILE.
     """
-    from unity_link.bridges.ros2 import Quality, read_arguments, read_parameters, settings_of
+    from unity_link.bridges.ros2.arguments import read_arguments
     from unity_link.bridges.ros2.domain import find_dds
     from unity_link.bridges.ros2.over_rclpy import RclpyBridge, declare, has_rclpy, log, open_node, parameters_of
+    from unity_link.bridges.ros_settings import Quality, read_parameters, settings_of
     from unity_link.transport import is_url
 
     if quality is not None and quality not in set(Quality):

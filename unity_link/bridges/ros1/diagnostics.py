@@ -39,25 +39,17 @@ string value
 
 
 @cache
-def _types() -> dict[str, Any]:
+def types() -> dict[str, Any]:
+    """Return the classes by the names of their types, such as ``diagnostic_msgs/DiagnosticArray``."""
     from genpy.dynamic import generate_dynamic
 
     made: dict[str, Any] = generate_dynamic("diagnostic_msgs/DiagnosticArray", _DEFINITION)
     return made
 
 
-def array_type() -> Any:
-    """Return the class of ``diagnostic_msgs/DiagnosticArray``."""
-    return _types()["diagnostic_msgs/DiagnosticArray"]
-
-
 def message(statuses: Sequence[Status], at: float) -> Any:
     """Return a message, at an instant in seconds since 1970."""
-    import genpy
-
-    types = _types()
-    array = array_of(
-        statuses, *(types[f"diagnostic_msgs/{one}"] for one in ("DiagnosticArray", "DiagnosticStatus", "KeyValue"))
-    )
-    array.header.stamp = genpy.Time.from_sec(at)
+    names = ("DiagnosticArray", "DiagnosticStatus", "KeyValue")
+    array = array_of(statuses, *(types()[f"diagnostic_msgs/{name}"] for name in names))
+    array.header.stamp = type(array.header.stamp).from_sec(at)
     return array

@@ -11,7 +11,7 @@ from urllib.parse import urlsplit
 from unity_link.errors import ArgumentError, ConnectError
 from unity_link.transport.listening import LOOPBACK
 
-_PLACES = ("/usr/lib/python3/dist-packages",)
+_PLACE = "/usr/lib/python3/dist-packages"
 
 
 def find_rospy() -> None:
@@ -20,16 +20,14 @@ def find_rospy() -> None:
     Raises:
         ConnectError: where it is not installed.
     """
-    for place in (None, *_PLACES):
-        if place is not None and Path(place, "rospy").is_dir() and place not in sys.path:
-            # At the end, so that our own packages stay what they are.
-            sys.path.append(place)
-        if importlib.util.find_spec("rospy") is not None:
-            return
-    raise ConnectError(
-        "ROS 1 is not installed here: apt install python3-rospy python3-std-msgs python3-sensor-msgs (Debian), "
-        "or source the set-up file of your ROS"
-    )
+    if importlib.util.find_spec("rospy") is None and Path(_PLACE, "rospy").is_dir():
+        # At the end, so that our own packages stay what they are.
+        sys.path.append(_PLACE)
+    elif importlib.util.find_spec("rospy") is None:
+        raise ConnectError(
+            "ROS 1 is not installed here: apt install python3-rospy python3-std-msgs python3-sensor-msgs (Debian), "
+            "or source the set-up file of your ROS"
+        )
 
 
 def choose_address() -> None:

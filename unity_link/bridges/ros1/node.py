@@ -92,7 +92,7 @@ class Ros1Bridge(RosBridge):
     def _start(self) -> None:
         import rospy
 
-        from unity_link.bridges.ros1.diagnostics import array_type
+        from unity_link.bridges.ros1.diagnostics import types
 
         rospy.init_node(self._node_name, disable_signals=True)
         # It may have been given another one on the command line.
@@ -103,7 +103,7 @@ class Ros1Bridge(RosBridge):
             subscriber = rospy.Subscriber(self._namespace + name, _message(package, kind), take, tcp_nodelay=True)
             self._subscribers.append(subscriber)
         self._open_leases()
-        self._diagnostics_publisher = self._publisher(TOPIC, array_type(), queue_size=10)
+        self._diagnostics_publisher = self._publisher(TOPIC, types()["diagnostic_msgs/DiagnosticArray"], queue_size=10)
         self._describe()
 
     def _open_outlet(self, name: str, package: str, kind: str) -> Ros1Outlet:
@@ -123,7 +123,7 @@ class Ros1Bridge(RosBridge):
         if self._rosout is not None:
             # rospy's own functions ask the master on the way, and wait for one that stands still.
             message = _message("rosgraph_msgs", "Log")(level=1 << level // 10 - 1, name=self._node_name, msg=text)
-            message.header.stamp = _message_time(time.time())
+            message.header.stamp = type(message.header.stamp).from_sec(time.time())
             self._rosout.publish(message)
 
     def _resolve(self, name: str) -> str:
@@ -242,12 +242,6 @@ def _message(package: str, kind: str, part: str = "msg") -> Any:
     except ImportError:
         advice = f"apt install python3-{package.replace('_', '-')} (Debian), or source the set-up file of your ROS"
         raise ConnectError(f"this robot needs {package} of ROS 1: {advice}") from None
-
-
-def _message_time(at: float) -> Any:
-    import genpy
-
-    return genpy.Time.from_sec(at)
 
 
 class _Limited(xmlrpc.client.Transport):

@@ -6,17 +6,3 @@
 ROS 2 calls the topic ``/scara/j1/cpos`` ``rt/scara/j1/cpos`` on DDS, and the type ``std_msgs/msg/Float64``
 ``std_msgs::msg::dds_::Float64_`` (https://design.ros2.org/articles/topic_and_service_names.html).
 """
-
-from unity_link.bridges.ros2.arguments import NodeNames, read_arguments
-from unity_link.bridges.ros2.node import Ros2Bridge
-from unity_link.bridges.ros_settings import BridgeSettings, Quality, read_parameters, settings_of
-
-__all__ = [
-    "BridgeSettings",
-    "NodeNames",
-    "Quality",
-    "Ros2Bridge",
-    "read_arguments",
-    "read_parameters",
-    "settings_of",
-]

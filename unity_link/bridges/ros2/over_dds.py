@@ -51,23 +51,9 @@ _library.dds_wait_for_acks.argtypes = [ctypes.c_int32, ctypes.c_int64]
 
 
 class DdsBridge(Ros2Bridge):
-    """A bridge that is a participant of DDS, and no node.
+    """A bridge that is a participant of DDS, with the names that ROS gives a node from outside."""
 
-    Args:
-        robot: a robot of any spec, behind an open link.
-        settings: parameters of the bridge.
-        names: that ROS gives the node from outside.
-        report: logs a sentence.
-    """
-
-    def __init__(
-        self,
-        robot: Robot,
-        settings: BridgeSettings,
-        names: NodeNames,
-        *,
-        report: Callable[[str], None] = lambda _: None,
-    ) -> None:
+    def __init__(self, robot: Robot, settings: BridgeSettings, names: NodeNames, report: Callable[[str], None]) -> None:
         super().__init__(robot, settings, report)
         self._names = names
         self._inlets: Inlets | None = None

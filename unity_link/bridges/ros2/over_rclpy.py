@@ -122,13 +122,7 @@ def log(node: Any, text: str, *, level: int = logging.INFO) -> None:
 
 
 class RclpyBridge(Ros2Bridge):
-    """A bridge that is a node.
-
-    Args:
-        robot: a robot of any spec, behind an open link.
-        settings: parameters of the bridge.
-        node: of `open_node`.
-    """
+    """A bridge that is a node, of `open_node`."""
 
     def __init__(self, robot: Robot, settings: BridgeSettings, node: Any) -> None:
         super().__init__(robot, settings, functools.partial(log, node))
@@ -139,10 +133,8 @@ class RclpyBridge(Ros2Bridge):
         log(self._node, text, level=level)
 
     def _resolve(self, name: str) -> str:
-        return str(self._node.resolve_topic_name(name.rstrip("/"))) if name.strip("/") else self._root(name)
-
-    def _root(self, name: str) -> str:
-        return name or str(self._node.get_namespace())
+        is_root = not name.strip("/")
+        return name or str(self._node.get_namespace()) if is_root else self._node.resolve_topic_name(name.rstrip("/"))
 
     def _open(self) -> None:
         self._refuse_second(lambda: self._count_publishers() > 0)
