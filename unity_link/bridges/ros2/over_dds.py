@@ -60,8 +60,8 @@ class DdsBridge(Ros2Bridge):
         self._participant: Any = None
         self._domain: Any = None
         self._diagnostics: DdsOutlet | None = None
-        self._readers: dict[str, tuple[Any, Callable[[Any], object]]] = {}
-        """Readers by the full names of their topics, and what takes their messages."""
+        self._readers: list[tuple[Any, Callable[[Any], object]]] = []
+        """Readers, each with a function that takes its messages."""
 
     def _open(self) -> None:
         mark = f"unity_link={self._resolve(self._namespace)};"
@@ -72,14 +72,15 @@ class DdsBridge(Ros2Bridge):
         for name, _, kind, take in self._subscriptions():
             self._subscribe(self._namespace + name, kind, take)
         self._open_leases()
-        self._inlets = Inlets(self._participant, list(self._readers.values()), self._faults.tell)
+        self._inlets = Inlets(self._participant, self._readers, self._faults.tell)
 
     def _offer(self, lease: RosLease, name: str) -> None:
         # Services do not cross from one vendor of DDS to another, so a topic arms.
         self._subscribe(name, "Bool", lambda message: lease.ask(message.data))
 
     def _programs(self, topics: list[str]) -> set[str]:
-        readers = (self._readers[self._resolve(self._namespace + topic)][0] for topic in topics)
+        names = {f"rt{self._resolve(self._namespace + topic)}" for topic in topics}
+        readers = [reader for reader, _ in self._readers if reader.topic.name in names]
         found = (
             reader.get_matched_publication_data(one) for reader in readers for one in reader.get_matched_publications()
         )
@@ -112,8 +113,7 @@ class DdsBridge(Ros2Bridge):
 
     def _subscribe(self, name: str, kind: str, take: Callable[[Any], object]) -> None:
         quality = _quality(kind, *_PROFILES[Quality.RELIABLE], Policy.ResourceLimits(MOST_KEPT, -1, MOST_KEPT))
-        reader = DataReader(self._participant, self._topic(name, kind), qos=quality)
-        self._readers[self._resolve(name)] = reader, take
+        self._readers.append((DataReader(self._participant, self._topic(name, kind), qos=quality), take))
 
     def _tell(self, statuses: list[Status], at: float) -> None:
         if self._diagnostics is not None and self._diagnostics.is_wanted:
