@@ -93,7 +93,7 @@ class RosBridge(abc.ABC):
     """
 
     _has_cdr: ClassVar[bool]
-    """Whether messages are serialised as in ROS 2."""
+    """True if messages are serialised as in ROS 2."""
 
     def __init__(self, robot: Robot, settings: BridgeSettings, report: Callable[[str], None]) -> None:
         if "\0" in settings.frame_id:
