@@ -10,6 +10,7 @@ import signal
 import socket
 import subprocess
 import sys
+import threading
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -93,11 +94,16 @@ def launched(environment: dict[str, str], *arguments: str) -> Iterator[None]:
         stderr=subprocess.PIPE,
         text=True,
     ) as process:
+        # A node that ends does not end roslaunch.
+        late = threading.Timer(PATIENCE, process.kill)
+        late.start()
         try:
             assert process.stderr is not None
             assert any("node /unity_link_scara" in line for line in process.stderr)
+            late.cancel()
             yield
         finally:
+            late.cancel()
             process.send_signal(signal.SIGINT)
             process.communicate(timeout=PATIENCE)
 
@@ -125,7 +131,7 @@ def test_the_node_samples_and_moves_the_gateware_behind_rmii_whose_link_is_share
     environment: dict[str, str], tmp_path: Path, gateway: Plugged
 ) -> None:
     gateway.call("poke", 0x89, HALF_A_RADIAN)
-    with served(tmp_path, URL) as url, launched(environment, f"link:={url}"):
+    with served(tmp_path, URL) as url, launched(environment, f"link:={url}?map=any"):
         rostopic(environment, "pub", "-1", *J2_TO_HALF_A_RADIAN)
         wait_until(gateway.written)
         said = rostopic(environment, "echo", "-n1", "/scara/joint_states")

@@ -7,6 +7,7 @@ import functools
 from pathlib import Path  # noqa: TC003  (typer reads it)
 from typing import TYPE_CHECKING, Annotated, Any
 
+import msgspec
 import typer
 from typer.core import TyperCommand
 
@@ -192,15 +193,16 @@ def ros2(  # noqa: PLR0913  (each is an option)
             name = (namespace or of_robot).strip("/").replace("/", "_")
             node = node_open.enter_context(open_node(f"unity_link_{name}", ctx.meta[ROS], domain, network=network))
             settings = settings_of(parameters | parameters_of(node) | said)
-            declare(node, settings)
+            url, spec = url_and_spec(url, spec, link, settings.link)
+            declare(node, msgspec.structs.replace(settings, link=url))
             report, make = functools.partial(log, node), functools.partial(RclpyBridge, node=node)
         else:
             from unity_link.bridges.ros2.over_dds import DdsBridge
 
             names, given_to_node = read_arguments(ctx.meta[ROS])
             settings = settings_of(parameters | given_to_node | said)
+            url, spec = url_and_spec(url, spec, link, settings.link)
             make = functools.partial(DdsBridge, names=names, report=print_note)
-        url, spec = url_and_spec(url, spec, link, settings.link)
         compiled = compiled or compile_or_exit(spec, interface=interface, given=given)
         run(_ros2(_with_settings(compiled, interface, settings), interface, url, settings, make, report))
 
