@@ -6,7 +6,7 @@ import enum
 from html import escape
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
-from unity_link.protocol.interpreter import summary
+from unity_link.capture.decoder import summary
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence

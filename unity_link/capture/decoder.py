@@ -1,7 +1,7 @@
 """Frames in words: requests, and what a gateway sends.
 
 A response with an ID does not repeat what it answers, and a publish does not say which addresses its words are of, so
-the interpreter hears both directions.
+the decoder is given both directions.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from __future__ import annotations
 import enum
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from unity_link.capture.observed_session import ObservedSession
 from unity_link.errors import UnsupportedError
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.frames import CR, FrameError, Framing
@@ -23,7 +24,6 @@ from unity_link.protocol.messages import (
     parse_numbers,
 )
 from unity_link.protocol.numbers import Format, address_text, as_decimal, in_form, in_words
-from unity_link.protocol.overheard_session import OverheardSession
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -117,7 +117,7 @@ class Meaning(NamedTuple):
     error: int | None = None
 
 
-class Interpreter:
+class Decoder:
     """Puts what passes between one gateway and its host into words.
 
     Args:
@@ -131,7 +131,7 @@ class Interpreter:
         self._asked: dict[int, DecodedRequest] = {}
         """Settings of groups that the gateway has not confirmed yet."""
         node = codec.framing.prefix
-        self.session = OverheardSession(codec.framing)
+        self.session = ObservedSession(codec.framing)
         self._to_all = Framing(codec.framing.crc, _BROADCAST) if node else None
 
     # Requests

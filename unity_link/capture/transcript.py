@@ -9,11 +9,11 @@ import contextlib
 import re
 from typing import TYPE_CHECKING, NamedTuple
 
+from unity_link.capture.decoder import Decoder, FrameKind, Meaning
 from unity_link.errors import UnsupportedError
 from unity_link.protocol.compact import text_of
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.frames import LONGEST_FRAME
-from unity_link.protocol.interpreter import FrameKind, Interpreter, Meaning
 from unity_link.protocol.messages import Codec
 
 if TYPE_CHECKING:
@@ -81,7 +81,7 @@ class Transcript:
     def __init__(self) -> None:
         self.codec = Codec(_UNKNOWN)
         self._node: int | None = None
-        self._interpreter = Interpreter(self.codec)
+        self._decoder = Decoder(self.codec)
         self._cutters = {True: FrameCutter(sent=True), False: FrameCutter(sent=False)}
         self._use_forms()
         self._next: int | None = None
@@ -105,7 +105,7 @@ class Transcript:
             self._node = None if match[1] is None else int(match[1], 16)
             if self._node is not None and not self.codec.framing.prefix:
                 self._use(self.codec.info)
-        meaning = self._interpreter.explain_request(frame.removesuffix(b"\n"))
+        meaning = self._decoder.explain_request(frame.removesuffix(b"\n"))
         return TimedFrame(time, sent=True, frame=frame, meaning=meaning, again=self._is_again(meaning, time, frame))
 
     def _is_again(self, meaning: Meaning, time: float, frame: bytes) -> bool:
@@ -133,7 +133,7 @@ class Transcript:
         if match := CONFIGURATION.fullmatch(frame):
             with contextlib.suppress(UnsupportedError, ValueError):
                 self._use(GatewayInfo.from_hex(match[1]))
-        meaning = self._interpreter.explain(frame.removesuffix(b"\n"))
+        meaning = self._decoder.explain(frame.removesuffix(b"\n"))
         sent_at = None
         if meaning.id is not None and meaning.command != "N":
             sent_at = self._sent_at.pop(meaning.id, None)
@@ -144,7 +144,7 @@ class Transcript:
         codec = Codec(info, self._node)
         if (info, codec.framing.prefix) != (self.codec.info, self.codec.framing.prefix):
             self.codec = codec
-            self._interpreter = Interpreter(codec)
+            self._decoder = Decoder(codec)
             self._use_forms()
 
     def _use_forms(self) -> None:

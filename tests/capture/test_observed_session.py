@@ -6,11 +6,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from unity_link.capture.observed_session import ObservedSession
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.crc import Crc, seed_of
 from unity_link.protocol.frames import CheckError
 from unity_link.protocol.messages import Codec, DecodedResponse
-from unity_link.protocol.overheard_session import OverheardSession
 
 CODECS = [Codec(GatewayInfo()), Codec(GatewayInfo(crc_bits=32, crc_polynomial=0x04C11DB7)), Codec(GatewayInfo(), 5)]
 
@@ -24,7 +24,7 @@ def test_a_crc_runs_backwards(bits: int, polynomial: int, data: bytes, begun: in
 @pytest.mark.parametrize("codec", CODECS, ids=["CRC-16", "CRC-32", "node"])
 @pytest.mark.parametrize("from_gateway", [True, False])
 def test_two_frames_show_which_session_is_under_way(codec: Codec, from_gateway: bool) -> None:
-    overheard, seed = OverheardSession(codec.framing), seed_of(0x1234, from_gateway=from_gateway)
+    overheard, seed = ObservedSession(codec.framing), seed_of(0x1234, from_gateway=from_gateway)
     first, second = codec.framing.checked(b"h000000", seed)[:-1], codec.framing.checked(b"r00100000005", seed)[:-1]
     with pytest.raises(CheckError):
         overheard.open(first, from_gateway=from_gateway)
@@ -35,7 +35,7 @@ def test_two_frames_show_which_session_is_under_way(codec: Codec, from_gateway: 
 
 def test_damaged_frames_of_a_known_session_stay_damaged_and_one_of_another_does_not_change_it() -> None:
     codec = CODECS[0]
-    overheard = OverheardSession(codec.framing)
+    overheard = ObservedSession(codec.framing)
     overheard.hear(DecodedResponse("K", None, {"k": 0x1234}))
     seed = seed_of(0x1234, from_gateway=True)
     frame = codec.framing.checked(b"h000000", seed)[:-1]

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from unity_link.protocol.messages import DecodedResponse
 
 
-class OverheardSession:
+class ObservedSession:
     """Opens the frames of both sides.
 
     Args:

@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from unity_link.transport import pcapng
-from unity_link.transport.pcapng import DamagedFileError, Packet
+from unity_link.capture import pcapng
+from unity_link.capture.pcapng import DamagedFileError, Packet
 
 PACKETS = st.builds(Packet, st.integers(0, 3), st.integers(0, (1 << 63) - 1), st.booleans(), st.binary(max_size=40))
 HEAD = pcapng.section() + b"".join(pcapng.interface(f"gateway {number}") for number in range(4))
