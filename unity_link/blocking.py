@@ -29,10 +29,10 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any, Self, TypeVar
 
 from unity_link.errors import LinkClosedError, LinkLostError, Outcome, Sealed, UnityLinkError, missing, refusing
-from unity_link.link.calling_thread import CallingThread
 from unity_link.link.connecting import connect as connect_asynchronously
 from unity_link.link.connection import CONNECT_TIMEOUT
 from unity_link.link.interrupts import DEFERRED
+from unity_link.link.runtimes.calling_thread import CallingThread
 from unity_link.link.subscription import check_count
 
 if TYPE_CHECKING:

@@ -18,7 +18,7 @@ import uvloop
 
 import unity_link
 from unity_link import blocking
-from unity_link.link.calling_thread import CallingThread
+from unity_link.link.runtimes.calling_thread import CallingThread
 from unity_link.protocol import session
 from unity_link.protocol.answers import Answers
 from unity_link.protocol.configuration import GatewayInfo

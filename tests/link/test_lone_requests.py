@@ -18,7 +18,7 @@ from support.simulated_time import on_simulated_time
 from support.valve import Valve, as_gateway, cut
 from unity_link import LinkClosedError, LinkLostError
 from unity_link.link.flow import Flow
-from unity_link.link.runtime import AsyncioRuntime, LoneFuture
+from unity_link.link.runtimes.runtime import AsyncioRuntime, LoneFuture
 from unity_link.link.subscription import Intake
 from unity_link.protocol.answers import Answers
 from unity_link.protocol.requests import Request
@@ -152,7 +152,7 @@ def spinning(monkeypatch: pytest.MonkeyPatch, processors: int = 2) -> tuple[Asyn
         return AsyncioRuntime()
 
     monkeypatch.setattr("unity_link.transport.polling.count_processors", lambda: processors)
-    monkeypatch.setattr("unity_link.link.runtime._time_of", ModelledLoop.time)
+    monkeypatch.setattr("unity_link.link.runtimes.runtime._time_of", ModelledLoop.time)
     runtime, loop = asyncio.run(make()), ModelledLoop()
     runtime._loop = loop  # type: ignore[assignment]
     return runtime, loop

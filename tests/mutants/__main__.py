@@ -1,4 +1,4 @@
-"""Put mutants into `protocol` and `capture`, and count those that survive: ``python -m mutants``, from the tests' folder.
+"""Put mutants into `protocol` and `capture`, and count those that survive: ``python -m mutants``, from `tests`.
 
 What was found stands in a file, mutant by mutant: a run that was interrupted goes on where it was. The exit status is 1
 where fewer than nine of ten are killed.

@@ -8,7 +8,7 @@ import numpy as np
 
 from unity_link.data.laps import ColumnLaps
 from unity_link.errors import ArgumentError
-from unity_link.link.synchronisation import gather
+from unity_link.link.runtimes.synchronisation import gather
 from unity_link.spec import Effect
 from unity_link.spec.columns import Columns
 

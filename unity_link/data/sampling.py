@@ -25,9 +25,9 @@ from unity_link.errors import (
     refusing,
 )
 from unity_link.link.interrupts import whole_exit
-from unity_link.link.runtime import AsyncioRuntime
+from unity_link.link.runtimes.runtime import AsyncioRuntime
+from unity_link.link.runtimes.synchronisation import Event, gather, running
 from unity_link.link.subscription import INSTEAD, NOT_OPEN, Sample, so_many
-from unity_link.link.synchronisation import Event, gather, running
 from unity_link.protocol.numbers import RATE
 
 if TYPE_CHECKING:

@@ -28,7 +28,7 @@ from unity_link.errors import (
 )
 from unity_link.link.flow import Flow
 from unity_link.link.living import Living
-from unity_link.link.runtime import AsyncioRuntime, report
+from unity_link.link.runtimes.runtime import AsyncioRuntime, report
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.events import GroupsRestored, Interrupted, Opened, Taken, Unusable
 from unity_link.protocol.numbers import seconds_from
@@ -37,7 +37,7 @@ from unity_link.transport import DriverUrl, has_echo, name_of, node_of, takes_co
 from unity_link.transport.stream import Stream
 
 if TYPE_CHECKING:
-    from unity_link.link.runtime import Job, Runtime, Waiter
+    from unity_link.link.runtimes.runtime import Job, Runtime, Waiter
     from unity_link.protocol.configuration import GatewayInfo
     from unity_link.protocol.events import Happening, SessionEvent
     from unity_link.protocol.host_codec import HostCodec

@@ -20,7 +20,7 @@ from unity_link.protocol.requests import Request
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.link.runtime import Runtime, Timer, Waiter
+    from unity_link.link.runtimes.runtime import Runtime, Timer, Waiter
     from unity_link.protocol.events import Events, Happening
     from unity_link.protocol.path import Path
     from unity_link.protocol.requests import Source, WordBatch

@@ -31,7 +31,7 @@ from unity_link.link.calls import returns_coroutine
 from unity_link.link.connection import Connection, Reconnect
 from unity_link.link.interrupts import whole_exit
 from unity_link.link.living import LeftOpen
-from unity_link.link.runtime import told_now
+from unity_link.link.runtimes.runtime import told_now
 from unity_link.link.subscription import (
     LARGEST_DIVISOR,
     Overflow,
@@ -63,7 +63,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from unity_link.link.guards import Guard
-    from unity_link.link.runtime import Runtime, Waiter
+    from unity_link.link.runtimes.runtime import Runtime, Waiter
     from unity_link.protocol.arrays import Words
     from unity_link.protocol.host_codec import HostCodec
     from unity_link.transport import DriverUrl, Medium

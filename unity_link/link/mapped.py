@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
 
-    from unity_link.link.runtime import Runtime, Timer, Waiter
+    from unity_link.link.runtimes.runtime import Runtime, Timer, Waiter
     from unity_link.protocol.arrays import Words
     from unity_link.protocol.configuration import Feature, GatewayInfo
     from unity_link.transport import DriverUrl, MemoryBus, WordsByAddress

@@ -38,8 +38,8 @@ from unity_link.link.calls import is_asynchronous
 from unity_link.link.freshness import MOST_DRIFT, Freshness
 from unity_link.link.interrupts import whole_exit
 from unity_link.link.living import LeftOpen
-from unity_link.link.runtime import report
-from unity_link.link.synchronisation import call_back
+from unity_link.link.runtimes.runtime import report
+from unity_link.link.runtimes.synchronisation import call_back
 from unity_link.protocol.events import (
     GroupBegun,
     GroupEvent,
@@ -59,7 +59,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from unity_link.link.flow import Flow
-    from unity_link.link.runtime import Runtime, Waiter
+    from unity_link.link.runtimes.runtime import Runtime, Waiter
     from unity_link.link.samples_together import SamplesTogether
     from unity_link.protocol.arrays import Words
     from unity_link.protocol.configuration import GatewayInfo

@@ -39,7 +39,7 @@ import msgspec
 import numpy as np
 
 from unity_link.errors import ArgumentError, UnityLinkError
-from unity_link.link.synchronisation import Lock
+from unity_link.link.runtimes.synchronisation import Lock
 from unity_link.modules import Module, link_under
 from unity_link.protocol.numbers import whole_number
 

@@ -13,7 +13,7 @@ import time
 from typing import TYPE_CHECKING, Any, Never, Protocol, cast
 from weakref import WeakKeyDictionary
 
-from unity_link.link.waiter import Result
+from unity_link.link.runtimes.waiter import Result
 from unity_link.transport import open_medium, prepare
 from unity_link.transport.polling import SPIN, Spinning
 

@@ -21,11 +21,11 @@ from typing import TYPE_CHECKING, Any, Never, ParamSpec, TypeVar
 from unity_link.errors import ArgumentError
 from unity_link.link.connection import forked
 from unity_link.link.interrupts import DEFERRED
-from unity_link.link.loop_thread import Relay, complete, run_in_loop
-from unity_link.link.runtime import report, unadjusted_time
-from unity_link.link.synchronisation import CALLING
-from unity_link.link.timers import Timers
-from unity_link.link.waiter import Result
+from unity_link.link.runtimes.loop_thread import Relay, complete, run_in_loop
+from unity_link.link.runtimes.runtime import report, unadjusted_time
+from unity_link.link.runtimes.synchronisation import CALLING
+from unity_link.link.runtimes.timers import Timers
+from unity_link.link.runtimes.waiter import Result
 from unity_link.transport import DriverUrl, has_channel, load_driver, observed, open_channel
 from unity_link.transport import prepare as prepare_medium
 from unity_link.transport.channel_transport import make_transport
@@ -34,7 +34,7 @@ from unity_link.transport.polling import READABLE, Poller
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable, Coroutine, Generator
 
-    from unity_link.link.runtime import Job
+    from unity_link.link.runtimes.runtime import Job
     from unity_link.transport import Medium
     from unity_link.transport.channel import Channel
     from unity_link.transport.stream import Stream

@@ -14,7 +14,7 @@ import trio.testing
 import unity_link
 from support.simulated_time import on_simulated_time
 from unity_link import blocking
-from unity_link.link.synchronisation import Event, Lock, gather, running
+from unity_link.link.runtimes.synchronisation import Event, Lock, gather, running
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine

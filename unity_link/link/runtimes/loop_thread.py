@@ -15,7 +15,7 @@ from unity_link.transport import open_medium
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine
 
-    from unity_link.link.runtime import Waiter
+    from unity_link.link.runtimes.runtime import Waiter
     from unity_link.transport import DriverUrl, Medium
     from unity_link.transport.stream import Stream
 

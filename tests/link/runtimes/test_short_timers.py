@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from support.simulated_time import on_simulated_time
-from unity_link.link.runtime import SHORTEST_SLEEP, AsyncioRuntime
+from unity_link.link.runtimes.runtime import SHORTEST_SLEEP, AsyncioRuntime
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -14,13 +14,13 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 from unity_link.errors import ANY_ERROR, ArgumentError
 from unity_link.link.interrupts import DEFERRED
 from unity_link.link.living import Living
-from unity_link.link.runtime import AsyncioRuntime, Runtime, report
+from unity_link.link.runtimes.runtime import AsyncioRuntime, Runtime, report
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine
     from types import TracebackType
 
-    from unity_link.link.runtime import Waiter
+    from unity_link.link.runtimes.runtime import Waiter
 
 
 T = TypeVar("T")
