@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 
     from unity_link.link import link as asynchronous
     from unity_link.link.connection import Reconnect
-    from unity_link.link.subscription import Sample
+    from unity_link.link.publishing import Sample
     from unity_link.link.subscription import Subscription as AsyncSubscription
     from unity_link.protocol.arrays import Words
     from unity_link.protocol.configuration import GatewayInfo

@@ -25,7 +25,8 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from unity_link.link.link import Link
-    from unity_link.link.subscription import Sample, Subscription
+    from unity_link.link.publishing import Sample
+    from unity_link.link.subscription import Subscription
     from unity_link.protocol.arrays import Words
     from unity_link.protocol.configuration import GatewayInfo
 

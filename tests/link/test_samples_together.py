@@ -73,7 +73,7 @@ async def received(arriving: list[Arriving], *, stamped: bool, together: bool, b
             await asyncio.sleep(0)
         seen = [
             (sample.sequence, sample.time, sample.values.tolist(), sample.values.dtype, sample.lost)
-            for sample in (await samples.take() if samples._intake.buffer else [])
+            for sample in (await samples.take() if samples._receiver.buffer else [])
         ]
         counted = link.statistics
         return seen, samples.received, samples.lost, counted.samples, counted.samples_lost, counted.damaged_frames

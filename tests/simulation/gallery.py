@@ -14,7 +14,7 @@ from unity_link.bridges.serve import client, shared
 from unity_link.bridges.serve import groups as served_groups
 from unity_link.bridges.serve import requests as served_requests
 from unity_link.errors import Outcome
-from unity_link.link import connection, flow, link, subscription
+from unity_link.link import connection, flow, gateway_clock, link, publishing
 from unity_link.protocol import (
     answers,
     arrays,
@@ -152,25 +152,25 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("a group that is set up again counts samples by its old number")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    restart = subscription.Intake.restart
+    restart = publishing.SampleReceiver.restart
 
     def going_on(self: Any) -> None:
         before = self._sequence
         restart(self)
         self._sequence = before
 
-    monkeypatch.setattr(subscription.Intake, "restart", going_on)
+    monkeypatch.setattr(publishing.SampleReceiver, "restart", going_on)
 
 
 @bug("the time of samples goes back where the gateway was reset")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    start = subscription.Publishing.start
+    start = publishing.Publishing.start
 
     def anew(self: Any, codec: Any) -> None:
         start(self, codec)
-        self._clock = subscription.GatewayClock(codec.info.clock_hz)
+        self._clock = gateway_clock.GatewayClock(codec.info.clock_hz)
 
-    monkeypatch.setattr(subscription.Publishing, "start", anew)
+    monkeypatch.setattr(publishing.Publishing, "start", anew)
 
 
 @bug("a batch of reads ends at its first error")
@@ -527,13 +527,13 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("lost samples are counted one too few where the number goes round")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    count_lost = subscription.Intake._count_lost
+    count_lost = publishing.SampleReceiver._count_lost
 
     def counted(self: Any, sequence: int, at: float | None, now: float) -> int:
         lost: int = count_lost(self, sequence, at, now)
         return max(0, lost - 1)
 
-    monkeypatch.setattr(subscription.Intake, "_count_lost", counted)
+    monkeypatch.setattr(publishing.SampleReceiver, "_count_lost", counted)
 
 
 @bug("samples that a full buffer drops are not counted")
@@ -542,12 +542,12 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
         self._dropped = 0
         return self.buffer.popleft()
 
-    monkeypatch.setattr(subscription.Intake, "next", following)
+    monkeypatch.setattr(publishing.SampleReceiver, "next", following)
 
 
 @bug("the newest sample is dropped instead of the oldest")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    keep = subscription.Intake.keep
+    keep = publishing.SampleReceiver.keep
 
     def kept(self: Any, sample: Any) -> None:
         if self._callback is None and len(self.buffer) == self._buffer_size:
@@ -555,7 +555,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
             return
         keep(self, sample)
 
-    monkeypatch.setattr(subscription.Intake, "keep", kept)
+    monkeypatch.setattr(publishing.SampleReceiver, "keep", kept)
 
 
 # The gateway's side

@@ -17,7 +17,8 @@ if TYPE_CHECKING:
     from unity_link.data.loading import LoadedRobot
     from unity_link.data.sampling import GroupSubscription
     from unity_link.link.link import Link
-    from unity_link.link.subscription import Sample, Subscription
+    from unity_link.link.publishing import Sample
+    from unity_link.link.subscription import Subscription
 
     Stream = Subscription | GroupSubscription
     Taken = Sample | GroupSample

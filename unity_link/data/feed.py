@@ -31,8 +31,8 @@ if TYPE_CHECKING:
     from unity_link.data.batch import Batch
     from unity_link.data.layout import GroupLayout
     from unity_link.data.sampling import GroupSubscription
+    from unity_link.link.publishing import Overflow
     from unity_link.link.runtimes.runtime import Job, Waiter
-    from unity_link.link.subscription import Overflow
 
 log = logging.getLogger("unity_link.data")
 LOOK_EVERY = 1.0

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from unity_link.data.batch import Batch, GroupSample
     from unity_link.data.sampling import SampleSource
     from unity_link.link.link import Link
-    from unity_link.link.subscription import Overflow
+    from unity_link.link.publishing import Overflow
     from unity_link.spec import model
 
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from unity_link.cores.timeline import Done
     from unity_link.data.feed import Feed
     from unity_link.data.groups import Group
-    from unity_link.link.subscription import Overflow
+    from unity_link.link.publishing import Overflow
 
 
 class SamplingOwner(Owner, Protocol):

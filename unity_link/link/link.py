@@ -31,17 +31,9 @@ from unity_link.link.calls import returns_coroutine
 from unity_link.link.connection import Connection, Reconnect
 from unity_link.link.interrupts import whole_exit
 from unity_link.link.living import LeftOpen
+from unity_link.link.publishing import Overflow, Publishing, Sample, Schedule
 from unity_link.link.runtimes.runtime import told_now
-from unity_link.link.subscription import (
-    LARGEST_DIVISOR,
-    Overflow,
-    Publishing,
-    Sample,
-    Schedule,
-    Subscription,
-    asked_rate,
-    check_addresses,
-)
+from unity_link.link.subscription import LARGEST_DIVISOR, Subscription, asked_rate, check_addresses
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.events import GroupEvent, Happening, PostedFailure
 from unity_link.protocol.messages import GroupFlag
