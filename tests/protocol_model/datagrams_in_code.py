@@ -15,7 +15,8 @@ from protocol_model.datagrams import NO_SESSION, RING, Rules
 from protocol_model.exploration import Exploration, Fault, explore
 from unity_link.errors import ConnectError
 from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.datagrams import GatewayDatagrams, HostDatagrams, Requester
+from unity_link.protocol.gateway.datagrams import GatewayDatagrams, Requester
+from unity_link.protocol.host.datagrams import HostDatagrams
 from unity_link.protocol.messages import Codec
 
 CODEC = Codec(GatewayInfo())

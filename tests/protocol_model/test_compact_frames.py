@@ -18,8 +18,8 @@ from support.worked_examples import DOCUMENT, worked_examples
 from unity_link.protocol.compact import CompactForm, Unpacker
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.crc import Crc
-from unity_link.protocol.datagrams import GatewayDatagrams
 from unity_link.protocol.frames import Framing
+from unity_link.protocol.gateway.datagrams import GatewayDatagrams
 from unity_link.protocol.messages import Codec
 from unity_link.virtual import VirtualGateway
 

@@ -19,10 +19,8 @@ from unity_link.protocol import (
     answers,
     arrays,
     datagrams,
-    gateway_session,
     group_table,
     host_codec,
-    reception,
     repetition,
     requests,
     session,
@@ -30,8 +28,11 @@ from unity_link.protocol import (
 )
 from unity_link.protocol.events import SampledRows
 from unity_link.protocol.frames import FrameError
+from unity_link.protocol.gateway import datagrams as gateway_datagrams
+from unity_link.protocol.gateway import reception
+from unity_link.protocol.gateway import session as gateway_session
+from unity_link.protocol.gateway.reception import SequencePlace
 from unity_link.protocol.messages import COMMANDS, Repeat
-from unity_link.protocol.reception import SequencePlace
 from unity_link.transport import stream
 from unity_link.virtual import bus, transport
 
@@ -629,7 +630,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("a datagram of a former session is executed")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    take = datagrams.GatewayDatagrams.take
+    take = gateway_datagrams.GatewayDatagrams.take
 
     def careless(self: Any, datagram: bytes, source: Any) -> None:
         try:
@@ -641,7 +642,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
         else:
             take(self, datagram, source)
 
-    monkeypatch.setattr(datagrams.GatewayDatagrams, "take", careless)
+    monkeypatch.setattr(gateway_datagrams.GatewayDatagrams, "take", careless)
 
 
 # The server

@@ -4,7 +4,7 @@ Bytes and the time go in, bytes come out; the gateware answers the same bytes. E
 happens inside `receive` and `advance`, so a test can stop the world between any two bytes. The order of the checks is
 that of docs/protocol.md, "Errors": each step below either answers or hands on to the next.
 
-`receive` -> `_answer` (node) -> `_body` (overflow to sequence: `unity_link.protocol.gateway_session`) -> `_execute`
+`receive` -> `_answer` (node) -> `_body` (overflow to sequence: `unity_link.protocol.gateway.session`) -> `_execute`
 (range, bus). Reads, and writes with the expected ID, of one word are most of the traffic and take a short way,
 `_quick_read` and `_quick_write`, which gives exactly what the long way would, or gives up before anything changes.
 
@@ -26,7 +26,7 @@ from unity_link.errors import ArgumentError
 from unity_link.protocol.compact import CompactForm, Packer, text_of
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.frames import in_session
-from unity_link.protocol.gateway_session import Answer, GatewaySession
+from unity_link.protocol.gateway.session import Answer, GatewaySession
 from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode, Repeat, RequestError
 from unity_link.virtual.bus import AccessError, Device, ModelBus
 from unity_link.virtual.commands import CommandSet, FieldRangeError

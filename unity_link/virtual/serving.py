@@ -24,8 +24,9 @@ from typing import TYPE_CHECKING, Any, cast
 from unity_link.errors import ConnectError
 from unity_link.protocol import finding
 from unity_link.protocol.configuration import Feature
-from unity_link.protocol.datagrams import NO_SESSION, GatewayDatagrams
+from unity_link.protocol.datagrams import NO_SESSION
 from unity_link.protocol.frames import end_of_last
+from unity_link.protocol.gateway.datagrams import GatewayDatagrams
 from unity_link.protocol.messages import Codec
 from unity_link.transport.listening import LOOPBACK, checked_host, listen_tcp, listen_unix, port_error, serving, url_of
 from unity_link.virtual.transport import GatewayTransport

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     from unity_link.bridges.serve.groups import ClientGroup
     from unity_link.bridges.serve.shared import SharedLink
-    from unity_link.protocol.gateway_session import SessionState
+    from unity_link.protocol.gateway.session import SessionState
 
 MOST_UNDER_WAY = 65_536
 """Bytes of requests and answers under way for one client, beyond which it is not listened to."""

@@ -1,7 +1,7 @@
 """The requests of one client, decoded: frames, sequence, groups, send-immediate.
 
 To its client, a `Conversation` is a gateway that has just been reset. It keeps a session as every gateway does
-(`unity_link.protocol.gateway_session`), hands on what is the next to be executed, and answers everything else itself.
+(`unity_link.protocol.gateway.session`), hands on what is the next to be executed, and answers everything else itself.
 Reads and writes of single words are most of the traffic: those that stand side by side are checked and handed on
 together, and a lone one takes a short way that does what the long one would, or gives up before anything changes.
 """
@@ -18,9 +18,9 @@ from unity_link.bridges.serve.requests import Relayed, RelayedRows, answer_digit
 from unity_link.protocol.arrays import matching_rows
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.frames import LF, in_session
-from unity_link.protocol.gateway_session import UNDER_WAY, Answer, GatewaySession
+from unity_link.protocol.gateway.reception import group_fits
+from unity_link.protocol.gateway.session import UNDER_WAY, Answer, GatewaySession
 from unity_link.protocol.messages import Codec, DecodedRequest, ErrorCode
-from unity_link.protocol.reception import group_fits
 
 if TYPE_CHECKING:
     from collections.abc import Callable

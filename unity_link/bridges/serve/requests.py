@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from unity_link.protocol.events import Events
-    from unity_link.protocol.gateway_session import SessionState
+    from unity_link.protocol.gateway.session import SessionState
     from unity_link.protocol.host_codec import HostCodec
 
 FATES = {ErrorCode.BUS_ERROR, ErrorCode.BUS_TIMEOUT, ErrorCode.OUT_OF_RANGE}

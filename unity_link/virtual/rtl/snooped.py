@@ -20,7 +20,7 @@ from unity_link.errors import ArgumentError, UnsupportedError
 from unity_link.protocol.compact import text_of
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.frames import CR, LF
-from unity_link.protocol.gateway_session import Answer, GatewaySession
+from unity_link.protocol.gateway.session import Answer, GatewaySession
 from unity_link.protocol.messages import (
     TIMESTAMP_DIGITS,
     Codec,

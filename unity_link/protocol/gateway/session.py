@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, NamedTuple
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.constants import MOST_KEPT_WORDS
 from unity_link.protocol.crc import NO_SESSION, seed_of
+from unity_link.protocol.gateway.reception import Reception, Sequence, SequencePlace
 from unity_link.protocol.messages import COMMANDS, LOOKING, Codec, DecodedRequest, ErrorCode, Repeat, RequestError
-from unity_link.protocol.reception import Reception, Sequence, SequencePlace
 
 if TYPE_CHECKING:
     from collections.abc import Sequence as Words

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.gateway_session import GatewaySession
+from unity_link.protocol.gateway.session import GatewaySession
 from unity_link.protocol.messages import Codec, ErrorCode
 
 

@@ -1,7 +1,7 @@
 """The parts of what a gateway makes of a line that a host sent, before it executes anything.
 
 `Reception` is steps 1 to 5 of the checks in docs/protocol.md, "Errors", `Sequence` is step 6, `group_fits` is what step
-7 says of the settings of a group. `unity_link.protocol.gateway_session` joins the first two.
+7 says of the settings of a group. `unity_link.protocol.gateway.session` joins the first two.
 """
 
 from __future__ import annotations
