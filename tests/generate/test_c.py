@@ -76,8 +76,8 @@ from unity_link.protocol.constants import (
 )
 from unity_link.protocol.crc import Crc, seed_of
 from unity_link.protocol.frames import Framing
+from unity_link.protocol.host.batches import WordBatch
 from unity_link.protocol.messages import ErrorCode
-from unity_link.protocol.requests import WordBatch
 from unity_link.spec import KindName, compile_file, compile_text
 from unity_link.spec.printer import print_file
 from unity_link.virtual import VirtualGateway

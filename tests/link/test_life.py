@@ -39,7 +39,7 @@ from unity_link.link.connection import Reconnect
 from unity_link.protocol.configuration import PROTOCOL_VERSION, Feature
 from unity_link.protocol.constants import MOST_TRIES
 from unity_link.protocol.crc import USUAL_POLYNOMIALS
-from unity_link.protocol.handshake import LINE_ENDS
+from unity_link.protocol.host.handshake import LINE_ENDS
 from unity_link.protocol.messages import Codec
 from unity_link.transport import parse_url
 from unity_link.virtual import VirtualGateway

@@ -20,9 +20,9 @@ from unity_link import LinkClosedError, LinkLostError
 from unity_link.link.flow import Flow
 from unity_link.link.publishing import SampleReceiver
 from unity_link.link.runtimes.runtime import AsyncioRuntime, LoneFuture
-from unity_link.protocol.answers import Answers
-from unity_link.protocol.requests import Request
-from unity_link.protocol.session import Session
+from unity_link.protocol.host.receiver import ResponseReceiver
+from unity_link.protocol.host.requests import Request
+from unity_link.protocol.host.session import Session
 from unity_link.protocol.window import Window
 from unity_link.transport.polling import SPIN
 from unity_link.transport.stream import Stream
@@ -347,7 +347,7 @@ async def test_one_that_is_lost_beside_an_idle_group_is_sent_again_as_soon_as_wi
         assert asyncio.get_running_loop().time() - began < 0.1
 
 
-@pytest.mark.parametrize("hot", [Flow, SampleReceiver, Session, Answers, Window, Request, Stream, LoneFuture])
+@pytest.mark.parametrize("hot", [Flow, SampleReceiver, Session, ResponseReceiver, Window, Request, Stream, LoneFuture])
 def test_what_every_request_passes_has_attributes_that_python_finds_quickly(hot: type) -> None:
     assert not hasattr(hot, "__getattr__")
     assert "__slots__" in vars(hot) or hot not in (Window, Request, LoneFuture)

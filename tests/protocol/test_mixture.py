@@ -6,7 +6,7 @@ import pytest
 
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import Framing
-from unity_link.protocol.group_table import HeldGroup
+from unity_link.protocol.host.group_table import HeldGroup
 from unity_link.protocol.mixture import FEWEST_OF_A_SIZE, find_mixture
 
 FRAMING = Framing(Crc())

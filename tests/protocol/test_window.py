@@ -1088,7 +1088,7 @@ class LossyLine(RuleBasedStateMachine):
             self.hear_of(kind, number & RING - 1, number >> 8)
 
     def hear_of(self, kind: str, number: int, failed: int) -> None:
-        """Take an answer as `Answers` does."""
+        """Take an answer as `ResponseReceiver` does."""
         run = self.window.find(number)
         if run is None or (kind == "answer" and run.posted):
             return

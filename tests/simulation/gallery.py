@@ -15,23 +15,14 @@ from unity_link.bridges.serve import groups as served_groups
 from unity_link.bridges.serve import requests as served_requests
 from unity_link.errors import Outcome
 from unity_link.link import connection, flow, gateway_clock, link, publishing
-from unity_link.protocol import (
-    answers,
-    arrays,
-    datagrams,
-    group_table,
-    host_codec,
-    repetition,
-    requests,
-    session,
-    window,
-)
-from unity_link.protocol.events import SampledRows
+from unity_link.protocol import arrays, datagrams, repetition, window
 from unity_link.protocol.frames import FrameError
 from unity_link.protocol.gateway import datagrams as gateway_datagrams
 from unity_link.protocol.gateway import reception
 from unity_link.protocol.gateway import session as gateway_session
 from unity_link.protocol.gateway.reception import SequencePlace
+from unity_link.protocol.host import batches, group_table, host_codec, receiver, requests, session
+from unity_link.protocol.host.events import SampledRows
 from unity_link.protocol.messages import COMMANDS, Repeat
 from unity_link.transport import stream
 from unity_link.virtual import bus, transport
@@ -103,16 +94,16 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
         after = len(framing.prefix) + 3
         group = self._groups.begun.get(data[start : start + after][-2:])
         size = 0 if group is None else group.length + framing.overhead
-        while size > framing.overhead and (count := (len(data) - start) // size) >= answers.FEWEST_SAMPLES:
+        while size > framing.overhead and (count := (len(data) - start) // size) >= receiver.FEWEST_SAMPLES:
             rows = arrays.rows_of(data, start, count, size)
             bodies = arrays.open_rows(framing, rows, data[start : start + after])
-            if len(bodies) < answers.FEWEST_SAMPLES:
+            if len(bodies) < receiver.FEWEST_SAMPLES:
                 break
             events.append(SampledRows(group.owner, bodies, now))
             start += len(bodies) * size
         return start
 
-    monkeypatch.setattr(answers.Answers, "_receive_samples", receive_samples)
+    monkeypatch.setattr(receiver.ResponseReceiver, "_receive_samples", receive_samples)
 
 
 @bug("a fence does not wait for batches")
@@ -176,7 +167,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("a batch of reads ends at its first error")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    fail_part = requests.BatchRun.fail_part
+    fail_part = batches.BatchRun.fail_part
 
     def ending(self: Any, offset: int, count: int, error: Any, events: Any) -> None:
         if self.posted:
@@ -184,7 +175,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
         else:
             self._batch.fail(error, events)
 
-    monkeypatch.setattr(requests.BatchRun, "fail_part", ending)
+    monkeypatch.setattr(batches.BatchRun, "fail_part", ending)
 
 
 # Protocol 02: a gateway that was reset says so
@@ -219,7 +210,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("a reset is told as an error of one request")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    receive_line = answers.Answers._receive_line
+    receive_line = receiver.ResponseReceiver._receive_line
 
     def taking(self: Any, line: bytes, now: float, events: Any) -> int:
         try:
@@ -227,12 +218,12 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
         except FrameError:
             body = b""
         after = 1 + self.codec.info.id_digits
-        if body[:1] != b"x" or body[after : after + 2] != answers._NO_SESSION:
+        if body[:1] != b"x" or body[after : after + 2] != receiver._NO_SESSION:
             return receive_line(self, line, now, events)
         self._receive_answer(body[: after + 2], now, events)
         return len(line) + 1
 
-    monkeypatch.setattr(answers.Answers, "_receive_line", taking)
+    monkeypatch.setattr(receiver.ResponseReceiver, "_receive_line", taking)
 
 
 @bug("groups are not set up again behind a reset")
@@ -286,7 +277,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("a reset is believed of a damaged request")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    has_no_session = answers.Answers._has_no_session
+    has_no_session = receiver.ResponseReceiver._has_no_session
 
     def believing(self: Any, line: bytes, now: float) -> bool:
         found = has_no_session(self, line, now)
@@ -296,7 +287,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
             self.refused = number if self.window.find(number) is not None else None
         return found
 
-    monkeypatch.setattr(answers.Answers, "_has_no_session", believing)
+    monkeypatch.setattr(receiver.ResponseReceiver, "_has_no_session", believing)
 
 
 @bug("a reset while the line was away is not noticed")
@@ -365,9 +356,9 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 @bug("a batch of reads goes on at another place in a new session")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     def again(self: Any, offset: int, count: int) -> Any:
-        return requests.BatchPart(self._batch, offset, count) if self.command == "R" else None
+        return batches.BatchPart(self._batch, offset, count) if self.command == "R" else None
 
-    monkeypatch.setattr(requests.BatchRun, "again", again)
+    monkeypatch.setattr(batches.BatchRun, "again", again)
 
 
 @bug("what was not sent when the connection was lost is forgotten")
@@ -492,12 +483,12 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("answers to a batch are put in the opposite order")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    put = requests.WordBatch.put
+    put = batches.WordBatch.put
 
     def turned(self: Any, offset: int, count: int, words: Any, events: Any) -> None:
         put(self, offset, count, words if count == 1 else words[::-1], events)
 
-    monkeypatch.setattr(requests.WordBatch, "put", turned)
+    monkeypatch.setattr(batches.WordBatch, "put", turned)
 
 
 @bug("what is sent while the transport is full is dropped")

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from unity_link import GatewayInfo
     from unity_link.link.connection import Connection
-    from unity_link.protocol.host_codec import HostCodec
+    from unity_link.protocol.host.host_codec import HostCodec
     from unity_link.protocol.messages import DecodedRequest
 
 

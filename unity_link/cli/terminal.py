@@ -27,7 +27,7 @@ from unity_link.protocol.numbers import MOST_SECONDS
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable, Coroutine
 
-    from unity_link.protocol.host_codec import HostCodec
+    from unity_link.protocol.host.host_codec import HostCodec
     from unity_link.transport import DriverUrl
     from unity_link.transport.stream import Stream
 
@@ -99,7 +99,7 @@ async def _terminal(url: str, *, plain: bool, timeout: float) -> None:  # noqa: 
 
 async def _connect(target: DriverUrl, stream: Stream) -> HostCodec:
     from unity_link.protocol.configuration import GatewayInfo
-    from unity_link.protocol.host_codec import HostCodec
+    from unity_link.protocol.host.host_codec import HostCodec
     from unity_link.transport import open_medium
 
     try:
@@ -142,7 +142,7 @@ class _Greeting(_Receiver):
     """Asks what the gateway is, and has it begin a person's session with ID 0."""
 
     def __init__(self, stream: Stream, node: int | None) -> None:
-        from unity_link.protocol.handshake import Handshake, SessionNumbers
+        from unity_link.protocol.host.handshake import Handshake, SessionNumbers
 
         super().__init__()
         self._stream = stream

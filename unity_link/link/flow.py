@@ -14,17 +14,18 @@ import contextlib
 import math
 from typing import TYPE_CHECKING, Any
 
-from unity_link.protocol.events import Awaited
-from unity_link.protocol.requests import Request
+from unity_link.protocol.host.events import Awaited
+from unity_link.protocol.host.requests import Request
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from unity_link.link.runtimes.runtime import Runtime, Timer, Waiter
-    from unity_link.protocol.events import Events, Happening
+    from unity_link.protocol.host.batches import WordBatch
+    from unity_link.protocol.host.events import Events, UnsolicitedEvent
+    from unity_link.protocol.host.requests import Source
+    from unity_link.protocol.host.session import Session
     from unity_link.protocol.path import Path
-    from unity_link.protocol.requests import Source, WordBatch
-    from unity_link.protocol.session import Session
     from unity_link.transport.stream import Stream
     from unity_link.transport.turns import Seat
 
@@ -46,7 +47,7 @@ class Flow:
         self,
         session: Session,
         runtime: Runtime,
-        happened: Callable[[Happening], None],
+        happened: Callable[[UnsolicitedEvent], None],
         disconnected: Callable[[Exception | None], None],
     ) -> None:
         self.session = session

@@ -35,18 +35,11 @@ from unity_link.link.publishing import Overflow, Publishing, Sample, Schedule
 from unity_link.link.runtimes.runtime import told_now
 from unity_link.link.subscription import LARGEST_DIVISOR, Subscription, asked_rate, check_addresses
 from unity_link.protocol.configuration import Feature
-from unity_link.protocol.events import GroupEvent, Happening, PostedFailure
+from unity_link.protocol.host.batches import RequestBlock, WordBatch, common_outcome
+from unity_link.protocol.host.events import GroupEvent, PostedFailure, UnsolicitedEvent
+from unity_link.protocol.host.requests import Confirmation, DestructiveRead, Fence, Request
 from unity_link.protocol.messages import GroupFlag
 from unity_link.protocol.numbers import seconds_from, whole_number
-from unity_link.protocol.requests import (
-    Confirmation,
-    DestructiveRead,
-    Fence,
-    Request,
-    RequestBlock,
-    WordBatch,
-    common_outcome,
-)
 
 if TYPE_CHECKING:
     from collections.abc import Awaitable, Callable, Coroutine, Iterable, Mapping, Sequence
@@ -57,7 +50,7 @@ if TYPE_CHECKING:
     from unity_link.link.guards import Guard
     from unity_link.link.runtimes.runtime import Runtime, Waiter
     from unity_link.protocol.arrays import Words
-    from unity_link.protocol.host_codec import HostCodec
+    from unity_link.protocol.host.host_codec import HostCodec
     from unity_link.transport import DriverUrl, Medium
 
 NOT_CONNECTED = "write `async with unity_link.connect(...) as link:`, or `link = await unity_link.connect(...)`"
@@ -147,7 +140,7 @@ class Link(OfLink, Connection):
 
     # Life
 
-    def _happened(self, event: Happening) -> None:
+    def _happened(self, event: UnsolicitedEvent) -> None:
         if isinstance(event, GroupEvent):
             self._publishing.take(event)
         elif isinstance(event, PostedFailure):

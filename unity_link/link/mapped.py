@@ -13,7 +13,7 @@ from unity_link import protocol
 from unity_link.errors import ConnectError, LinkClosedError, LinkLostError, Outcome, UnsupportedError
 from unity_link.link.link import Link, SendImmediate, check_mode
 from unity_link.link.publishing import Publishing, Sample, SampleReceiver
-from unity_link.protocol.host_codec import HostCodec
+from unity_link.protocol.host.host_codec import HostCodec
 from unity_link.protocol.messages import GroupFlag
 from unity_link.transport import name_of, open_bus
 

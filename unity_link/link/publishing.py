@@ -27,15 +27,15 @@ from unity_link.link.freshness import Freshness
 from unity_link.link.gateway_clock import TICKS_PER_TURN, GatewayClock, steps_between, tolerance_of
 from unity_link.link.runtimes.runtime import report
 from unity_link.link.runtimes.synchronisation import call_back
-from unity_link.protocol.events import (
+from unity_link.protocol.host.events import (
     GroupBegun,
     GroupEvent,
     Sampled,
     SampledRows,
     SampledTogether,
 )
+from unity_link.protocol.host.requests import Request
 from unity_link.protocol.messages import SAMPLE_HEAD, GroupFlag
-from unity_link.protocol.requests import Request
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -48,8 +48,8 @@ if TYPE_CHECKING:
     from unity_link.link.samples_together import SamplesTogether
     from unity_link.protocol.arrays import Words
     from unity_link.protocol.configuration import GatewayInfo
-    from unity_link.protocol.group_table import HeldGroup
-    from unity_link.protocol.host_codec import HostCodec
+    from unity_link.protocol.host.group_table import HeldGroup
+    from unity_link.protocol.host.host_codec import HostCodec
 
 log = logging.getLogger("unity_link.link")
 Overflow = Literal["drop_oldest", "fail"]

@@ -25,7 +25,7 @@ from unity_link.protocol.messages import SAMPLE_HEAD, TIMESTAMP_DIGITS, GroupFla
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.protocol.group_table import GroupTable
+    from unity_link.protocol.host.group_table import GroupTable
     from unity_link.protocol.messages import Codec
 
 _SEQUENCE = slice(3, 5)

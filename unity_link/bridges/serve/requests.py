@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Protocol
 
 from unity_link.errors import GatewayError, Outcome, UnansweredError, UnityLinkError, UnsupportedError
 from unity_link.protocol.arrays import matching_rows, request_rows
-from unity_link.protocol.events import Awaited
+from unity_link.protocol.host.batches import BatchRun, WordBatch
+from unity_link.protocol.host.events import Awaited
+from unity_link.protocol.host.requests import Request
 from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode, Repeat, parse_numbers
-from unity_link.protocol.requests import BatchRun, Request, WordBatch
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -20,9 +21,9 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from unity_link.protocol.events import Events
     from unity_link.protocol.gateway.session import SessionState
-    from unity_link.protocol.host_codec import HostCodec
+    from unity_link.protocol.host.events import Events
+    from unity_link.protocol.host.host_codec import HostCodec
 
 FATES = {ErrorCode.BUS_ERROR, ErrorCode.BUS_TIMEOUT, ErrorCode.OUT_OF_RANGE}
 """Errors of a request that was executed."""

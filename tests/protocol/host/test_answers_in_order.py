@@ -19,11 +19,12 @@ from support.open_at_once import open_at_once
 from support.searching import examples
 from support.valve import as_gateway
 from support.window_state import window_state
-from unity_link.protocol.answers import Answers, Counters
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.frames import FrameError
-from unity_link.protocol.requests import BatchRun, Fence, Request, WordBatch
-from unity_link.protocol.session import Session
+from unity_link.protocol.host.batches import BatchRun, WordBatch
+from unity_link.protocol.host.receiver import Counters, ResponseReceiver
+from unity_link.protocol.host.requests import Fence, Request
+from unity_link.protocol.host.session import Session
 from unity_link.protocol.window import Window
 
 REPLIES = {"R": 8, "W": 0, "WS": None, "RM": 24, "H": 2}
@@ -80,7 +81,7 @@ class Slow(Session):
         return None
 
 
-class Line(Answers):
+class Line(ResponseReceiver):
     """A reader that opens and decodes each line by itself; the window is told of answers that follow each other."""
 
     def _receive_answers(self, data: bytes, start: int, now: float, events: list[Any]) -> int:
@@ -157,7 +158,7 @@ class Host:
         self.events: list[Any] = []
         if kind is Slow:
             arguments = self.codec, session.window, session.groups, session.counters
-            session._answers = Line(*arguments, None, half_duplex=False)
+            session._receiver = Line(*arguments, None, half_duplex=False)
 
     @property
     def window(self) -> Window[Any]:
@@ -302,7 +303,7 @@ def test_side_by_side_is_a_way_of_its_own(monkeypatch: pytest.MonkeyPatch) -> No
     """Otherwise the comparison would compare one way with itself."""
     host = Host(Session, None)
     host.ask(Turn(["R", "W", "RM", "small batch"], [], [], 0.0, cancelled=False), 0.0)
-    monkeypatch.setattr(Answers, "_receive_line", None)
+    monkeypatch.setattr(ResponseReceiver, "_receive_line", None)
     host.hear([b"".join(frames(host, ["whole"] * 8))], 0.0)
     assert [event.command for event in host.events] == ["R", "W", "RM", "R"]
 

@@ -19,15 +19,16 @@ from support.simulated_time import on_simulated_time
 from unity_link.errors import GatewayResetError, LinkLostError, Outcome
 from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.constants import KEEP_ALIVE, MOST_TRIES
-from unity_link.protocol.events import Interrupted, Opened, Taken, Unusable
+from unity_link.protocol.host.batches import RequestBlock, WordBatch
+from unity_link.protocol.host.events import Interrupted, Opened, Taken, Unusable
+from unity_link.protocol.host.requests import Confirmation, Request
+from unity_link.protocol.host.session import Session
 from unity_link.protocol.messages import GroupFlag
-from unity_link.protocol.requests import Confirmation, Request, RequestBlock, WordBatch
-from unity_link.protocol.session import Session
 from unity_link.virtual import VirtualGateway
 
 if TYPE_CHECKING:
-    from unity_link.protocol.events import Events
-    from unity_link.protocol.requests import Source
+    from unity_link.protocol.host.events import Events
+    from unity_link.protocol.host.requests import Source
 
 RING = 256
 ADDRESS = 0x10

@@ -118,7 +118,7 @@ class Taken(NamedTuple):
 
 GroupEvent = Sampled | SampledRows | SampledTogether | GroupBegun
 SessionEvent = Opened | GroupsRestored | Interrupted | Unusable | Taken
-Happening = GroupEvent | SessionEvent | PostedFailure
+UnsolicitedEvent = GroupEvent | SessionEvent | PostedFailure
 """Events that are nothing a call awaits."""
-Event = Awaited | Happening
+Event = Awaited | UnsolicitedEvent
 Events = list[Event]

@@ -16,7 +16,7 @@ from unity_link.protocol.messages import ErrorCode
 
 if TYPE_CHECKING:
     from unity_link.protocol.configuration import GatewayInfo
-    from unity_link.protocol.host_codec import HostCodec
+    from unity_link.protocol.host.host_codec import HostCodec
 
 FIRST_IDS: Final = {2: range(0x14, 0x54), 3: range(0x132, 0x800)}
 """First IDs of a session, by digits of an ID: those of the trial are in the half of the sequence space before them."""

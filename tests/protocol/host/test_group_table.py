@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from unity_link.errors import UnsupportedError
-from unity_link.protocol.group_table import GroupTable
+from unity_link.protocol.host.group_table import GroupTable
 
 
 def table(count: int = 3) -> GroupTable:

@@ -19,7 +19,7 @@ from unity_link.protocol.constants import (
 )
 from unity_link.protocol.crc import Crc
 from unity_link.protocol.frames import Framing
-from unity_link.protocol.handshake import ECHO, RESET_TRIES, Handshake, SessionNumbers, State
+from unity_link.protocol.host.handshake import ECHO, RESET_TRIES, Handshake, SessionNumbers, State
 from unity_link.transport import udp
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Straying

@@ -9,8 +9,8 @@ Where the same host has had a session before, it asks by `K` first: a gateway th
 that has another's is left to that. The answer to `K i s` says which session it ended, and so of a reset behind that
 answer.
 
-If the session was asked for in compact form, the line is tried next (`unity_link.protocol.trial`). On a line that does
-not carry the form, `K i s` begins another session, whose frames are text.
+If the session was asked for in compact form, the line is tried next (`unity_link.protocol.host.trial`). On a line that
+does not carry the form, `K i s` begins another session, whose frames are text.
 
 Where frames are in datagrams, `K i s` is padded to the longest datagram of the path (`unity_link.protocol.path`).
 
@@ -43,8 +43,8 @@ from unity_link.protocol.constants import (
 )
 from unity_link.protocol.crc import NO_SESSION
 from unity_link.protocol.frames import COMPACT_END, LF, MOST_LINES, FrameError
-from unity_link.protocol.host_codec import HostCodec
-from unity_link.protocol.trial import Trial, first_id
+from unity_link.protocol.host.host_codec import HostCodec
+from unity_link.protocol.host.trial import Trial, first_id
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -9,11 +9,11 @@ import pytest
 
 from unity_link.errors import BusError
 from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.host_codec import HostCodec
-from unity_link.protocol.requests import WordBatch
+from unity_link.protocol.host.batches import WordBatch
+from unity_link.protocol.host.host_codec import HostCodec
 
 if TYPE_CHECKING:
-    from unity_link.protocol.events import Events
+    from unity_link.protocol.host.events import Events
 
 CODEC = HostCodec(GatewayInfo())
 

@@ -10,14 +10,14 @@ from hypothesis import strategies as st
 
 from support.searching import examples
 from support.window_state import window_state
-from unity_link.protocol.answers import Counters
 from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.requests import Request
-from unity_link.protocol.session import Session
+from unity_link.protocol.host.receiver import Counters
+from unity_link.protocol.host.requests import Request
+from unity_link.protocol.host.session import Session
 from unity_link.virtual import VirtualGateway
 
 if TYPE_CHECKING:
-    from unity_link.protocol.events import Events
+    from unity_link.protocol.host.events import Events
 
 FIELDS = {"R": (0x10,), "RM": (0x10, 3), "W": (0x10, 7), "WS": (0x10, 8), "H": ()}
 WITHOUT_FLOW_CONTROL = ~Feature.FLOW_CONTROL & GatewayInfo().features

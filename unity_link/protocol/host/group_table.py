@@ -11,14 +11,14 @@ from collections import deque
 from typing import TYPE_CHECKING, Any
 
 from unity_link.errors import LinkLostError, UnityLinkError, UnsupportedError
-from unity_link.protocol.events import Awaited, GroupBegun, GroupsRestored
-from unity_link.protocol.requests import SessionRequest
+from unity_link.protocol.host.events import Awaited, GroupBegun, GroupsRestored
+from unity_link.protocol.host.requests import SessionRequest
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.protocol.events import Events
-    from unity_link.protocol.host_codec import HostCodec
+    from unity_link.protocol.host.events import Events
+    from unity_link.protocol.host.host_codec import HostCodec
     from unity_link.protocol.path import Path
 
 

@@ -15,7 +15,7 @@ everything that was under way at an end it says what is known of it:
 Requests may be made at any time. What must wait, for a session or for room in its window, waits in one line; a source
 with more to send goes to the end of the line after its turn, so that a batch of thousands does not hold up the others.
 A request that is alone goes by a way of its own, the shortest, and so does an answer that comes alone. All else that
-arrives is read by `Answers`.
+arrives is read by `ResponseReceiver`.
 
 Every call in which something can happen returns its events. The session calls no program and looks at no clock: `now`
 is a time in seconds that never goes back.
@@ -36,7 +36,6 @@ from unity_link.errors import (
     UnansweredError,
     UnsupportedError,
 )
-from unity_link.protocol.answers import Answers, Counters
 from unity_link.protocol.configuration import Feature
 from unity_link.protocol.constants import (
     ANSWER_PATIENCE,
@@ -48,23 +47,25 @@ from unity_link.protocol.constants import (
     MOST_TRIES,
 )
 from unity_link.protocol.crc import NO_SESSION
-from unity_link.protocol.events import Interrupted, Opened, Taken, Unusable
 from unity_link.protocol.frames import LF, LONGEST_FRAME
-from unity_link.protocol.group_table import GroupTable
-from unity_link.protocol.handshake import TAKEN, Handshake, SessionNumbers
+from unity_link.protocol.host.batches import RequestBlock
+from unity_link.protocol.host.events import Interrupted, Opened, Taken, Unusable
+from unity_link.protocol.host.group_table import GroupTable
+from unity_link.protocol.host.handshake import TAKEN, Handshake, SessionNumbers
+from unity_link.protocol.host.receiver import Counters, ResponseReceiver
+from unity_link.protocol.host.requests import Confirmation, Fence, Request, SessionRequest, Source
 from unity_link.protocol.path import LONGEST_MTU, RESERVE
-from unity_link.protocol.requests import Confirmation, Fence, Request, RequestBlock, SessionRequest, Source
 from unity_link.protocol.window import Window
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from unity_link.protocol.compact import Packer, Unpacker
-    from unity_link.protocol.events import Events
-    from unity_link.protocol.group_table import HeldGroup
-    from unity_link.protocol.host_codec import HostCodec
+    from unity_link.protocol.host.events import Events
+    from unity_link.protocol.host.group_table import HeldGroup
+    from unity_link.protocol.host.host_codec import HostCodec
+    from unity_link.protocol.host.requests import Message
     from unity_link.protocol.path import Path
-    from unity_link.protocol.requests import Message
 
 _FIRST_TURN = 256
 """Bytes of a question of the handshake and its answer, at most; gateways of later versions say more of themselves."""
@@ -163,7 +164,7 @@ class Session:
         """True if the line is known to carry the compact form."""
         self._before_flood = 0.0, -1, 0, 0
         """Instant of the last answer, and the counts then: answers, lines that are none, and what was sent."""
-        self._answers: Answers | None = None
+        self._receiver: ResponseReceiver | None = None
         """Reader of what arrives while the session is open."""
         self.window: Window[Message] = Window(_NO_RING)
         """The window over the IDs of the session; while there is no session, one in which nothing is in flight."""
@@ -173,7 +174,7 @@ class Session:
     @property
     def is_open(self) -> bool:
         """Return whether requests are sent now."""
-        return self._answers is not None
+        return self._receiver is not None
 
     @property
     def is_full(self) -> bool:
@@ -191,7 +192,7 @@ class Session:
         if self._takes_turns and self.wants_turn:
             # Then the time begins.
             return self._give_up_at
-        if self._answers is not None:
+        if self._receiver is not None:
             deadline = self.window.deadline
             return self._keep_alive_due if deadline is None else deadline
         return None if self._handshake is None else self._handshake.deadline
@@ -218,7 +219,7 @@ class Session:
         """Return whether a turn is waited for, to send something."""
         if not self._takes_turns:
             return False
-        if self._answers is None:
+        if self._receiver is None:
             return self._handshake is not None and self._handshake.asks
         while self._waiting and self._waiting[0].unwanted():
             self._waiting.popleft()
@@ -229,7 +230,7 @@ class Session:
     @property
     def is_owed_an_answer(self) -> bool:
         """Return whether an answer can be on its way."""
-        if self._answers is not None:
+        if self._receiver is not None:
             return self._awaits_session or (self.window.in_flight > 0 and not self.window.repetition.is_due())
         return self._handshake is not None and not self._handshake.asks
 
@@ -237,7 +238,7 @@ class Session:
         """Send one frame."""
         events: Events = []
         self._now = now
-        if self._answers is not None:
+        if self._receiver is not None:
             self._may_send, self._may_begin = True, not self._proofs
             if not self.window.repetition.is_due():
                 self._admit(now, events)
@@ -270,7 +271,7 @@ class Session:
     @property
     def longest_turn(self) -> float:
         """Seconds after which no answer can come any more to what was just sent."""
-        if self._answers is not None:
+        if self._receiver is not None:
             return self.window.longest_answer
         if self._byte_time is None:
             return _UNKNOWN_PATIENCE
@@ -384,10 +385,10 @@ class Session:
     def _end_session(self, error: LinkLostError, events: Events) -> None:
         """End a session or its handshake, keeping what may be sent again for the next one."""
         self._handshake = self._give_up_at = None
-        if self._answers is None:
+        if self._receiver is None:
             return
-        window, refused = self.window, self._answers.refused
-        self._answers, self.window = None, Window(_NO_RING)
+        window, refused = self.window, self._receiver.refused
+        self._receiver, self.window = None, Window(_NO_RING)
         self._may_send = self._may_begin = False
         self.groups.interrupted()
         if self._proofs:
@@ -454,10 +455,10 @@ class Session:
             raise self.closed.about(Outcome.NOT_EXECUTED)
         if isinstance(source, Fence):
             source.follow(waiting)
-        if self._answers is None and len(waiting) >= self._most_waiting:
+        if self._receiver is None and len(waiting) >= self._most_waiting:
             self._drop_unwanted()
         waiting.append(source)
-        if self._answers is None:
+        if self._receiver is None:
             return events
         if source is waiting[0] or waiting[0].unwanted() or self._fence(now):
             self._admit(now, events)
@@ -545,7 +546,7 @@ class Session:
         is_due = self._proofs or (waiting and now >= window.since + KEEP_ALIVE)
         if not is_due or not self._may_send or not window.is_idle():
             return
-        assert self._answers is not None
+        assert self._receiver is not None
         first = waiting[0] if waiting else None
         if type(first) is Confirmation:
             confirmation: Confirmation = first
@@ -554,7 +555,7 @@ class Session:
             confirmation = Confirmation(self.codec, of_session=True)
         self._proofs += 1
         self._may_begin = False
-        ahead = self.codec.confirmations(self._answers.prove(window.next), 1)
+        ahead = self.codec.confirmations(self._receiver.prove(window.next), 1)
         if not self._is_half_duplex:
             self._ask_whose()
             self.output.append(ahead)
@@ -565,8 +566,8 @@ class Session:
 
     def _end_proof(self, events: Events) -> None:
         """Take the result of a proof; without one, the next proof follows."""
-        assert self._answers is not None
-        if self._answers.end_proof():
+        assert self._receiver is not None
+        if self._receiver.end_proof():
             self._proofs = 0
             self._may_begin = self._may_send
         elif self._proofs > MOST_TRIES:
@@ -636,12 +637,12 @@ class Session:
         """Set up a group that is held; while the session is not open, the next one does."""
         events: Events = []
         self._now = now
-        if self._answers is not None:
+        if self._receiver is not None:
             self.groups.set_up(self.codec, group, events)
         return events
 
     def _submit_step(self, step: SessionRequest, events: Events) -> None:
-        if self._answers is not None:
+        if self._receiver is not None:
             events += self.submit(step, self._now)
         else:
             step.fail(LinkLostError(SILENT, Outcome.NOT_EXECUTED), events)
@@ -681,15 +682,15 @@ class Session:
             data = self._rest + data
             self._rest = b""
         while data:
-            answers = self._answers
-            if answers is None:
+            receiver = self._receiver
+            if receiver is None:
                 taken = self._receive_first(data, now, events)
             else:
-                taken = answers.receive(data, now, events)
-                if answers.has_ended:
-                    self._session_is_over(answers, now, events)
+                taken = receiver.receive(data, now, events)
+                if receiver.has_ended:
+                    self._session_is_over(receiver, now, events)
             data = data[taken:]
-            if answers is self._answers:
+            if receiver is self._receiver:
                 # What is left waits for its turn, or is the beginning of a frame. Noise without a line end is none, and
                 # must not grow.
                 endless = len(data) > LONGEST_FRAME and LF not in data
@@ -697,7 +698,7 @@ class Session:
                 if endless:
                     self.counters.unasked += FEWEST_OF_A_FLOOD
                 break
-        if self._answers is not None:
+        if self._receiver is not None:
             self._go_on(now, events)
         return events
 
@@ -723,7 +724,7 @@ class Session:
         events: Events = []
         self._now = now
         self._blocked = False
-        if self._answers is not None:
+        if self._receiver is not None:
             self._go_on(now, events)
         return events
 
@@ -734,7 +735,7 @@ class Session:
         if self.wants_turn:
             # Not before it was sent can an answer to it be late.
             pass
-        elif self._answers is not None:
+        elif self._receiver is not None:
             self._expire(now, events)
         elif self._handshake is not None:
             self._handshake.expire(now)
@@ -788,7 +789,7 @@ class Session:
 
     def _bound_answers(self) -> None:
         """Bound the answers under way where the path does not carry each datagram of a gateway."""
-        if self._path is not None and self._path.is_short and self._answers is not None:
+        if self._path is not None and self._path.is_short and self._receiver is not None:
             self.window.bound_answers(self._room_of_answers)
 
     def _room_of_answers(self) -> int:
@@ -808,8 +809,8 @@ class Session:
         is_flood = now - since >= FLOOD_PATIENCE and lines >= FEWEST_OF_A_FLOOD + 2 * (sent - sent_before)
         return lines if is_flood else 0
 
-    def _session_is_over(self, answers: Answers, now: float, events: Events) -> None:
-        if answers.refused is None and answers.under_way != NO_SESSION:
+    def _session_is_over(self, receiver: ResponseReceiver, now: float, events: Events) -> None:
+        if receiver.refused is None and receiver.under_way != NO_SESSION:
             self._leave_to_another(events)
         else:
             self._gateway_was_reset(now, events)
@@ -882,7 +883,7 @@ class Session:
         self._may_send = self._may_begin = not self._takes_turns
         self._asked_alone, self._before_flood = False, (0.0, -1, 0, 0)
         self._echo = Counter() if handshake.has_echo else None
-        self._answers = Answers(
+        self._receiver = ResponseReceiver(
             self.codec, self.window, self.groups, self.counters, self._echo, half_duplex=self._is_half_duplex
         )
         self._bound_answers()

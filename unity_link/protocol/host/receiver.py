@@ -1,7 +1,7 @@
 """Arrivals in a session: answers find their requests, and samples their groups.
 
 Samples are told to belong to whatever their group is for at that point of the stream. Three ways lead through
-`Answers.receive`; what one leaves, the next takes. Of many answers to a batch, or samples, numpy takes as many as are
+`ResponseReceiver.receive`; what one leaves, the next takes. Of many answers to a batch, or samples, numpy takes as many as are
 exactly what is expected. Other answers that stand side by side are compared with what is expected in turn, and the
 window is told of them together. A line that is left is looked at by itself.
 """
@@ -12,18 +12,19 @@ from typing import TYPE_CHECKING
 
 from unity_link import protocol
 from unity_link.errors import UnsupportedError
-from unity_link.protocol.events import Sampled, SampledRows, SampledTogether
 from unity_link.protocol.frames import LF, MOST_LINES, FrameError, OtherNodeError
+from unity_link.protocol.host.batches import BatchRun
+from unity_link.protocol.host.events import Sampled, SampledRows, SampledTogether
+from unity_link.protocol.host.requests import Request, gateway_error
 from unity_link.protocol.messages import COMMANDS, WITHOUT_ID, ErrorCode
-from unity_link.protocol.requests import BatchRun, Request, gateway_error
 
 if TYPE_CHECKING:
     from collections import Counter
 
-    from unity_link.protocol.events import Events
-    from unity_link.protocol.group_table import GroupTable
-    from unity_link.protocol.host_codec import HostCodec
-    from unity_link.protocol.requests import Message
+    from unity_link.protocol.host.events import Events
+    from unity_link.protocol.host.group_table import GroupTable
+    from unity_link.protocol.host.host_codec import HostCodec
+    from unity_link.protocol.host.requests import Message
     from unity_link.protocol.window import Window
 
 FEWEST_ROWS = 16
@@ -47,7 +48,7 @@ class Counters:
         self.damaged = self.stray = self.errors = self.unasked = 0
 
 
-class Answers:
+class ResponseReceiver:
     """Reader of what a gateway sends in one session.
 
     Args:

@@ -10,9 +10,9 @@ from unity_link.protocol.compact import CompactForm, Packer
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.constants import DAMAGE_PAUSE, FIRST_TRY, TRIALS
 from unity_link.protocol.crc import seed_of
-from unity_link.protocol.handshake import NOT_CARRIED, Handshake, SessionNumbers, State
-from unity_link.protocol.host_codec import HostCodec
-from unity_link.protocol.trial import FIRST_IDS, ID_ALONE, IDS, Trial, first_id
+from unity_link.protocol.host.handshake import NOT_CARRIED, Handshake, SessionNumbers, State
+from unity_link.protocol.host.host_codec import HostCodec
+from unity_link.protocol.host.trial import FIRST_IDS, ID_ALONE, IDS, Trial, first_id
 from unity_link.virtual import VirtualGateway
 
 FEATURES = GatewayInfo().features | Feature.COMPACT

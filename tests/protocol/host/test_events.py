@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 from typing import get_args
 
-from unity_link.protocol import events
+from unity_link.protocol.host import events
 
 
 def test_each_class_of_events_is_in_the_set_that_its_takers_must_know() -> None:

@@ -12,15 +12,16 @@ from support.valve import as_gateway
 from unity_link.errors import ConnectError, LinkLostError, Outcome, UnansweredError, UnsupportedError
 from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.constants import LONGEST_SILENCE, MOST_REFUSALS
-from unity_link.protocol.events import Interrupted, Opened, Unusable
+from unity_link.protocol.host.batches import WordBatch, common_outcome
+from unity_link.protocol.host.events import Interrupted, Opened, Unusable
+from unity_link.protocol.host.requests import Confirmation, Request
+from unity_link.protocol.host.session import Session
 from unity_link.protocol.messages import GroupFlag
-from unity_link.protocol.requests import Confirmation, Request, WordBatch, common_outcome
-from unity_link.protocol.session import Session
 from unity_link.virtual import VirtualGateway
 
 if TYPE_CHECKING:
-    from unity_link.protocol.events import Events
-    from unity_link.protocol.group_table import HeldGroup
+    from unity_link.protocol.host.events import Events
+    from unity_link.protocol.host.group_table import HeldGroup
 
 
 def opened(*, resumes: bool) -> tuple[Session, VirtualGateway]:
