@@ -13,7 +13,7 @@ ROOT = Path(__file__).parent.parent
 @pytest.mark.parametrize(
     ("file", "tests"),
     [
-        ("unity_link/protocol/window.py", {"tests/protocol"}),
+        ("unity_link/protocol/window/window.py", {"tests/protocol"}),
         ("unity_link/blocking.py", {"tests/test_blocking.py", "tests/test_blocking_reconnection.py"}),
         ("unity_link/pytest_plugin.py", {"tests/test_pytest_plugin.py"}),
         ("unity_link/boards/board.py", {"tests/boards"}),
@@ -64,7 +64,9 @@ def test_every_room_of_the_package_has_tests() -> None:
 
 
 def test_tests_that_take_long_and_those_of_compiled_gateware_are_left_out_unless_that_has_changed() -> None:
-    assert check.marks_of(["unity_link/protocol/window.py"]) == "not slow and not campaign and not usb and not rtl"
+    assert (
+        check.marks_of(["unity_link/protocol/window/window.py"]) == "not slow and not campaign and not usb and not rtl"
+    )
     assert check.marks_of(["gateware/rtl/unity_link.vhd"]) == "not slow and not campaign and not usb"
 
 

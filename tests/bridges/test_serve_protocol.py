@@ -122,7 +122,7 @@ def requests(command: str, first: int, count: int) -> list[bytes]:
     fields = {"R": (), "H": None}.get(command, (1,))
     values = [() if fields is None else (number % 9, *fields) for number in range(first, first + count)]
     return [
-        CODEC.request(command, number % CODEC.ring, CODEC.fields(command, *value))
+        CODEC.request(command, number % CODEC.id_count, CODEC.fields(command, *value))
         for number, value in enumerate(values, first)
     ]
 
@@ -140,7 +140,7 @@ async def hold_conversation(operations: list[tuple[Any, ...]]) -> tuple[list[byt
             if command == "reset":
                 await tell_of_reset(shared, gateway, terminal)
             elif command == "K":
-                expected = first % CODEC.ring
+                expected = first % CODEC.id_count
                 terminal.transport.write(b"K%b\r" % CODEC.id_text[expected])
             else:
                 terminal.transport.write(spelling(b"".join(requests(command, first, count))))

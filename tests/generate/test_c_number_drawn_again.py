@@ -10,7 +10,7 @@ from generate.programs import Simulated
 from support.recorded_bus import RecordedBus
 from support.shared_pair import PAIR
 from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.constants import MOST_TRIES
+from unity_link.protocol.window.constants import MOST_TRIES
 from unity_link.virtual import VirtualGateway
 
 if TYPE_CHECKING:

@@ -23,7 +23,7 @@ from unity_link.link.runtimes.runtime import AsyncioRuntime, LoneFuture
 from unity_link.protocol.host.receiver import ResponseReceiver
 from unity_link.protocol.host.requests import Request
 from unity_link.protocol.host.session import Session
-from unity_link.protocol.window import Window
+from unity_link.protocol.window.window import Window
 from unity_link.transport.polling import SPIN
 from unity_link.transport.stream import Stream
 

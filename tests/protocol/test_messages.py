@@ -50,7 +50,7 @@ def requests(draw: st.DrawFn, codec: Codec) -> DecodedRequest:
     values = [draw(field(codec, letter)) for letter in COMMANDS[command].fields]
     if command == "GS":
         values[3] = len(values[4])
-    number = None if command in WITHOUT_ID else draw(st.none() | st.integers(0, codec.ring - 1))
+    number = None if command in WITHOUT_ID else draw(st.none() | st.integers(0, codec.id_count - 1))
     return DecodedRequest(command, number, tuple(values))
 
 
@@ -117,7 +117,7 @@ def test_every_response_is_read_as_it_was_written(codec: Codec, data: st.DataObj
 
 @given(codec=ALL_FEATURES, data=st.data())
 def test_what_a_gateway_says_by_itself_is_read_as_it_was_written(codec: Codec, data: st.DataObject) -> None:
-    number = data.draw(st.integers(0, codec.ring - 1))
+    number = data.draw(st.integers(0, codec.id_count - 1))
     code = data.draw(st.sampled_from(ErrorCode))
     assert codec.decode_response(codec.error(code)) == DecodedResponse("X", None, {"e": code})
     assert codec.decode_response(codec.error(code, number)) == DecodedResponse("X", number, {"e": code})
@@ -204,13 +204,15 @@ SEEDS = st.integers(0, 0xFF)
 def test_many_requests_are_written_as_each_alone(codec: Codec, data: st.DataObject, node: int | None) -> None:
     codec = Codec(codec.info, node)
     count = data.draw(st.integers(1, 40))
-    first = data.draw(st.integers(0, codec.ring - 1) | st.just(codec.ring - 1))
+    first = data.draw(st.integers(0, codec.id_count - 1) | st.just(codec.id_count - 1))
     width = data.draw(st.integers(1, 12))
     rows = np.frombuffer(
         data.draw(st.text("0123456789ABCDEF", min_size=count * width, max_size=count * width)).encode(), np.uint8
     ).reshape(count, width)
     seed = data.draw(SEEDS)
-    alone = [codec.request("W", (first + index) % codec.ring, row.tobytes(), seed) for index, row in enumerate(rows)]
+    alone = [
+        codec.request("W", (first + index) % codec.id_count, row.tobytes(), seed) for index, row in enumerate(rows)
+    ]
     assert request_rows(codec, "W", first, rows, seed) == b"".join(alone)
 
 
@@ -219,7 +221,7 @@ def answers(codec: Codec, command: str, first: int, words: list[int], seed: int)
     return [
         codec.framing.checked(
             codec.response(
-                DecodedRequest(command, (first + index) % codec.ring, (0,) if command == "R" else (0, 0)), word
+                DecodedRequest(command, (first + index) % codec.id_count, (0,) if command == "R" else (0, 0)), word
             ),
             seed,
         )
@@ -233,7 +235,7 @@ def test_many_responses_are_read_as_each_alone_up_to_the_first_that_is_not_as_ex
 ) -> None:
     codec = Codec(codec.info, node)
     words = data.draw(st.lists(field(codec, "d"), min_size=1, max_size=20))
-    first = data.draw(st.integers(0, codec.ring - 1) | st.just(codec.ring - 1))
+    first = data.draw(st.integers(0, codec.id_count - 1) | st.just(codec.id_count - 1))
     seed = data.draw(SEEDS)
     frames = answers(codec, command, first, words, seed)
     digits = codec.info.data_digits if command == "R" else 0

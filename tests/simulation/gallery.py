@@ -15,7 +15,7 @@ from unity_link.bridges.serve import groups as served_groups
 from unity_link.bridges.serve import requests as served_requests
 from unity_link.errors import Outcome
 from unity_link.link import connection, flow, gateway_clock, link, publishing
-from unity_link.protocol import arrays, datagrams, repetition, window
+from unity_link.protocol import arrays, datagrams
 from unity_link.protocol.frames import FrameError
 from unity_link.protocol.gateway import datagrams as gateway_datagrams
 from unity_link.protocol.gateway import reception
@@ -24,6 +24,7 @@ from unity_link.protocol.gateway.reception import SequencePlace
 from unity_link.protocol.host import batches, group_table, host_codec, receiver, requests, session
 from unity_link.protocol.host.events import SampledRows
 from unity_link.protocol.messages import COMMANDS, Repeat
+from unity_link.protocol.window import retransmission, window
 from unity_link.transport import stream
 from unity_link.virtual import bus, transport
 
@@ -205,7 +206,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("a request that was sent again before a reset is said not to be executed")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(repetition.Repetition, "never_arrived_from", lambda self, refused: refused)
+    monkeypatch.setattr(retransmission.Retransmission, "never_arrived_from", lambda self, refused: refused)
 
 
 @bug("a reset is told as an error of one request")
@@ -327,7 +328,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     told = window.Window.told
 
     def believing(self: Any, number: int, failed: int, now: float) -> bool:
-        return told(self, number, self.posts.failed, now)
+        return told(self, number, self.posted_writes.failed, now)
 
     monkeypatch.setattr(window.Window, "told", believing)
 
@@ -382,7 +383,9 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     def room(self: Any, size: int, *, posted: bool = False) -> int:
         return (
-            0 if self.repetition.is_due() else max(0, self.mask - self.in_flight - (posted or self.posts.unfenced > 0))
+            0
+            if self.retransmission.is_due()
+            else max(0, self.mask - self.in_flight - (posted or self.posted_writes.unfenced > 0))
         )
 
     monkeypatch.setattr(window.Window, "room", room)
@@ -403,7 +406,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     answered = window.Window.answered
 
     def going_back(self: Any, number: int, count: int, now: float) -> None:
-        again = self.repetition.is_any()
+        again = self.retransmission.is_any()
         answered(self, number, count, now)
         if self.oldest != self.next and again:
             self._repeat_from_oldest(now)

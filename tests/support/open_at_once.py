@@ -5,8 +5,8 @@ from __future__ import annotations
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, cast
 
-from unity_link.protocol.constants import SHORTEST_TIMEOUT
 from unity_link.protocol.host.host_codec import HostCodec
+from unity_link.protocol.window.constants import SHORTEST_TIMEOUT
 
 if TYPE_CHECKING:
     from unity_link.protocol.configuration import GatewayInfo

@@ -22,7 +22,7 @@ from unity_link.virtual import AccessError, VirtualGateway
 from unity_link.virtual.faults import Failing
 
 CODEC = Codec(GatewayInfo())
-RING = CODEC.ring
+RING = CODEC.id_count
 SESSION = 0x1234
 
 

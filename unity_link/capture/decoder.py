@@ -222,7 +222,7 @@ class Decoder:
         return Meaning(FrameKind.ANSWER, self._with_id(text, number), command, number)
 
     def _explain_gap(self, number: int) -> Meaning:
-        ring = self._codec.ring
+        ring = self._codec.id_count
         question = self._requests.get((number + ring // 2 - 1) % ring)
         text = f"the next ID expected is {self._id(number)}"
         if question is not None and question.command == "H":
@@ -232,7 +232,7 @@ class Decoder:
     # Which settings of a group its samples follow (docs/protocol.md, "Groups"): those that an answer has confirmed.
 
     def _confirmed(self, response: DecodedResponse) -> None:
-        ring = self._codec.ring
+        ring = self._codec.id_count
         for group, request in list(self._asked.items()):
             if request.id is None:
                 told = response.command == "GS" and response.fields.get("g") == group

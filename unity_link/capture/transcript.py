@@ -110,7 +110,7 @@ class Transcript:
 
     def _is_again(self, meaning: Meaning, time: float, frame: bytes) -> bool:
         """Return whether a request was sent before; record the IDs and times that tell."""
-        number, ring = meaning.id, self.codec.ring
+        number, ring = meaning.id, self.codec.id_count
         if meaning.command == "K" and frame[len(self.codec.framing.prefix) + 1 :].strip(b"\r\n"):
             self._next = self.codec.id_number.get(
                 frame[len(self.codec.framing.prefix) + 1 :][: self.codec.info.id_digits]

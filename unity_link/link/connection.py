@@ -198,7 +198,7 @@ class Connection:
 
     def _retransmitted(self, count: int) -> None:
         """Log a retransmission."""
-        why = "no answer came in time" if self._session.window.signs.timed_out else "a frame was lost or damaged"
+        why = "no answer came in time" if self._session.window.loss.timed_out else "a frame was lost or damaged"
         log.debug("%s: requests retransmitted: %d, because %s", self._name, count, why)
 
     # Events

@@ -104,7 +104,7 @@ class Flow:
             # First of all, so that the gateway has it while the rest is done.
             self.stream.send(frame)
         request.waiter = waiter = self._create_lone_future()
-        if self._timer_at - now > _LATE or self.session.window.allowance.loses:
+        if self._timer_at - now > _LATE or self.session.window.send_limit.loses:
             self._set_timer()
         if request.done:
             # A medium within the program may answer at once.
@@ -220,7 +220,7 @@ class Flow:
         else:
             request.settle()
             # With nothing in flight the deadline is never earlier than a timer that exists, which sets itself again.
-            if self._timer is None and self.session.window.allowance.loses:
+            if self._timer is None and self.session.window.send_limit.loses:
                 self._set_timer()
         if self._ended:
             # When all else is done: who goes on may ask for more at once, or close the link.
@@ -245,7 +245,7 @@ class Flow:
             else:
                 # No call goes on for what has arrived, so nothing follows in this turn.
                 self._flush()
-        elif self._timer_at - now > _LATE or session.window.allowance.loses:
+        elif self._timer_at - now > _LATE or session.window.send_limit.loses:
             self._set_timer()
 
     def _read_on(self) -> None:

@@ -231,7 +231,7 @@ class FrameCodec(Protocol):
 
     info: GatewayInfo
     framing: Framing
-    ring: int
+    id_count: int
     """Number of IDs."""
     lower: dict[str, bytes]
     """Letters of each command on the wire."""
@@ -266,7 +266,7 @@ def request_rows(codec: FrameCodec, command: str, first: int, fields: NDArray[np
         # A turn of numpy costs as much as so many frames.
         text, width = fields.tobytes(), fields.shape[1]
         return b"".join(
-            codec.request(command, first + place & codec.ring - 1, text[place * width : (place + 1) * width], seed)
+            codec.request(command, first + place & codec.id_count - 1, text[place * width : (place + 1) * width], seed)
             for place in range(count)
         )
     framing = codec.framing

@@ -168,7 +168,7 @@ class Codec:
         self.highest_address: int = (1 << info.address_bits) - 1
         self.highest_word: int = (1 << info.data_bits) - 1
         self.framing = Framing(Crc(info.crc_bits, info.crc_polynomial), node)
-        self.ring: int = 16**info.id_digits
+        self.id_count: int = 16**info.id_digits
         """Number of IDs."""
         self.digits = {
             "a": info.address_digits,

@@ -16,7 +16,7 @@ import msgspec
 
 from unity_link.errors import ArgumentError
 from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.constants import QUICK_TIMEOUT
+from unity_link.protocol.window.constants import QUICK_TIMEOUT
 from unity_link.transport.buffered import BufferedTransport
 from unity_link.transport.turns import Line
 from unity_link.virtual.gateway import Gateway, VirtualGateway

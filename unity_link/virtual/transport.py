@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from unity_link.protocol.constants import QUICK_TIMEOUT
+from unity_link.protocol.window.constants import QUICK_TIMEOUT
 from unity_link.transport.buffered import HIGH_WATER, LOW_WATER, BufferedTransport
 from unity_link.virtual.pump import MOST_BYTES, Pump
 

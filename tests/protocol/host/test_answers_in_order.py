@@ -25,7 +25,7 @@ from unity_link.protocol.host.batches import BatchRun, WordBatch
 from unity_link.protocol.host.receiver import Counters, ResponseReceiver
 from unity_link.protocol.host.requests import Fence, Request
 from unity_link.protocol.host.session import Session
-from unity_link.protocol.window import Window
+from unity_link.protocol.window.window import Window
 
 REPLIES = {"R": 8, "W": 0, "WS": None, "RM": 24, "H": 2}
 KINDS = ["whole"] * 12 + ["damaged", "lost", "double", "other ID", "error", "no session", "out of sequence", "sample"]
@@ -58,7 +58,7 @@ class Slow(Session):
                 waiting.rotate(-1)
             else:
                 room = window.room(source.size, posted=source.posted)
-                if room < min(source.least, max(1, window.allowance.most_room(source.size) // 2)):
+                if room < min(source.least, max(1, window.send_limit.most_room(source.size) // 2)):
                     break
                 waiting.popleft()
                 run = source.take(room, events)
@@ -111,7 +111,7 @@ class Line(ResponseReceiver):
             taken.append(number)
             start += len(line) + 1
         if taken:
-            self.window.signs.heard = True
+            self.window.loss.heard = True
             self._counters.responses += len(taken)
             self.window.answered(taken[0], len(taken), now)
         return start
@@ -223,7 +223,7 @@ def frames(host: Host, kinds: list[str]) -> list[bytes]:
     for kind in kinds:
         run = host.window.find(number)
         while run is not None and run.posted and number != host.window.next:
-            number = number + 1 & codec.ring - 1
+            number = number + 1 & codec.id_count - 1
             run = host.window.find(number)
         command, identifier = (run.command if run is not None else "R"), codec.id_text[number]
         reply = as_gateway(codec, codec.lower[command] + identifier + b"%0*X" % (REPLIES[command] or 0, 0x5A))
@@ -253,7 +253,7 @@ def frames(host: Host, kinds: list[str]) -> list[bytes]:
             "upper case": as_gateway(codec, codec.lower[command].upper() + identifier + b"0000005A"),
         }
         data.append(kinds_of_answers[kind])
-        number = number + 1 & codec.ring - 1
+        number = number + 1 & codec.id_count - 1
     return data
 
 
@@ -293,7 +293,7 @@ def test_answers_side_by_side_are_what_they_are_line_by_line(
         for host in (quick, slow):
             host.hear(arriving, now)
         assert quick.state() == slow.state()
-        if not slow.session.is_open or slow.window.signs.lost:
+        if not slow.session.is_open or slow.window.loss.lost:
             break
         for host in (quick, slow):
             assert_has_room_where_there_is_some(host.window)

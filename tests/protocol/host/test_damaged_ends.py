@@ -81,7 +81,7 @@ class Host:
             else event.body
             for event in self.events
         ]
-        return delivered, counters.damaged, counters.responses, rest, self.window.repetition.is_due()
+        return delivered, counters.damaged, counters.responses, rest, self.window.retransmission.is_due()
 
     def spoil(self, fates: list[Fate]) -> bytes:
         arrived = b""
@@ -162,9 +162,9 @@ def test_an_answer_whose_end_is_damaged_is_known_for_damaged_with_its_last_byte(
     host = Host(GatewayInfo(), node, [command])
     (answer,) = host.answers
     host.hear([answer[:-1]])
-    assert (host.counters.damaged, host.window.repetition.is_due()) == (0, False)
+    assert (host.counters.damaged, host.window.retransmission.is_due()) == (0, False)
     host.reader.receive(answer[:-1] + b"\x0b", 0.0, host.events)
-    assert (host.counters.damaged, host.window.repetition.is_due(), host.events) == (1, True, [])
+    assert (host.counters.damaged, host.window.retransmission.is_due(), host.events) == (1, True, [])
 
 
 def test_an_answer_behind_one_whose_end_is_damaged_is_taken() -> None:
@@ -178,7 +178,7 @@ def test_an_answer_behind_one_whose_end_is_damaged_is_taken() -> None:
 def test_a_frame_that_is_too_long_for_what_it_begins_as_is_damaged_though_it_looks_plain() -> None:
     host = Host(GatewayInfo(), None, ["R", "R"])
     host.hear([host.answers[0][:-1] + b"?" + host.answers[1][:-2] + b"\r\n"])
-    assert (host.events, host.counters.damaged, host.window.repetition.is_due()) == ([], 1, True)
+    assert (host.events, host.counters.damaged, host.window.retransmission.is_due()) == ([], 1, True)
 
 
 def test_an_answer_whose_end_is_lost_is_not_taken_though_its_check_is_right() -> None:
@@ -196,4 +196,4 @@ def test_a_sample_whose_end_is_damaged_does_not_take_the_answer_behind_it_along(
 def test_an_error_whose_first_letter_became_that_of_samples_is_a_sign_of_loss() -> None:
     host = Host(GatewayInfo(), None, ["R"])
     host.reader.receive(b"P01D488\n", 0.0, host.events)
-    assert host.window.repetition.is_due()
+    assert host.window.retransmission.is_due()

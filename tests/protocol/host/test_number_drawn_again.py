@@ -18,12 +18,12 @@ from support.shared_pair import PAIR, SharedPair
 from support.simulated_time import on_simulated_time
 from unity_link.errors import GatewayResetError, LinkLostError, Outcome
 from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.constants import KEEP_ALIVE, MOST_TRIES
 from unity_link.protocol.host.batches import RequestBlock, WordBatch
 from unity_link.protocol.host.events import Interrupted, Opened, Taken, Unusable
 from unity_link.protocol.host.requests import Confirmation, Request
 from unity_link.protocol.host.session import Session
 from unity_link.protocol.messages import GroupFlag
+from unity_link.protocol.window.constants import KEEP_ALIVE, MOST_TRIES
 from unity_link.virtual import VirtualGateway
 
 if TYPE_CHECKING:
@@ -137,7 +137,7 @@ def test_an_idle_host_sends_its_next_request_after_one_exchange() -> None:
     assert heads(line.sent) == [b"KF9", b"h7F", b"h00", b"w01"]
     assert (write.error, line.bus.writes) == (None, [(ADDRESS, 7)])
     counters, window = line.session.counters, line.session.window
-    assert (line.ends(), counters.repetitions, counters.timeouts, window.allowance.loses) == ([], 0, 0, False)
+    assert (line.ends(), counters.repetitions, counters.timeouts, window.send_limit.loses) == ([], 0, 0, False)
 
 
 def test_a_host_that_was_answered_within_a_second_sends_its_request_at_once() -> None:

@@ -166,7 +166,7 @@ def test_an_empty_frame_ends_it_on_a_line_that_has_just_lost_some() -> None:
     for step in LOSS:
         side.do(step, 1.0 + step.seconds)
     assert side.session.window.is_idle()
-    assert side.session.window.allowance.loses
+    assert side.session.window.send_limit.loses
     assert side.session.submit_alone(side.request("R"), 1.9).endswith(b"\n\n")
 
 

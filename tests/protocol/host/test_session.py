@@ -11,12 +11,12 @@ from support.floods import FLOODS
 from support.valve import as_gateway
 from unity_link.errors import ConnectError, LinkLostError, Outcome, UnansweredError, UnsupportedError
 from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.constants import LONGEST_SILENCE, MOST_REFUSALS
 from unity_link.protocol.host.batches import WordBatch, common_outcome
 from unity_link.protocol.host.events import Interrupted, Opened, Unusable
 from unity_link.protocol.host.requests import Confirmation, Request
 from unity_link.protocol.host.session import Session
 from unity_link.protocol.messages import GroupFlag
+from unity_link.protocol.window.constants import LONGEST_SILENCE, MOST_REFUSALS
 from unity_link.virtual import VirtualGateway
 
 if TYPE_CHECKING:
@@ -188,7 +188,7 @@ def test_a_session_that_was_never_connected_is_owed_nothing() -> None:
     session = Session(0, lambda: 0)
     assert not session.is_owed_an_answer
     assert session.window.in_flight == 0
-    assert session.window.allowance.loses is False
+    assert session.window.send_limit.loses is False
     assert not session.wants_turn
     assert session.deadline is None
     assert session.window.round_trip.smoothed is None

@@ -246,7 +246,7 @@ class Conversation:
         if data[last : last + 1 + self._id_digits] != letter + number or self._shared.away:
             return start
         room = self._client.room // (2 * size) + FEWEST_ROWS
-        count = min((len(data) - start) // size, room, codec.ring // 2)
+        count = min((len(data) - start) // size, room, codec.id_count // 2)
         head = 1 + self._id_digits
         width = size - head - self._crc_digits - 1
         rows = data[start : start + count * size]

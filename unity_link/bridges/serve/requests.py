@@ -304,7 +304,7 @@ class RelayedRows(WordBatch):
         return request_rows(self._to_client, self.command, self._number(offset), data, self.state.seeds[1])
 
     def _number(self, offset: int) -> int:
-        return self.number + offset & self.codec.ring - 1
+        return self.number + offset & self.codec.id_count - 1
 
 
 class RowsAnswered(Awaited):
@@ -349,7 +349,7 @@ class RelayedRun(BatchRun):
 
     def accept_rows(self, offset: int, frames: bytes, events: Events) -> int:
         """Hand on the answers to requests from `offset` on, as far as the frames are that."""
-        number, place = self.first + offset & self.codec.ring - 1, self._start + offset
+        number, place = self.first + offset & self.codec.id_count - 1, self._start + offset
         codec, digits = self.codec, self._rows.reply_digits or 0
         data = matching_rows(codec, self.command, number, frames, digits, codec.seed_back)
         if len(data):

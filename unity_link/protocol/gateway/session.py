@@ -10,10 +10,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.protocol.configuration import Feature
-from unity_link.protocol.constants import MOST_KEPT_WORDS
 from unity_link.protocol.crc import NO_SESSION, seed_of
 from unity_link.protocol.gateway.reception import Reception, Sequence, SequencePlace
 from unity_link.protocol.messages import COMMANDS, LOOKING, Codec, DecodedRequest, ErrorCode, Repeat, RequestError
+from unity_link.protocol.window.constants import MOST_KEPT_WORDS
 
 if TYPE_CHECKING:
     from collections.abc import Sequence as Words
@@ -87,7 +87,7 @@ class GatewaySession:
     """
 
     def __init__(self, codec: Codec) -> None:
-        self.sequence = Sequence(codec.ring)
+        self.sequence = Sequence(codec.id_count)
         self.ended = NO_SESSION
         """Number of the session that the last `K` has ended, as that was asked for."""
         self._codec = codec
@@ -133,7 +133,7 @@ class GatewaySession:
     def _state(
         self, number: int, fates: bytearray, kept: list[int], *, for_program: bool = False, compact: bool = False
     ) -> SessionState:
-        ring = self._codec.ring
+        ring = self._codec.id_count
         return SessionState(number, for_program=for_program, compact=compact, ring=ring, fates=fates, kept=kept)
 
     def take(

@@ -150,7 +150,7 @@ class WordBatch(Awaited):
 
     def take(self, room: int, events: Events) -> Message:
         """Return the next run; of posted writes a part of the window, so that a fence confirms it beside the next."""
-        most = self.codec.ring // _POSTED_RUNS if self.posted else room
+        most = self.codec.id_count // _POSTED_RUNS if self.posted else room
         run = self.run(self.sent, min(room, most, self.count - self.sent))
         self.sent += run.count
         if self.posted and self.exhausted():
@@ -234,7 +234,7 @@ class BatchRun(Message):
     def take_frame(self, offset: int, frame: bytes, events: Events) -> bool:
         """Take the frame of the response to one message; False where it is anything else, or not as it usually is."""
         codec = self.codec
-        opening = codec.openings[self.command] + codec.id_text[self.first + offset & codec.ring - 1]
+        opening = codec.openings[self.command] + codec.id_text[self.first + offset & codec.id_count - 1]
         data = self.data_of(frame, opening)
         return data is not None and self._take(self._start + offset, data, events)
 
@@ -256,7 +256,7 @@ class BatchRun(Message):
 
     def accept_rows(self, offset: int, frames: bytes, events: Events) -> int:
         """Take the responses to messages from `offset` on; return how many of the frames were such responses."""
-        number = self.first + offset & self.codec.ring - 1
+        number = self.first + offset & self.codec.id_count - 1
         codec, digits = self.codec, self._batch.reply_digits or 0
         words = protocol.arrays.response_rows(codec, self.command, number, frames, digits, codec.seed_back)
         if words is None:

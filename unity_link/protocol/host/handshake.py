@@ -28,7 +28,11 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.errors import ConnectError, LinkLostError, UnsupportedError
 from unity_link.protocol.configuration import HEX_DIGITS, Feature, GatewayInfo
-from unity_link.protocol.constants import (
+from unity_link.protocol.crc import NO_SESSION
+from unity_link.protocol.frames import COMPACT_END, LF, MOST_LINES, FrameError
+from unity_link.protocol.host.host_codec import HostCodec
+from unity_link.protocol.host.trial import Trial, first_id
+from unity_link.protocol.window.constants import (
     CHECKED_TRIES,
     DAMAGE_COST,
     DAMAGE_PATIENCE,
@@ -41,10 +45,6 @@ from unity_link.protocol.constants import (
     TRIAL_FACTOR,
     TRIALS,
 )
-from unity_link.protocol.crc import NO_SESSION
-from unity_link.protocol.frames import COMPACT_END, LF, MOST_LINES, FrameError
-from unity_link.protocol.host.host_codec import HostCodec
-from unity_link.protocol.host.trial import Trial, first_id
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -253,7 +253,7 @@ class Handshake:
         """The first ID of the session."""
         if self._tries_line and Feature.COMPACT in self.codec.info.features:
             return first_id(self._first, self.codec.info)
-        return self._first & self.codec.ring - 1
+        return self._first & self.codec.id_count - 1
 
     @property
     def line_changes_bytes(self) -> bool:

@@ -44,7 +44,7 @@ class HostCodec(Codec):
 
     def confirmations(self, first: int, count: int) -> bytes:
         """Return the frames of ``h`` with consecutive IDs."""
-        ids = (number & self.ring - 1 for number in range(first, first + count))
+        ids = (number & self.id_count - 1 for number in range(first, first + count))
         return b"".join(self.request("H", number, b"", self.seed) for number in ids)
 
     def residue(self, size: int) -> int:

@@ -1,9 +1,9 @@
 """Arrivals in a session: answers find their requests, and samples their groups.
 
-Samples are told to belong to whatever their group is for at that point of the stream. Three ways lead through
-`ResponseReceiver.receive`; what one leaves, the next takes. Of many answers to a batch, or samples, numpy takes as many as are
-exactly what is expected. Other answers that stand side by side are compared with what is expected in turn, and the
-window is told of them together. A line that is left is looked at by itself.
+A sample belongs to the owner that its group has at that point of the stream. `ResponseReceiver.receive` tries three
+ways in turn; each takes what the one before has left. First numpy takes as many answers to a batch, or samples, as are
+exactly the expected ones. Then other consecutive answers are compared one by one with the expected ones, and reported
+to the window together. A line that is left is decoded by itself.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from unity_link.protocol.host.group_table import GroupTable
     from unity_link.protocol.host.host_codec import HostCodec
     from unity_link.protocol.host.requests import Message
-    from unity_link.protocol.window import Window
+    from unity_link.protocol.window.window import Window
 
 FEWEST_ROWS = 16
 """Answers of a batch that are worth a turn of numpy."""
@@ -77,7 +77,7 @@ class ResponseReceiver:
         self.under_way = codec.session
         """The session that the gateway has, as far as it has said; 0 where it was reset."""
         self._groups, self._counters, self._echo, self._is_half_duplex = groups, counters, echo, half_duplex
-        self._mask = codec.ring - 1
+        self._mask = codec.id_count - 1
         self._sample = codec.framing.prefix + b"P"
         """First letters of samples, which carry nothing about requests."""
         self._next = self._ahead = _NOWHERE
@@ -133,7 +133,7 @@ class ResponseReceiver:
                 break
         if start != len(data) and not data.startswith(self._sample, start):
             # Perhaps the beginning of a long answer on a slow line.
-            window.signs.heard = True
+            window.loss.heard = True
         return start
 
     def _receive_next(self, data: bytes, start: int, now: float, events: Events) -> int:
@@ -143,7 +143,7 @@ class ResponseReceiver:
             return start + self._drop_endless(data[start:], now)
         if end == start:
             # A server's sign that what was repeated is still under way.
-            self.window.signs.heard = True
+            self.window.loss.heard = True
             self._counters.unasked += 1
             return start + 1
         return start + self._receive_line(data[start:end], now, events)
@@ -189,7 +189,7 @@ class ResponseReceiver:
                 start = end
             if start == before:
                 break
-            self.window.signs.heard = True
+            self.window.loss.heard = True
             self._counters.responses += number - first & mask
             self.window.answered(first, number - first & mask, now)
         return start
@@ -255,7 +255,7 @@ class ResponseReceiver:
                 return self._cut(line, size, now)
             if self._is_sign(body):
                 # Perhaps about a request in which damage has made a CR.
-                self.window.signs.heard = True
+                self.window.loss.heard = True
                 self._counters.unasked += 1
                 self.window.damaged(now)
             else:
@@ -282,7 +282,7 @@ class ResponseReceiver:
         number = self.codec.id_number.get(body[1:after])
         if number is None or body[:1] != b"x" or body[after : after + 2] != _NO_SESSION:
             return False
-        self.window.signs.heard = True
+        self.window.loss.heard = True
         run = self.window.find(number)
         residue = _number_of(body[after + 2 :])
         sizes = () if run is None else (run.size, self.codec.head_sizes["H"])
@@ -313,7 +313,7 @@ class ResponseReceiver:
         short = len(frame) < self._error_size
         if not short and frame.startswith(self._sample):
             return
-        self.window.signs.heard = True
+        self.window.loss.heard = True
         if self._is_half_duplex:
             # More of a damaged frame may follow: the time shows its end.
             return
@@ -358,14 +358,14 @@ class ResponseReceiver:
         elif body[0] == _X:
             self._receive_error(body, now, events)
         elif body[0] == _K and len(body) == 1 + self.codec.info.session_digits:
-            self.window.signs.heard = True
+            self.window.loss.heard = True
             self.under_way = _number_of(body[1:]) & self.codec.info.last_session
             self.window.asked(now)
 
     def _receive_answer(self, body: bytes, now: float, events: Events) -> None:
         """Take a message with an ID."""
         window = self.window
-        window.signs.heard = True
+        window.loss.heard = True
         head = 1 if body[1] < _UPPER_G else 2
         after = head + self.codec.info.id_digits
         number = self.codec.id_number.get(body[head:after])
@@ -427,7 +427,7 @@ class ResponseReceiver:
 
     def _receive_error(self, body: bytes, now: float, events: Events) -> None:
         """Take an error without an ID."""
-        self.window.signs.heard = True
+        self.window.loss.heard = True
         self._counters.unasked += 1
         code = _number_of(body[1:])
         if code in _DAMAGED:

@@ -24,7 +24,7 @@ from unity_link.errors import (
 )
 from unity_link.protocol.frames import LF
 from unity_link.protocol.host.events import Awaited, PostedFailure
-from unity_link.protocol.ring import Run
+from unity_link.protocol.window.sequence_space import Run
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -175,7 +175,7 @@ class Message(Run):
     def give_up(self, number: int, kind: type[UnansweredError | UnsupportedError], reason: str, events: Events) -> None:
         """End what waits for answers that will never come, from an ID on; it is sent as ``h`` from now on."""
         self.given_up = True
-        offset = number - self.first & self.codec.ring - 1
+        offset = number - self.first & self.codec.id_count - 1
         self.fail_part(offset, self.count - offset, kind(f"{self.describe(offset)}: {reason}"), events)
 
     def describe(self, offset: int) -> str:
@@ -220,7 +220,7 @@ class Question(Message):
 
     def __init__(self, asked: Message, offset: int, count: int) -> None:
         super().__init__(asked.codec, "H", 0, asked.codec.info.id_digits, count)
-        self.first = asked.first + offset & asked.codec.ring - 1
+        self.first = asked.first + offset & asked.codec.id_count - 1
         self.sending = asked.sending + offset
         self._asked, self._offset = asked, offset
 

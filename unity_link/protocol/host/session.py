@@ -37,15 +37,6 @@ from unity_link.errors import (
     UnsupportedError,
 )
 from unity_link.protocol.configuration import Feature
-from unity_link.protocol.constants import (
-    ANSWER_PATIENCE,
-    FEWEST_OF_A_FLOOD,
-    FLOOD_PATIENCE,
-    KEEP_ALIVE,
-    LONGEST_SILENCE,
-    MOST_KEPT_WORDS,
-    MOST_TRIES,
-)
 from unity_link.protocol.crc import NO_SESSION
 from unity_link.protocol.frames import LF, LONGEST_FRAME
 from unity_link.protocol.host.batches import RequestBlock
@@ -55,7 +46,16 @@ from unity_link.protocol.host.handshake import TAKEN, Handshake, SessionNumbers
 from unity_link.protocol.host.receiver import Counters, ResponseReceiver
 from unity_link.protocol.host.requests import Confirmation, Fence, Request, SessionRequest, Source
 from unity_link.protocol.path import LONGEST_MTU, RESERVE
-from unity_link.protocol.window import Window
+from unity_link.protocol.window.constants import (
+    ANSWER_PATIENCE,
+    FEWEST_OF_A_FLOOD,
+    FLOOD_PATIENCE,
+    KEEP_ALIVE,
+    LONGEST_SILENCE,
+    MOST_KEPT_WORDS,
+    MOST_TRIES,
+)
+from unity_link.protocol.window.window import Window
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -223,7 +223,7 @@ class Session:
             return self._handshake is not None and self._handshake.asks
         while self._waiting and self._waiting[0].unwanted():
             self._waiting.popleft()
-        if self.window.repetition.is_due():
+        if self.window.retransmission.is_due():
             return not self._blocked and not self._awaits_session
         return bool(self._waiting or self._proofs) and self.window.is_idle()
 
@@ -231,7 +231,7 @@ class Session:
     def is_owed_an_answer(self) -> bool:
         """Return whether an answer can be on its way."""
         if self._receiver is not None:
-            return self._awaits_session or (self.window.in_flight > 0 and not self.window.repetition.is_due())
+            return self._awaits_session or (self.window.in_flight > 0 and not self.window.retransmission.is_due())
         return self._handshake is not None and not self._handshake.asks
 
     def take_turn(self, now: float) -> Events:
@@ -240,7 +240,7 @@ class Session:
         self._now = now
         if self._receiver is not None:
             self._may_send, self._may_begin = True, not self._proofs
-            if not self.window.repetition.is_due():
+            if not self.window.retransmission.is_due():
                 self._admit(now, events)
             else:
                 self.window.resume(now)
@@ -255,13 +255,13 @@ class Session:
     @property
     def _awaits_session(self) -> bool:
         """Return whether the answer to a `K` that was sent alone can be on its way."""
-        return self._asked_alone and bool(self.window.repetition.questions)
+        return self._asked_alone and bool(self.window.retransmission.questions)
 
     def _asks_alone(self) -> bool:
         """Return whether the question whose the session is goes alone: before the second repetition in a row."""
         if self._awaits_session:
             return True
-        signs, repetition = self.window.signs, self.window.repetition
+        signs, repetition = self.window.loss, self.window.retransmission
         asks = not self._asked_alone and signs.gone_back > 1 and signs.place == repetition.sent
         self._asked_alone = asks
         if asks:
@@ -280,7 +280,7 @@ class Session:
     def take_output(self) -> bytes:
         """Return the bytes to send, which are forgotten here."""
         out = self.output
-        if out and self.window.allowance.loses:
+        if out and self.window.send_limit.loses:
             # Nothing may follow it for long.
             self.output.append(self.codec.burst_end)
         data = b"".join(out)
@@ -448,7 +448,7 @@ class Session:
             self.counters.requests += 1
             window.send(source, now)
             self.output.append(source.encode())
-            if window.posts.unfenced and window.needs_fence(now):
+            if window.posted_writes.unfenced and window.needs_fence(now):
                 self._fence(now)
             return events
         if self.closed is not None:
@@ -486,7 +486,7 @@ class Session:
         request.sent = True
         self.counters.requests += 1
         window.send(request, now)
-        frame = request.encode() + self.codec.burst_end if window.allowance.loses else request.encode()
+        frame = request.encode() + self.codec.burst_end if window.send_limit.loses else request.encode()
         return frame if self._packer is None else self._packer.pack(frame)
 
     def _number(self, run: Message, now: float) -> None:
@@ -597,18 +597,18 @@ class Session:
 
     def _go_on(self, now: float, events: Events) -> None:
         """Send what answers have made room for, or shown to be lost."""
-        if self.window.repetition.is_due():
+        if self.window.retransmission.is_due():
             self._repeat()
-        if self.window.repetition.must_ask and not self._blocked and not self._is_half_duplex:
+        if self.window.retransmission.must_ask and not self._blocked and not self._is_half_duplex:
             self._ask_whose()
         if self._proofs and self.window.is_idle():
             self._end_proof(events)
-        if self._waiting or self._proofs or self.window.posts.unfenced:
+        if self._waiting or self._proofs or self.window.posted_writes.unfenced:
             self._admit(now, events)
 
     def _ask_whose(self) -> None:
         """Ask which session is under way: the answer says how far the line has come, too."""
-        self.window.repetition.ask()
+        self.window.retransmission.ask()
         self.output.append(self.codec.framing.checked(b"K"))
 
     def _repeat(self) -> None:
@@ -616,7 +616,7 @@ class Session:
         if self._blocked or not self._may_send or (self._is_half_duplex and self._asks_alone()):
             return
         repeated, window = 0, self.window
-        if window.signs.place == window.repetition.sent and not self._is_half_duplex:
+        if window.loss.place == window.retransmission.sent and not self._is_half_duplex:
             # Ahead of all.
             self._ask_whose()
         for number, run, offset, count in window.repeat():
@@ -626,7 +626,7 @@ class Session:
         if not repeated:
             return
         self.counters.repetitions += repeated
-        if not window.allowance.loses:
+        if not window.send_limit.loses:
             self.output.append(self.codec.burst_end)
         if self.on_retransmission is not None:
             self.on_retransmission(repeated)
@@ -658,12 +658,12 @@ class Session:
         if self._unpacker is not None:
             data = self._unpacker.unpack_whole(data)
         window = self.window
-        if self._rest or self._waiting or window.posts.unfenced or not window.is_quiet():
+        if self._rest or self._waiting or window.posted_writes.unfenced or not window.is_quiet():
             return None
         request = window.find(window.oldest)
         if type(request) is not Request or not request.take_frame(0, data, []):
             return None
-        window.signs.heard = True
+        window.loss.heard = True
         self.counters.responses += 1
         window.answered_quietly(1, now)
         return request
@@ -677,7 +677,7 @@ class Session:
         self._now = now
         if self._unpacker is not None:
             data = self._unpacker.unpack(data)
-            self.window.signs.heard |= self._unpacker.begins_answer
+            self.window.loss.heard |= self._unpacker.begins_answer
         if self._rest:
             data = self._rest + data
             self._rest = b""
@@ -753,13 +753,13 @@ class Session:
         if run is not None:
             reason = f"every try was damaged on the way{self._hint}"
             run.give_up(window.oldest, UnansweredError, reason, events)
-        if window.signs.lost:
+        if window.loss.lost:
             self._suspect_path(now)
             events.append(Unusable(LinkLostError(SILENT + self._hint)))
             return
-        if window.repetition.is_due():
+        if window.retransmission.is_due():
             self._repeat()
-            counters.timeouts += window.signs.timed_out and counters.repetitions > before
+            counters.timeouts += window.loss.timed_out and counters.repetitions > before
         if self._fence(now):
             self._admit(now, events)
         keep_alive_due = self._keep_alive_due
@@ -800,7 +800,7 @@ class Session:
     def _find_flood(self, now: float) -> int:
         """Return how many lines have come in place of answers, where what is sent cannot be the cause of so many."""
         counters = self.counters
-        sent = self.window.repetition.sent
+        sent = self.window.retransmission.sent
         if self.window.is_idle() or self._before_flood[1] != counters.responses:
             self._before_flood = now, counters.responses, counters.unasked, sent
             return 0
@@ -868,7 +868,7 @@ class Session:
         self._is_half_duplex = Feature.HALF_DUPLEX in info.features
         credit = None if Feature.FLOW_CONTROL in info.features else info.receive_fifo_bytes
         self.window = Window(
-            codec.ring,
+            codec.id_count,
             handshake.first,
             credit,
             handshake.byte_time,

@@ -15,9 +15,9 @@ from hypothesis.stateful import RuleBasedStateMachine, invariant, precondition, 
 
 from support.searching import examples
 from unity_link.errors import Outcome
-from unity_link.protocol import constants as module
-from unity_link.protocol.ring import Run
-from unity_link.protocol.window import Unanswered, Window
+from unity_link.protocol.window import constants as module
+from unity_link.protocol.window.sequence_space import Run
+from unity_link.protocol.window.window import Unanswered, Window
 
 RING = 256
 SIZE, REPLY = 8, 14
@@ -75,11 +75,11 @@ def sent(window: Window[Named], *names: str, now: float = 0.0) -> list[Named]:
 
 def repeated(window: Window[Named]) -> str:
     """Return what the window sends again, and nothing where it does not want to; `K` ahead where it went back."""
-    if not window.repetition.is_due():
+    if not window.retransmission.is_due():
         return ""
     sent = []
-    if window.signs.place == window.repetition.sent:
-        window.repetition.ask()
+    if window.loss.place == window.retransmission.sent:
+        window.retransmission.ask()
         sent.append("K")
     sent += [f"{run.name}@{number}" for number, run, _, count in window.repeat() for _ in range(count)]
     return " ".join(sent)
@@ -251,7 +251,7 @@ def test_the_answer_to_the_question_ahead_of_a_repetition_says_that_the_next_sig
 def test_the_answer_to_a_question_has_sent_again_what_was_sent_before_it_and_is_not_answered() -> None:
     window: Window[Named] = Window(RING)
     sent(window, *"ab")
-    window.repetition.ask()
+    window.retransmission.ask()
     sent(window, *"c")
     window.asked(now=0.001)
     assert repeated(window) == "K a@0 b@1 c@2"
@@ -418,7 +418,7 @@ def test_silence_goes_back_with_twice_the_time_each_time_and_then_is_lost() -> N
     window: Window[Named] = Window(RING, round_trip=0.02)
     sent(window, "a")
     now, pauses = 0.0, []
-    while not window.signs.lost:
+    while not window.loss.lost:
         assert window.deadline is not None
         pauses.append(window.deadline - now)
         now = window.deadline
@@ -433,9 +433,9 @@ def test_damage_alone_gives_the_oldest_up_and_is_lost_when_its_replacement_fares
     window: Window[Named] = Window(RING, round_trip=0.02)
     a, _ = sent(window, "a", "b")
     given_up, tries = [], 0
-    while not window.signs.lost:
+    while not window.loss.lost:
         assert window.deadline is not None
-        window.signs.heard = True
+        window.loss.heard = True
         run = window.expire(window.deadline)
         tries += 1
         if run is not None:
@@ -457,7 +457,7 @@ def test_what_is_damaged_each_time_is_given_up_however_long_its_answers_take(lat
             now = window.deadline
             given_up = window.expire(now)
             repeated(window)
-        window.signs.heard, now = True, max(now, arrives)
+        window.loss.heard, now = True, max(now, arrives)
         window.answer_damaged(now)
         if given_up is None:
             given_up = window.expire(now)
@@ -472,9 +472,9 @@ def test_news_after_a_request_was_given_up_begins_anew() -> None:
         given_up = None
         while given_up is None:
             assert window.deadline is not None
-            window.signs.heard = True
+            window.loss.heard = True
             given_up = window.expire(window.deadline)
-        assert not window.signs.lost
+        assert not window.loss.lost
         window.answered(given_up.first, 1, now=window.deadline or 0.0)
     assert window.in_flight == 0
 
@@ -503,12 +503,12 @@ def test_time_outs_of_requests_that_were_answered_in_the_end_do_not_add_up() -> 
         sent(window, "a", now=now)
         deadline = window.deadline
         assert deadline is not None
-        window.signs.heard = True
+        window.loss.heard = True
         assert window.expire(deadline) is None
         assert repeated(window) == f"K a@{number}"
         now = deadline + 0.001
         window.answered(number, 1, now)
-        assert not window.signs.lost
+        assert not window.loss.lost
 
 
 def test_of_refusals_that_come_before_the_repetition_can_have_arrived_two_count() -> None:
@@ -539,7 +539,7 @@ def test_an_answer_begins_the_count_of_the_tries_anew() -> None:
         tries.append(0)
         while given_up is None:
             tries[-1] += 1
-            window.signs.heard = True
+            window.loss.heard = True
             assert window.deadline is not None
             now = window.deadline
             given_up = window.expire(now)
@@ -658,7 +658,7 @@ def test_answers_to_a_part_that_is_known_to_be_executed_and_one_that_is_not_clos
     window.out_of_sequence(50, now=0.001)
     window.answered(0, 100, now=0.002)
     assert (window.oldest, window.executed, window.in_flight) == (100, 100, 0)
-    assert window.room(SIZE) == window.allowance.most_room(SIZE)
+    assert window.room(SIZE) == window.send_limit.most_room(SIZE)
     assert window.deadline is None
 
 
@@ -682,7 +682,7 @@ def test_a_run_goes_round_the_ring() -> None:
         assert run.first == start % RING
         window.damaged(now=0.0)
         again = [(number, offset, count) for number, _, offset, count in window.repeat()]
-        assert again == [(start % RING, 0, window.allowance.most_room(SIZE))]
+        assert again == [(start % RING, 0, window.send_limit.most_room(SIZE))]
         window.answered(start % RING, 100, now=0.0)
     assert window.in_flight == 0
 
@@ -767,7 +767,7 @@ def test_the_repetition_sends_no_more_than_the_smaller_window_holds_and_goes_on_
     assert window.room(SIZE) == 0
     window.answered(10, 54, now=0.03)
     assert [part[2:] for part in window.repeat()] == [(76, 24)]
-    assert not window.repetition.is_due()
+    assert not window.retransmission.is_due()
     assert window.room(SIZE) > 0
 
 
@@ -784,11 +784,11 @@ def test_the_repetition_goes_on_to_a_request_that_has_an_answer() -> None:
 
 def test_room_at_most_follows_the_smaller_window_and_the_receive_fifo() -> None:
     window: Window[Named] = Window(RING, byte_limit=100 * SIZE, round_trip=0.01)
-    assert window.allowance.most_room(SIZE) == 100
-    assert window.allowance.most_room(200 * SIZE) == 1
+    assert window.send_limit.most_room(SIZE) == 100
+    assert window.send_limit.most_room(200 * SIZE) == 1
     sent(window, "a")
     window.damaged(now=0.0)
-    assert window.allowance.most_room(SIZE) == 64
+    assert window.send_limit.most_room(SIZE) == 64
 
 
 # Posted writes
@@ -960,7 +960,7 @@ def test_a_longer_time_out_stays_until_a_round_trip_is_measured() -> None:
     sent(window, "a", now=0.0)
     assert window.deadline is not None
     assert window.deadline == pytest.approx(0.3)
-    window.signs.heard = True
+    window.loss.heard = True
     window.expire(window.deadline)
     repeated(window)
     assert window.deadline == pytest.approx(0.3 + 0.6)
@@ -1036,9 +1036,9 @@ class LossyLine(RuleBasedStateMachine):
 
     def settle(self) -> None:
         window = self.window
-        if window.repetition.is_due():
-            if window.signs.place == window.repetition.sent:
-                window.repetition.ask()
+        if window.retransmission.is_due():
+            if window.loss.place == window.retransmission.sent:
+                window.retransmission.ask()
                 self.towards.append((0, Named("K")))
             self.towards.extend(
                 (number + place & RING - 1, run) for number, run, _, count in window.repeat() for place in range(count)
@@ -1075,7 +1075,7 @@ class LossyLine(RuleBasedStateMachine):
         self.settle()
 
     def hear(self, kind: str, number: int) -> None:
-        self.window.signs.heard = True
+        self.window.loss.heard = True
         if kind == "damaged":
             self.window.damaged(self.now)
         elif kind == "unreadable":
@@ -1104,7 +1104,7 @@ class LossyLine(RuleBasedStateMachine):
     @rule(seconds=st.floats(0.0, 0.1))
     def wait(self, seconds: float) -> None:
         self.now += seconds
-        self.window.signs.heard = True
+        self.window.loss.heard = True
         self.window.expire(self.now)
         self.settle()
 
@@ -1144,7 +1144,7 @@ class LossyLine(RuleBasedStateMachine):
         answered = [id(run) for run in self.answered if not run.is_question]
         assert sorted(answered) == sorted(id(run) for run in self.called if not run.name.startswith("p"))
         assert self.window.room(SIZE) >= min(module.FEWEST_IN_FLIGHT, 40)
-        assert not self.window.signs.lost
+        assert not self.window.loss.lost
 
 
 TestLossyLine = LossyLine.TestCase
@@ -1156,13 +1156,13 @@ def test_a_gateway_that_refuses_even_the_fence_in_place_of_a_request_is_lost() -
     sent(window, "a")
     given_up = []
     for now in range(1, 7):
-        assert not window.signs.lost
+        assert not window.loss.lost
         given_up.append(window.refused(float(now)) is not None)
         repeated(window)
         window.asked(float(now))
     assert given_up == [False, False, True] * 2
-    assert window.signs.lost
+    assert window.loss.lost
     deadline = window.deadline
     assert deadline is not None
     window.expire(deadline)
-    assert window.signs.lost
+    assert window.loss.lost

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from unity_link.protocol.constants import FIRST_TIMEOUT, LONGEST_TIMEOUT, MEASUREMENT_PAUSE
+from unity_link.protocol.window.constants import FIRST_TIMEOUT, LONGEST_TIMEOUT, MEASUREMENT_PAUSE
 
 
 class RoundTrip:

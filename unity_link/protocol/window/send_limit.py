@@ -6,10 +6,10 @@ many, and at most four times as many as came through since it went back before; 
 
 from __future__ import annotations
 
-from unity_link.protocol.constants import DONE_FOR_ONE_MORE, FEWEST_IN_FLIGHT
+from unity_link.protocol.window.constants import DONE_FOR_ONE_MORE, FEWEST_IN_FLIGHT
 
 
-class Allowance:
+class SendLimit:
     """Bounds of what is in flight.
 
     Args:

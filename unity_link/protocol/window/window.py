@@ -1,13 +1,13 @@
 """The host's side of docs/protocol.md, "Exactly once, in order", as a state machine without I/O or clocks.
 
-Every request carries an ID of the ring (`unity_link.protocol.ring`), of which half is in flight at most: the gateway
-takes the half behind its own number for repetitions. What comes in, and what the window does:
+Every request carries an ID of the sequence space (`unity_link.protocol.window.sequence_space`). At most half of the IDs
+are in flight: the gateway takes the half before its own number for repetitions. The window's reaction to each event:
 
     ==============================  ==========================================================================
     response to an unanswered ID    answered; `executed` moves behind it; what was sent before it and is not answered
                                     was lost: where the gateway has executed all that, send it again; else go back
     response to any other ID        stale, the answer to a repetition: nothing
-    response to an ``h``            the same, and the posted writes before it are told, or each is asked for (`posts`)
+    response to an ``h``            the same, and the posted writes before it are told, or each is asked for
     ``n i``                         `executed` moves to i; go back; outside of the window: the session is over
     ``X01`` ``X07`` ``X09``         a request arrived damaged: go back
     ``X02`` ``X03``                 the same, and the third time for the same request: give that one up
@@ -19,10 +19,10 @@ takes the half behind its own number for repetitions. What comes in, and what th
     ==============================  ==========================================================================
 
 *Go back* means: ask for the session by a `K`, and send the unanswered requests again, in order, from `oldest`. It is
-done once for a loss (`loss`), with fewer in flight (`allowance`); about a sign that may be of the same loss or of the
+done once for a loss (`loss`), with fewer in flight (`send_limit`); about a sign that may be of the same loss or of the
 next one, one more `K` asks, as the first may be lost. The repetition sends only as many at a time, and new
 requests follow behind its end. A damaged answer costs nothing but itself: the order in which requests were sent,
-repetitions and `K` among them, says of each answer which others will not come any more (`repetition`).
+repetitions and `K` among them, says of each answer which others will not come any more (`retransmission`).
 
 Something was *heard* if it can be about a request; samples are not. A request that is given up, or that is not wanted
 any more, keeps its ID, for those behind it build on it; when it is sent again, it is sent as ``h``.
@@ -37,13 +37,13 @@ from itertools import chain
 from typing import TYPE_CHECKING, Generic, NamedTuple
 
 from unity_link.errors import Outcome
-from unity_link.protocol.allowance import Allowance
-from unity_link.protocol.constants import SHORTEST_TIMEOUT
-from unity_link.protocol.loss import LossSigns
-from unity_link.protocol.posts import Posts
-from unity_link.protocol.repetition import NEVER, Repetition
-from unity_link.protocol.ring import Part, R, Ring, parts_of
-from unity_link.protocol.round_trip import RoundTrip
+from unity_link.protocol.window.constants import SHORTEST_TIMEOUT
+from unity_link.protocol.window.loss_detection import LossDetection
+from unity_link.protocol.window.posted_writes import PostedWrites
+from unity_link.protocol.window.retransmission import NEVER, Retransmission
+from unity_link.protocol.window.round_trip import RoundTrip
+from unity_link.protocol.window.send_limit import SendLimit
+from unity_link.protocol.window.sequence_space import Part, R, SequenceSpace, parts_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator
@@ -58,7 +58,7 @@ class Unanswered(NamedTuple, Generic[R]):
     outcome: Outcome
 
 
-class Window(Ring[R]):
+class Window(SequenceSpace[R]):
     """The host's window over one session.
 
     Args:
@@ -71,8 +71,8 @@ class Window(Ring[R]):
         most: requests in flight, at most; None for half the ring.
     """
 
-    __slots__ = ("_free", "_sent", "_unawaited", "allowance", "posts", "repetition", "room_of_answers", "round_trip",
-                 "signs", "since")  # fmt: skip
+    __slots__ = ("_free", "_sent", "_unawaited", "loss", "posted_writes", "retransmission", "room_of_answers",
+                 "round_trip", "send_limit", "since")  # fmt: skip
 
     def __init__(
         self,
@@ -85,10 +85,10 @@ class Window(Ring[R]):
         most: int | None = None,
     ) -> None:
         super().__init__(ring, first)
-        self.allowance = Allowance(ring // 2 if most is None else most, byte_limit)
-        self.posts: Posts[R] = Posts()
-        self.repetition: Repetition[R] = Repetition(self)
-        self.signs = LossSigns()
+        self.send_limit = SendLimit(ring // 2 if most is None else most, byte_limit)
+        self.posted_writes: PostedWrites[R] = PostedWrites()
+        self.retransmission: Retransmission[R] = Retransmission(self)
+        self.loss = LossDetection()
         shortest = shortest_timeout if byte_limit is None else max(shortest_timeout, SHORTEST_TIMEOUT)
         self.round_trip = RoundTrip(byte_time, round_trip, shortest)
         self._sent = 0
@@ -105,7 +105,7 @@ class Window(Ring[R]):
     @property
     def in_flight(self) -> int:
         """Number of IDs from the first on that was sent and is not done."""
-        in_flight, posts = self.next - self.oldest & self.mask, self.posts
+        in_flight, posts = self.next - self.oldest & self.mask, self.posted_writes
         # Either may be before the other.
         return max(in_flight, self.next - posts.first & self.mask) if posts.executed else in_flight
 
@@ -119,7 +119,7 @@ class Window(Ring[R]):
 
     def is_idle(self) -> bool:
         """Return whether nothing is in flight."""
-        return self.next == self.oldest and not self.posts.executed
+        return self.next == self.oldest and not self.posted_writes.executed
 
     def is_lone(self) -> bool:
         """Return whether one request alone is in flight."""
@@ -137,14 +137,14 @@ class Window(Ring[R]):
 
         Where there are posted writes, a place is left for the ``h`` that will confirm them.
         """
-        if self.repetition.is_due():
+        if self.retransmission.is_due():
             return 0
-        kept_free = posted or self.posts.unfenced
+        kept_free = posted or self.posted_writes.unfenced
         # What is not known to be executed, or executed and not answered, may still be lost.
         outstanding = self.unanswered_count
         if self.oldest != self.executed:
             outstanding -= self.between(self.oldest, self.executed).count(None)
-        room = self.allowance.room(outstanding, self.bytes, size, kept_free=kept_free)
+        room = self.send_limit.room(outstanding, self.bytes, size, kept_free=kept_free)
         room = min(room, (self.mask >> 1) + 1 - self.in_flight - kept_free)
         if self.room_of_answers is not None and reply_size:
             awaited = sum(part.run.reply_size * part.length for part in self.parts(self.oldest, self.next))
@@ -153,7 +153,7 @@ class Window(Ring[R]):
 
     def most_room(self, size: int, reply_size: int) -> int:
         """Return for how many such requests there is room while nothing is under way."""
-        most = self.allowance.most_room(size)
+        most = self.send_limit.most_room(size)
         if self.room_of_answers is None or not reply_size:
             return most
         return min(most, max(self.room_of_answers() // reply_size, 1))
@@ -163,14 +163,14 @@ class Window(Ring[R]):
         if self._free > 0 or not self.in_flight:
             return True
         room = self.room(size, posted=posted, reply_size=reply_size)
-        if self.allowance.byte_limit is None and self.room_of_answers is None:
+        if self.send_limit.byte_limit is None and self.room_of_answers is None:
             # Answers make more, and what makes less forgets it; a place is left for an ``h``.
             self._free = room - 1
         return room > 0
 
     def send(self, run: R, now: float) -> None:
         """Assign IDs to a run that is now sent. The caller has seen that there is room (an ``h`` needs none)."""
-        first, count, repetition = self.next, run.count, self.repetition
+        first, count, repetition = self.next, run.count, self.retransmission
         run.first = first
         run.sending = repetition.sent
         repetition.sent += count
@@ -185,18 +185,18 @@ class Window(Ring[R]):
             self.since = now
         self.next = first + count & self.mask
         if run.posted:
-            if not self.posts.unfenced:
-                self.posts.begin(run, now)
+            if not self.posted_writes.unfenced:
+                self.posted_writes.begin(run, now)
             return
-        if self.posts.unfenced:
-            self.posts.sent_behind(run, self.next)
+        if self.posted_writes.unfenced:
+            self.posted_writes.sent_behind(run, self.next)
         trip = self.round_trip
         if trip.timed is None and now >= trip.next_measurement:
             trip.begin(first, now, self.bytes, run.reply_size)
 
     def needs_fence(self, now: float) -> bool:
         """Return whether posted writes have waited long enough, or are many enough, to be confirmed by an ``h``."""
-        posts, allowance = self.posts, self.allowance
+        posts, allowance = self.posted_writes, self.send_limit
         limit = allowance.byte_limit
         return (
             posts.unfenced
@@ -205,14 +205,14 @@ class Window(Ring[R]):
                 or now >= posts.due
                 or (limit is not None and 4 * (self._sent - posts.before) >= limit)
             )
-            and not self.repetition.is_due()
+            and not self.retransmission.is_due()
         )
 
     def repeat(self) -> list[Part[R]]:
         """Return what is to be sent again now, in order."""
-        start = self.repetition.start
+        start = self.retransmission.start
         least = self.open(self.oldest, self.behind_next_with_answer(self.oldest))
-        return self.repetition.take(max(self.allowance.allowed, least) - self.open(self.oldest, start))
+        return self.retransmission.take(max(self.send_limit.allowed, least) - self.open(self.oldest, start))
 
     def unanswered(self, refused: int | None = None) -> Iterator[Unanswered[R]]:
         """Return all that is not done, in order.
@@ -221,11 +221,11 @@ class Window(Ring[R]):
             refused: the ID of a request that met a gateway without a session, and was known by its residue
                 (docs/protocol.md, "The host").
         """
-        never = self.next if refused is None else self.repetition.never_arrived_from(refused)
+        never = self.next if refused is None else self.retransmission.never_arrived_from(refused)
         if self.distance(never) < self.distance(self.executed):
             never = self.executed
         return chain(
-            _with_outcome(parts_of(self.posts.executed, self.posts.first, self.mask), Outcome.EXECUTED),
+            _with_outcome(parts_of(self.posted_writes.executed, self.posted_writes.first, self.mask), Outcome.EXECUTED),
             _with_outcome(self.parts(self.oldest, self.executed), Outcome.EXECUTED),
             _with_outcome(self.parts(self.executed, never), Outcome.UNKNOWN),
             _with_outcome(self.parts(never, self.next), Outcome.NOT_EXECUTED),
@@ -235,13 +235,13 @@ class Window(Ring[R]):
 
     def is_quiet(self) -> bool:
         """Return whether an answer to the oldest says nothing of others: none is missing, or was sent again."""
-        repetition = self.repetition
+        repetition = self.retransmission
         return (
             self.oldest == self.executed
             and repetition.start == repetition.end
             and not repetition.awaits()
             and not self.round_trip.is_doubled
-            and self.signs.place == NEVER
+            and self.loss.place == NEVER
         )
 
     def answered_quietly(self, count: int, now: float) -> None:
@@ -253,8 +253,8 @@ class Window(Ring[R]):
             self.slots[number] = None
         else:
             self.fill(number, count, None)
-        if self.allowance.loses:
-            self.allowance.came_through(count)
+        if self.send_limit.loses:
+            self.send_limit.came_through(count)
         self.oldest = self.executed = number + count & self.mask
         self.since = now
 
@@ -267,31 +267,31 @@ class Window(Ring[R]):
         if number == self.oldest and self.is_quiet():
             self.answered_quietly(count, now)
             return
-        trip, repetition = self.round_trip, self.repetition
+        trip, repetition = self.round_trip, self.retransmission
         if trip.timed is not None and trip.timed - number & self.mask < count:
             trip.end(now)
         # Without repetitions, the answer to the oldest says nothing of the others.
         tells = repetition.awaits() or number != self.oldest
-        place = self._answered_place(beginning, number, run, last) if tells or self.signs.place != NEVER else NEVER
+        place = self._answered_place(beginning, number, run, last) if tells or self.loss.place != NEVER else NEVER
         if trip.is_doubled and repetition.sending(run, last) == repetition.first_sending(run, last):
             trip.undo_doubling()
         self._confirm(number)
         if self.distance(after) > self.distance(self.executed):
             self.executed = after
         self.fill(number, count, None)
-        if self.allowance.loses:
-            self.allowance.came_through(count)
+        if self.send_limit.loses:
+            self.send_limit.came_through(count)
         self._news(now)
         if tells:
             self._find_lost(place, now)
         elif place != NEVER:
             repetition.arrived(place)
-            if place >= self.signs.place:
-                self.signs.place = NEVER
+            if place >= self.loss.place:
+                self.loss.place = NEVER
 
     def _answered_place(self, beginning: R, number: int, run: R, last: int) -> int:
         """Return the place of the sending of the last of some IDs, all of which are answered now."""
-        repetition = self.repetition
+        repetition = self.retransmission
         place = repetition.answered_sending(beginning, number)
         if last != number:
             # Those of the others came behind it.
@@ -305,7 +305,7 @@ class Window(Ring[R]):
         Otherwise each is asked for, and the ``h`` is sent once more behind them: at once, or where they were asked for
         before, when their answers show that it was sent before them.
         """
-        posts, repetition = self.posts, self.repetition
+        posts, repetition = self.posted_writes, self.retransmission
         self._confirm(number)
         if self.executed == number:
             self.executed = number + 1 & self.mask
@@ -335,21 +335,21 @@ class Window(Ring[R]):
             # The answers to what was asked for are on their way, and will show that this one came before them.
             self.since = now
             return False
-        self.signs.timed_out = False
+        self.loss.timed_out = False
         self._repeat(min(again, key=self.distance), number + 1 & self.mask, now)
         return False
 
     def post_failed(self) -> None:
         """Record that the error of a posted write has come."""
-        self.posts.failed = self.posts.failed + 1 & self.mask
+        self.posted_writes.failed = self.posted_writes.failed + 1 & self.mask
 
     def asked(self, now: float) -> None:
         """Record the answer to a `K` that was sent ahead of a repetition: what was sent before will not be answered."""
-        repetition = self.repetition
+        repetition = self.retransmission
         place = repetition.told()
         if place == NEVER or self.next == self.oldest:
             return
-        if self.signs.are_left_to_the_time():
+        if self.loss.are_left_to_the_time():
             repetition.arrived(place)
             return
         self._find_lost(place, now)
@@ -371,13 +371,13 @@ class Window(Ring[R]):
         if self._confirm(expected):
             for earlier, number in executed:
                 if earlier is not None:
-                    self.repetition.arrived(self.repetition.answered_sending(earlier, number))
+                    self.retransmission.arrived(self.retransmission.answered_sending(earlier, number))
             self._news(now)
         run = self.slots[expected]
         if expected == self.executed and run is not None:
             # Nothing behind a request that was lost is executed before that was sent again.
-            self.repetition.arrived(self.repetition.first_sending(run, expected))
-            if self.signs.takes(self.repetition.answered):
+            self.retransmission.arrived(self.retransmission.first_sending(run, expected))
+            if self.loss.takes(self.retransmission.answered):
                 self._go_back(now)
         return True
 
@@ -387,8 +387,8 @@ class Window(Ring[R]):
 
     def answer_damaged(self, now: float) -> None:
         """Record that something arrived damaged: perhaps the answer to the oldest, or to the next if it came before."""
-        repetition = self.repetition
-        if not self.signs.takes(repetition.answered):
+        repetition = self.retransmission
+        if not self.loss.takes(repetition.answered):
             repetition.doubt()
             return
         start = repetition.first_sent_once()
@@ -396,7 +396,7 @@ class Window(Ring[R]):
         if start == end:
             self._go_back(now)
         elif not repetition.includes(start):
-            self.signs.timed_out = False
+            self.loss.timed_out = False
             self._repeat(start, end, now)
             if self.distance(start) >= self.distance(self.executed):
                 # What arrived damaged may have been an error or ``n``, and then there is no answer to what is sent.
@@ -405,8 +405,8 @@ class Window(Ring[R]):
     def refused(self, now: float) -> R | None:
         """Record ``X02`` or ``X03``: give the run whose request is given up, if this was once too often."""
         given_up = None
-        if self.oldest != self.next and self.oldest == self.executed and self.signs.takes(self.repetition.answered):
-            if self.signs.refused():
+        if self.oldest != self.next and self.oldest == self.executed and self.loss.takes(self.retransmission.answered):
+            if self.loss.refused():
                 given_up = self._give_up()
             self._go_back(now)
         return given_up
@@ -416,7 +416,7 @@ class Window(Ring[R]):
     @property
     def deadline(self) -> float | None:
         """Instant at which `expire` must be called, or a fence is due; None while nothing is under way."""
-        posts, repeating = self.posts, self.repetition.is_due()
+        posts, repeating = self.posted_writes, self.retransmission.is_due()
         if posts.unfenced and not repeating and not 0 < self.distance(posts.mark) <= self.unanswered_count:
             # Posted writes alone have no answer to wait for: their fence will.
             return posts.due
@@ -440,12 +440,16 @@ class Window(Ring[R]):
         A fence that is due is the matter of `needs_fence`.
         """
         deadline = self.deadline
-        if deadline is None or now < deadline or (deadline == self.posts.due and not self.repetition.is_due()):
+        if (
+            deadline is None
+            or now < deadline
+            or (deadline == self.posted_writes.due and not self.retransmission.is_due())
+        ):
             return None
         # Also where something was heard: it may be the beginning of a long answer on a slow line.
         self.round_trip.double()
-        self.repetition.questions.clear()
-        given_up = self._give_up() if self.signs.time_out(now, self.since) else None
+        self.retransmission.questions.clear()
+        given_up = self._give_up() if self.loss.time_out(now, self.since) else None
         self._repeat_from_oldest(now)
         return given_up
 
@@ -470,53 +474,53 @@ class Window(Ring[R]):
         others = {run for run in different if run is None or not run.posted}
         if len(others) < len(different):
             posts = [None if run in others else run for run in runs] if others else runs
-            self.posts.keep(number, posts, self.mask)
+            self.posted_writes.keep(number, posts, self.mask)
             self.put(number, [run if run in others else None for run in runs] if others else [None] * len(runs))
-            if self.allowance.loses:
-                self.allowance.came_through(len(posts) - posts.count(None))
+            if self.send_limit.loses:
+                self.send_limit.came_through(len(posts) - posts.count(None))
         return True
 
     def _news(self, now: float) -> None:
         """Move `oldest` up over what is done, and start the clock anew."""
-        self.signs.news()
+        self.loss.news()
         self.since = now
         if self.advance():
-            self.signs.moved()
-            if not self.signs.timed_out:
+            self.loss.moved()
+            if not self.loss.timed_out:
                 # What the window went back for was a sign, so the answer is not a late one to what was sent before.
                 self.round_trip.undo_doubling()
-            self.repetition.follow()
+            self.retransmission.follow()
 
     def _give_up(self) -> R | None:
         given_up = self.slots[self.oldest]
         if given_up is not None:
             # What it is sent as from now on, an ``h``, has an answer.
             given_up.posted = False
-        self.signs.give_up()
+        self.loss.give_up()
         return given_up
 
     def _go_back(self, now: float) -> None:
         """Go back for a sign of loss; where it may be one of the loss before, ask how far the line has come."""
         if self.oldest == self.next:
             return
-        if self.signs.takes(self.repetition.answered):
-            self.signs.timed_out = False
+        if self.loss.takes(self.retransmission.answered):
+            self.loss.timed_out = False
             self._repeat_from_oldest(now)
         else:
-            self.repetition.doubt()
+            self.retransmission.doubt()
 
     def _find_lost(self, place: int, now: float) -> None:
         """Send again what was sent before something that has arrived, and is not answered: it or its answer was lost.
 
         Where the gateway has executed it, only the answer was lost, and what is behind it is on its way.
         """
-        repetition = self.repetition
+        repetition = self.retransmission
         repetition.arrived(place)
         if not repetition.is_any() and not repetition.is_due():
-            self.signs.place = NEVER
+            self.loss.place = NEVER
         if not repetition.is_lost(self.oldest, place):
             return
-        self.signs.timed_out = False
+        self.loss.timed_out = False
         if repetition.is_lost(self.executed, place):
             self._repeat_from_oldest(now)
             return
@@ -526,13 +530,13 @@ class Window(Ring[R]):
         self._repeat(self.oldest, end, now)
 
     def _repeat_from_oldest(self, now: float) -> None:
-        self.signs.go_back(self.repetition.sent)
-        self.allowance.lose()
+        self.loss.go_back(self.retransmission.sent)
+        self.send_limit.lose()
         self._repeat(self.oldest, self.next, now)
 
     def _repeat(self, start: int, end: int, now: float) -> None:
         """Repeat all requests without an answer from `start` on and before `end`, besides those already due."""
-        self.repetition.begin(start, end)
+        self.retransmission.begin(start, end)
         self._free, self._unawaited = 0, self.oldest
         self.round_trip.timed = None
         self.since = now

@@ -8,17 +8,17 @@ sent ahead of the repetition, or to a request. What brings no sign, or had its `
 
 from __future__ import annotations
 
-from unity_link.protocol.constants import (
+from unity_link.protocol.window.constants import (
     FEWEST_SILENT_TRIES,
     LONGEST_SILENCE,
     MOST_REFUSALS,
     MOST_SIGNS,
     MOST_TRIES,
 )
-from unity_link.protocol.repetition import NEVER
+from unity_link.protocol.window.retransmission import NEVER
 
 
-class LossSigns:
+class LossDetection:
     """Tries of the oldest request, and what was heard of them."""
 
     __slots__ = ("_gave_up", "_refusals", "_silent_since", "_silent_tries", "_tries", "gone_back", "heard", "lost",

@@ -71,7 +71,7 @@ class Part(NamedTuple, Generic[R]):
     """The number of them."""
 
 
-class Ring(Generic[R]):
+class SequenceSpace(Generic[R]):
     """The marks, and the run that waits for the answer to each ID.
 
     Args:

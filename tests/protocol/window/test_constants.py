@@ -11,10 +11,10 @@ import pytest
 
 from support.spec_examples import FIGURE_1
 from unity_link.generate import generate
-from unity_link.protocol import constants, window
+from unity_link.protocol.window import constants, window
 from unity_link.spec import compile_text
 
-DOCUMENT = Path(__file__).parents[2] / "docs" / "reliability.md"
+DOCUMENT = Path(__file__).parents[3] / "docs" / "reliability.md"
 
 
 def test_the_table_needs_nothing_installed() -> None:

@@ -9,11 +9,11 @@ from __future__ import annotations
 import math
 from typing import Generic
 
-from unity_link.protocol.constants import FENCE_DELAY
-from unity_link.protocol.ring import R
+from unity_link.protocol.window.constants import FENCE_DELAY
+from unity_link.protocol.window.sequence_space import R
 
 
-class Posts(Generic[R]):
+class PostedWrites(Generic[R]):
     """Posted writes that were sent and not told as done."""
 
     __slots__ = ("before", "due", "executed", "failed", "first", "mark", "start", "unfenced")

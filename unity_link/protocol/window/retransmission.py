@@ -9,14 +9,14 @@ from __future__ import annotations
 
 from typing import Generic
 
-from unity_link.protocol.constants import MOST_QUESTIONS, MOST_SENDINGS
-from unity_link.protocol.ring import Part, R, Ring
+from unity_link.protocol.window.constants import MOST_QUESTIONS, MOST_SENDINGS
+from unity_link.protocol.window.sequence_space import Part, R, SequenceSpace
 
 NEVER = -1
 """Place before that of the first sending."""
 
 
-class Repetition(Generic[R]):
+class Retransmission(Generic[R]):
     """IDs that are to be sent again, and the places of what was sent.
 
     Args:
@@ -26,7 +26,7 @@ class Repetition(Generic[R]):
     __slots__ = ("_again", "_behind", "_ring", "answered", "end", "in_doubt", "must_ask", "questions", "sent",
                  "start")  # fmt: skip
 
-    def __init__(self, ring: Ring[R]) -> None:
+    def __init__(self, ring: SequenceSpace[R]) -> None:
         self._ring = ring
         self.start = self.end = ring.next
         """The IDs that are to be sent again: from one mark on and before the other; none where they are equal."""

@@ -1,7 +1,7 @@
 """The durations and counts of a host's attempts: the constants of its side of protocol section 3, in one table.
 
-`unity_link.protocol.window` works by them, and the clients that are generated in other languages are given the same
-(`TABLE`). The module imports nothing, so that whatever reads them needs nothing installed. Times are in seconds.
+`unity_link.protocol.window.window` uses them. Generated clients in other languages get the same values (`TABLE`). The
+module imports nothing, so that it can be read without any package installed. Times are in seconds.
 """
 
 LONGEST_SILENCE = 5.0
