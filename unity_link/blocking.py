@@ -45,8 +45,8 @@ if TYPE_CHECKING:
     from unity_link.link.connection import Reconnect
     from unity_link.link.publishing import Sample
     from unity_link.link.subscription import Subscription as AsyncSubscription
-    from unity_link.protocol.arrays import Words
-    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.wire.arrays import Words
+    from unity_link.protocol.wire.configuration import GatewayInfo
     from unity_link.transport import Medium
 
 T = TypeVar("T")

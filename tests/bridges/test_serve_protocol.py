@@ -18,8 +18,8 @@ from support.worked_examples import Example, worked_examples
 from unity_link.bridges.serve import connection
 from unity_link.bridges.serve.connection import MOST_UNDER_WAY
 from unity_link.bridges.serve.conversation import Conversation
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.messages import Codec, ErrorCode
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.messages import Codec, ErrorCode
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
 

@@ -7,10 +7,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from unity_link.capture.observed_session import ObservedSession
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.crc import Crc, seed_of
-from unity_link.protocol.frames import CheckError
-from unity_link.protocol.messages import Codec, DecodedResponse
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.crc import Crc, seed_of
+from unity_link.protocol.wire.frames import CheckError
+from unity_link.protocol.wire.messages import Codec, DecodedResponse
 
 CODECS = [Codec(GatewayInfo()), Codec(GatewayInfo(crc_bits=32, crc_polynomial=0x04C11DB7)), Codec(GatewayInfo(), 5)]
 

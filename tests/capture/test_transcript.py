@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 
 from unity_link.capture.decoder import FrameKind
 from unity_link.capture.transcript import TimedFrame, Transcript
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.crc import Crc
 from unity_link.protocol.host.host_codec import HostCodec
 from unity_link.protocol.host.trial import FIRST_IDS, IDS, Trial
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.crc import Crc
 from unity_link.virtual import VirtualGateway
 
 

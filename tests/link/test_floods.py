@@ -19,12 +19,12 @@ import uvloop
 import unity_link
 from unity_link import blocking
 from unity_link.link.runtimes.calling_thread import CallingThread
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.frames import MOST_LINES
 from unity_link.protocol.host import session
 from unity_link.protocol.host.handshake import Handshake
 from unity_link.protocol.host.receiver import ResponseReceiver
-from unity_link.protocol.messages import Codec
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.frames import MOST_LINES
+from unity_link.protocol.wire.messages import Codec
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.serving import serve_udp
 

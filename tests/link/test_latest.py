@@ -18,7 +18,7 @@ from support.searching import examples
 from unity_link import GatewayInfo, Sample
 from unity_link.link.gateway_clock import GatewayClock
 from unity_link.link.publishing import LatestSampleReceiver, Publishing, Schedule
-from unity_link.protocol.messages import SAMPLE_HEAD, TIMESTAMP_DIGITS, GroupFlag
+from unity_link.protocol.wire.messages import SAMPLE_HEAD, TIMESTAMP_DIGITS, GroupFlag
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.serving import serve_pty, serve_tcp
 

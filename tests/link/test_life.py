@@ -36,11 +36,11 @@ from unity_link import (
     UnsupportedError,
 )
 from unity_link.link.connection import Reconnect
-from unity_link.protocol.configuration import PROTOCOL_VERSION, Feature
-from unity_link.protocol.crc import USUAL_POLYNOMIALS
 from unity_link.protocol.host.handshake import LINE_ENDS
-from unity_link.protocol.messages import Codec
 from unity_link.protocol.window.constants import MOST_TRIES
+from unity_link.protocol.wire.configuration import PROTOCOL_VERSION, Feature
+from unity_link.protocol.wire.crc import USUAL_POLYNOMIALS
+from unity_link.protocol.wire.messages import Codec
 from unity_link.transport import parse_url
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing, Noise, NoisyLine

@@ -17,8 +17,8 @@ from support.scripted import Scripted
 from support.searching import examples
 from support.simulated_time import on_simulated_time, run_simulated
 from support.valve import as_gateway
-from unity_link.protocol.crc import Crc
-from unity_link.protocol.frames import MOST_LINES, Framing
+from unity_link.protocol.wire.crc import Crc
+from unity_link.protocol.wire.frames import MOST_LINES, Framing
 from unity_link.virtual.build import build_gateway
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 import unity_link
 from support.simulated_time import on_simulated_time, run_simulated
 from support.valve import Valve, as_gateway
-from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.wire.configuration import GatewayInfo
 from unity_link.virtual import VirtualGateway
 
 if TYPE_CHECKING:

@@ -21,7 +21,7 @@ from unity_link.link.gateway_clock import GatewayClock
 from unity_link.link.publishing import Publishing, SampleReceiver, Schedule
 from unity_link.link.samples_together import SamplesTogether
 from unity_link.protocol.host.events import SampledTogether
-from unity_link.protocol.messages import SAMPLE_HEAD, TIMESTAMP_DIGITS, GroupFlag
+from unity_link.protocol.wire.messages import SAMPLE_HEAD, TIMESTAMP_DIGITS, GroupFlag
 
 
 class Host:

@@ -15,16 +15,16 @@ from unity_link.bridges.serve import groups as served_groups
 from unity_link.bridges.serve import requests as served_requests
 from unity_link.errors import Outcome
 from unity_link.link import connection, flow, gateway_clock, link, publishing
-from unity_link.protocol import arrays, datagrams
-from unity_link.protocol.frames import FrameError
 from unity_link.protocol.gateway import datagrams as gateway_datagrams
 from unity_link.protocol.gateway import reception
 from unity_link.protocol.gateway import session as gateway_session
 from unity_link.protocol.gateway.reception import SequencePlace
 from unity_link.protocol.host import batches, group_table, host_codec, receiver, requests, session
 from unity_link.protocol.host.events import SampledRows
-from unity_link.protocol.messages import COMMANDS, Repeat
 from unity_link.protocol.window import retransmission, window
+from unity_link.protocol.wire import arrays, datagrams
+from unity_link.protocol.wire.frames import FrameError
+from unity_link.protocol.wire.messages import COMMANDS, Repeat
 from unity_link.transport import stream
 from unity_link.virtual import bus, transport
 

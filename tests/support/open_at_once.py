@@ -9,9 +9,9 @@ from unity_link.protocol.host.host_codec import HostCodec
 from unity_link.protocol.window.constants import SHORTEST_TIMEOUT
 
 if TYPE_CHECKING:
-    from unity_link.protocol.configuration import GatewayInfo
     from unity_link.protocol.host.receiver import ResponseReceiver
     from unity_link.protocol.host.session import Session
+    from unity_link.protocol.wire.configuration import GatewayInfo
 
 
 def open_at_once(

@@ -16,8 +16,8 @@ from support.simulated_time import on_simulated_time, run_simulated
 from unity_link.bridges.serve import serve
 from unity_link.capture import pcapng
 from unity_link.errors import ArgumentError
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.crc import Crc, seed_of
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.crc import Crc, seed_of
 from unity_link.transport import SNOOP_VARIABLE
 from unity_link.transport.snoop import Connected, Disconnected, Passed, Snoop, read
 from unity_link.transport.tap import Tap

@@ -16,10 +16,10 @@ import msgspec
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from unity_link.protocol.compact import END, ESCAPE, START, STUFFED, CompactForm, Packer, cut, is_sample
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.crc import seed_of
-from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode
+from unity_link.protocol.wire.compact import END, ESCAPE, START, STUFFED, CompactForm, Packer, cut, is_sample
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.crc import seed_of
+from unity_link.protocol.wire.messages import COMMANDS, Codec, ErrorCode
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
 

@@ -18,8 +18,8 @@ import unity_link
 from support.bridge_programs import PROGRAM
 from support.simulated_time import on_simulated_time
 from unity_link.errors import ArgumentError
-from unity_link.protocol.configuration import Feature
-from unity_link.protocol.messages import GroupFlag
+from unity_link.protocol.wire.configuration import Feature
+from unity_link.protocol.wire.messages import GroupFlag
 from unity_link.spec import compile_file, compile_text
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.build import simulate

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from unity_link.capture.observed_session import ObservedSession
 from unity_link.errors import UnsupportedError
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.frames import CR, FrameError, Framing
-from unity_link.protocol.messages import (
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.frames import CR, FrameError, Framing
+from unity_link.protocol.wire.messages import (
     COMMANDS,
     TIMESTAMP_DIGITS,
     Codec,
@@ -23,7 +23,7 @@ from unity_link.protocol.messages import (
     RequestError,
     parse_numbers,
 )
-from unity_link.protocol.numbers import Format, address_text, as_decimal, in_form, in_words
+from unity_link.protocol.wire.numbers import Format, address_text, as_decimal, in_form, in_words
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from unity_link.protocol.crc import NO_SESSION, last_session, seed_of
-from unity_link.protocol.frames import CheckError, Framing, in_session
+from unity_link.protocol.wire.crc import NO_SESSION, last_session, seed_of
+from unity_link.protocol.wire.frames import CheckError, Framing, in_session
 
 if TYPE_CHECKING:
-    from unity_link.protocol.messages import DecodedResponse
+    from unity_link.protocol.wire.messages import DecodedResponse
 
 
 class ObservedSession:

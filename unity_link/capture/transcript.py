@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.capture.decoder import Decoder, FrameKind, Meaning
 from unity_link.errors import UnsupportedError
-from unity_link.protocol.compact import text_of
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.frames import LONGEST_FRAME
-from unity_link.protocol.messages import Codec
+from unity_link.protocol.wire.compact import text_of
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.frames import LONGEST_FRAME
+from unity_link.protocol.wire.messages import Codec
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

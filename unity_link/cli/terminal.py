@@ -20,9 +20,9 @@ from unity_link.cli.arguments import DEFAULT_TIMEOUT, Url
 from unity_link.cli.output import out, print_note
 from unity_link.cli.running import INTERRUPTED, run
 from unity_link.errors import ConnectError, UnsupportedError
-from unity_link.protocol.crc import NO_SESSION, seed_of
-from unity_link.protocol.frames import LONGEST_FRAME
-from unity_link.protocol.numbers import MOST_SECONDS
+from unity_link.protocol.wire.crc import NO_SESSION, seed_of
+from unity_link.protocol.wire.frames import LONGEST_FRAME
+from unity_link.protocol.wire.numbers import MOST_SECONDS
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable, Coroutine
@@ -98,8 +98,8 @@ async def _terminal(url: str, *, plain: bool, timeout: float) -> None:  # noqa: 
 
 
 async def _connect(target: DriverUrl, stream: Stream) -> HostCodec:
-    from unity_link.protocol.configuration import GatewayInfo
     from unity_link.protocol.host.host_codec import HostCodec
+    from unity_link.protocol.wire.configuration import GatewayInfo
     from unity_link.transport import open_medium
 
     try:

@@ -6,7 +6,7 @@ from contextlib import asynccontextmanager
 from typing import TYPE_CHECKING, Any, Protocol
 
 from unity_link.cli.signals import choose, plain, text
-from unity_link.protocol.numbers import Format, address_text, in_form, to_signed
+from unity_link.protocol.wire.numbers import Format, address_text, in_form, to_signed
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Sequence

@@ -21,8 +21,8 @@ from unity_link.link.calls import returns_coroutine
 from unity_link.link.runtimes.synchronisation import gather
 from unity_link.link.subscription import LARGEST_DIVISOR, asked_rate, check_buffer
 from unity_link.modules import caller_on
-from unity_link.protocol.configuration import Feature
-from unity_link.protocol.numbers import RATE, real_number
+from unity_link.protocol.wire.configuration import Feature
+from unity_link.protocol.wire.numbers import RATE, real_number
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable, Coroutine, Sequence

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from unity_link.data.laps import Laps
     from unity_link.data.proxies import Proxy
     from unity_link.link.link import Link
-    from unity_link.protocol.arrays import Words
+    from unity_link.protocol.wire.arrays import Words
 
 
 class GroupLayout:

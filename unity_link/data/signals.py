@@ -9,7 +9,7 @@ from unity_link.errors import BusError, UnsupportedError, refusing
 from unity_link.link.calls import returns_coroutine
 from unity_link.link.subscription import check_buffer
 from unity_link.modules import caller_on, post_for
-from unity_link.protocol.configuration import Feature
+from unity_link.protocol.wire.configuration import Feature
 from unity_link.spec import Effect
 
 if TYPE_CHECKING:

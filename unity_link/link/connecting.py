@@ -10,7 +10,7 @@ from unity_link.link.connection import CONNECT_TIMEOUT, Reconnect
 from unity_link.link.interrupts import whole_exit
 from unity_link.link.link import NOT_CONNECTED, Link
 from unity_link.link.runtimes.runtime import AsyncioRuntime
-from unity_link.protocol.numbers import seconds_from
+from unity_link.protocol.wire.numbers import seconds_from
 from unity_link.transport import DriverUrl, check_target, has_bus, parse_url
 
 if TYPE_CHECKING:

@@ -29,18 +29,18 @@ from unity_link.errors import (
 from unity_link.link.flow import Flow
 from unity_link.link.living import Living
 from unity_link.link.runtimes.runtime import AsyncioRuntime, report
-from unity_link.protocol.configuration import Feature
 from unity_link.protocol.host.events import GroupsRestored, Interrupted, Opened, Taken, Unusable
 from unity_link.protocol.host.session import Session
-from unity_link.protocol.numbers import seconds_from
+from unity_link.protocol.wire.configuration import Feature
+from unity_link.protocol.wire.numbers import seconds_from
 from unity_link.transport import DriverUrl, has_echo, name_of, node_of, takes_compact_form
 from unity_link.transport.stream import Stream
 
 if TYPE_CHECKING:
     from unity_link.link.runtimes.runtime import Job, Runtime, Waiter
-    from unity_link.protocol.configuration import GatewayInfo
     from unity_link.protocol.host.events import SessionEvent, UnsolicitedEvent
     from unity_link.protocol.host.host_codec import HostCodec
+    from unity_link.protocol.wire.configuration import GatewayInfo
     from unity_link.transport import Medium
 
 log = logging.getLogger("unity_link.link")

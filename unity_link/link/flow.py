@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from unity_link.protocol.host.events import Events, UnsolicitedEvent
     from unity_link.protocol.host.requests import Source
     from unity_link.protocol.host.session import Session
-    from unity_link.protocol.path import Path
+    from unity_link.protocol.wire.path import Path
     from unity_link.transport.stream import Stream
     from unity_link.transport.turns import Seat
 

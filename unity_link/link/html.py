@@ -11,7 +11,7 @@ from unity_link.capture.decoder import summary
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
-    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.wire.configuration import GatewayInfo
 
 LONGEST = 200
 """Characters of a cell that are shown."""

@@ -9,12 +9,12 @@ from __future__ import annotations
 import time
 from typing import TYPE_CHECKING, Any
 
-from unity_link import protocol
 from unity_link.errors import ConnectError, LinkClosedError, LinkLostError, Outcome, UnsupportedError
 from unity_link.link.link import Link, SendImmediate, check_mode
 from unity_link.link.publishing import Publishing, Sample, SampleReceiver
+from unity_link.protocol import wire
 from unity_link.protocol.host.host_codec import HostCodec
-from unity_link.protocol.messages import GroupFlag
+from unity_link.protocol.wire.messages import GroupFlag
 from unity_link.transport import name_of, open_bus
 
 if TYPE_CHECKING:
@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from unity_link.link.runtimes.runtime import Runtime, Timer, Waiter
-    from unity_link.protocol.arrays import Words
-    from unity_link.protocol.configuration import Feature, GatewayInfo
+    from unity_link.protocol.wire.arrays import Words
+    from unity_link.protocol.wire.configuration import Feature, GatewayInfo
     from unity_link.transport import DriverUrl, MemoryBus, WordsByAddress
 
 TURN = 256
@@ -306,7 +306,7 @@ class Polling(Publishing):
 
     def array(self, words: list[int]) -> Words:
         """Return words as users get them."""
-        return protocol.arrays.of_words(words, self._bus.info.data_digits)
+        return wire.arrays.of_words(words, self._bus.info.data_digits)
 
 
 class _PolledGroup:

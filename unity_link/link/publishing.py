@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any, Literal, assert_never
 
 import msgspec
 
-from unity_link import protocol
 from unity_link.errors import (
     ANY_ERROR,
     ArgumentError,
@@ -27,6 +26,7 @@ from unity_link.link.freshness import Freshness
 from unity_link.link.gateway_clock import TICKS_PER_TURN, GatewayClock, steps_between, tolerance_of
 from unity_link.link.runtimes.runtime import report
 from unity_link.link.runtimes.synchronisation import call_back
+from unity_link.protocol import wire
 from unity_link.protocol.host.events import (
     GroupBegun,
     GroupEvent,
@@ -35,7 +35,7 @@ from unity_link.protocol.host.events import (
     SampledTogether,
 )
 from unity_link.protocol.host.requests import Request
-from unity_link.protocol.messages import SAMPLE_HEAD, GroupFlag
+from unity_link.protocol.wire.messages import SAMPLE_HEAD, GroupFlag
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -46,10 +46,10 @@ if TYPE_CHECKING:
     from unity_link.link.flow import Flow
     from unity_link.link.runtimes.runtime import Runtime, Waiter
     from unity_link.link.samples_together import SamplesTogether
-    from unity_link.protocol.arrays import Words
-    from unity_link.protocol.configuration import GatewayInfo
     from unity_link.protocol.host.group_table import HeldGroup
     from unity_link.protocol.host.host_codec import HostCodec
+    from unity_link.protocol.wire.arrays import Words
+    from unity_link.protocol.wire.configuration import GatewayInfo
 
 log = logging.getLogger("unity_link.link")
 Overflow = Literal["drop_oldest", "fail"]
@@ -353,7 +353,7 @@ class SampleReceiver:
         if len(body) != self.length:
             return
         try:
-            values = protocol.arrays.parse_words(body[self.words_at :], self._publishing.info.data_digits)
+            values = wire.arrays.parse_words(body[self.words_at :], self._publishing.info.data_digits)
             sequence = int(body[3:SAMPLE_HEAD], 16)
             timestamp = int(body[SAMPLE_HEAD : self.words_at], 16) if self.words_at != SAMPLE_HEAD else None
         except ValueError:
@@ -387,7 +387,7 @@ class SampleReceiver:
             now: when they arrived, on the loop's clock.
         """
         digits, stamped = self._publishing.info.data_digits, self.words_at != SAMPLE_HEAD
-        parse_rows = protocol.arrays.parse_rows
+        parse_rows = wire.arrays.parse_rows
         try:
             values = parse_rows(bodies[:, self.words_at :].reshape(-1, digits)).reshape(len(bodies), -1)
             sequences = parse_rows(bodies[:, 3:SAMPLE_HEAD])
@@ -396,7 +396,7 @@ class SampleReceiver:
             for body in bodies:
                 self.receive(body.tobytes(), now)
             return
-        rows = protocol.arrays.apart(values)
+        rows = wire.arrays.apart(values)
         ends = [*self._gaps(sequences, timestamps), len(rows)]
         for start, end in zip([0, *ends], ends, strict=False):
             stamps = None if timestamps is None else timestamps[start:end]

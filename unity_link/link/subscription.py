@@ -23,8 +23,8 @@ from unity_link.link.calls import is_asynchronous
 from unity_link.link.interrupts import whole_exit
 from unity_link.link.living import LeftOpen
 from unity_link.link.publishing import NOT_OPEN, LatestSampleReceiver, SampleReceiver
-from unity_link.protocol.messages import SAMPLE_HEAD, TIMESTAMP_DIGITS, GroupFlag
-from unity_link.protocol.numbers import real_number, whole_number
+from unity_link.protocol.wire.messages import SAMPLE_HEAD, TIMESTAMP_DIGITS, GroupFlag
+from unity_link.protocol.wire.numbers import real_number, whole_number
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine, Sequence

@@ -16,7 +16,7 @@ from unity_link.protocol.window.constants import QUICK_TIMEOUT, SHORTEST_TIMEOUT
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.protocol.path import Path
+    from unity_link.protocol.wire.path import Path
     from unity_link.transport.turns import Seat
 
 

@@ -23,11 +23,11 @@ from typing import TYPE_CHECKING, Protocol, runtime_checkable
 import msgspec
 
 from unity_link.errors import ArgumentError
-from unity_link.protocol.compact import CompactForm, Packer, text_of
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.frames import in_session
 from unity_link.protocol.gateway.session import Answer, GatewaySession
-from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode, Repeat, RequestError
+from unity_link.protocol.wire.compact import CompactForm, Packer, text_of
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.frames import in_session
+from unity_link.protocol.wire.messages import COMMANDS, Codec, ErrorCode, Repeat, RequestError
 from unity_link.virtual.bus import AccessError, Device, ModelBus
 from unity_link.virtual.commands import CommandSet, FieldRangeError
 from unity_link.virtual.groups import PublishGroups
@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     import asyncio
     from collections.abc import Callable, Iterable, MutableMapping
 
-    from unity_link.protocol.messages import DecodedRequest
+    from unity_link.protocol.wire.messages import DecodedRequest
 
 _ENDS = re.compile(rb"([\r\n])")
 _BROADCAST = 0xFF

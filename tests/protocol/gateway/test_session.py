@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.gateway.session import GatewaySession
-from unity_link.protocol.messages import Codec, ErrorCode
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.messages import Codec, ErrorCode
 
 
 def test_there_is_a_session_from_its_first_id_on_whatever_that_is_until_a_reset() -> None:

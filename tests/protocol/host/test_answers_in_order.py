@@ -19,13 +19,13 @@ from support.open_at_once import open_at_once
 from support.searching import examples
 from support.valve import as_gateway
 from support.window_state import window_state
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.frames import FrameError
 from unity_link.protocol.host.batches import BatchRun, WordBatch
 from unity_link.protocol.host.receiver import Counters, ResponseReceiver
 from unity_link.protocol.host.requests import Fence, Request
 from unity_link.protocol.host.session import Session
 from unity_link.protocol.window.window import Window
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.frames import FrameError
 
 REPLIES = {"R": 8, "W": 0, "WS": None, "RM": 24, "H": 2}
 KINDS = ["whole"] * 12 + ["damaged", "lost", "double", "other ID", "error", "no session", "out of sequence", "sample"]

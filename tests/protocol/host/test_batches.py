@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from unity_link.errors import BusError
-from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.host.batches import WordBatch
 from unity_link.protocol.host.host_codec import HostCodec
+from unity_link.protocol.wire.configuration import GatewayInfo
 
 if TYPE_CHECKING:
     from unity_link.protocol.host.events import Events

@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 
 from support.open_at_once import open_at_once
 from support.valve import as_gateway
-from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.host.batches import WordBatch
 from unity_link.protocol.host.requests import Request
 from unity_link.protocol.host.session import Session
+from unity_link.protocol.wire.configuration import GatewayInfo
 
 SHORT = GatewayInfo(id_digits=2)
 """With a CRC of 8 bits, one damaged frame in 256 would pass, and some of these only where reads are cut so."""

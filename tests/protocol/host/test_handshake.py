@@ -7,9 +7,6 @@ import itertools
 import pytest
 
 from unity_link.errors import ConnectError, LinkLostError, UnsupportedError
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.crc import Crc
-from unity_link.protocol.frames import Framing
 from unity_link.protocol.host.handshake import ECHO, RESET_TRIES, Handshake, SessionNumbers, State
 from unity_link.protocol.window.constants import (
     CHECKED_TRIES,
@@ -20,6 +17,9 @@ from unity_link.protocol.window.constants import (
     LONGEST_TRY,
     SURE,
 )
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.crc import Crc
+from unity_link.protocol.wire.frames import Framing
 from unity_link.transport import udp
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Straying

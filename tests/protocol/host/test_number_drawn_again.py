@@ -17,13 +17,13 @@ from support.recorded_bus import RecordedBus
 from support.shared_pair import PAIR, SharedPair
 from support.simulated_time import on_simulated_time
 from unity_link.errors import GatewayResetError, LinkLostError, Outcome
-from unity_link.protocol.configuration import GatewayInfo
 from unity_link.protocol.host.batches import RequestBlock, WordBatch
 from unity_link.protocol.host.events import Interrupted, Opened, Taken, Unusable
 from unity_link.protocol.host.requests import Confirmation, Request
 from unity_link.protocol.host.session import Session
-from unity_link.protocol.messages import GroupFlag
 from unity_link.protocol.window.constants import KEEP_ALIVE, MOST_TRIES
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.messages import GroupFlag
 from unity_link.virtual import VirtualGateway
 
 if TYPE_CHECKING:

@@ -10,10 +10,10 @@ from hypothesis import strategies as st
 
 from support.searching import examples
 from support.window_state import window_state
-from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.host.receiver import Counters
 from unity_link.protocol.host.requests import Request
 from unity_link.protocol.host.session import Session
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
 from unity_link.virtual import VirtualGateway
 
 if TYPE_CHECKING:

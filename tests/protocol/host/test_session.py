@@ -10,13 +10,13 @@ import pytest
 from support.floods import FLOODS
 from support.valve import as_gateway
 from unity_link.errors import ConnectError, LinkLostError, Outcome, UnansweredError, UnsupportedError
-from unity_link.protocol.configuration import Feature, GatewayInfo
 from unity_link.protocol.host.batches import WordBatch, common_outcome
 from unity_link.protocol.host.events import Interrupted, Opened, Unusable
 from unity_link.protocol.host.requests import Confirmation, Request
 from unity_link.protocol.host.session import Session
-from unity_link.protocol.messages import GroupFlag
 from unity_link.protocol.window.constants import LONGEST_SILENCE, MOST_REFUSALS
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.messages import GroupFlag
 from unity_link.virtual import VirtualGateway
 
 if TYPE_CHECKING:

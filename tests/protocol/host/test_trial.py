@@ -6,13 +6,13 @@ import pytest
 
 from protocol_model.gateway_on_the_page import END, ESCAPE, START
 from support.makers import BUS_ERROR, COMPACT, RTL, compiled, simulated, with_failing
-from unity_link.protocol.compact import CompactForm, Packer
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.crc import seed_of
 from unity_link.protocol.host.handshake import NOT_CARRIED, Handshake, SessionNumbers, State
 from unity_link.protocol.host.host_codec import HostCodec
 from unity_link.protocol.host.trial import FIRST_IDS, ID_ALONE, IDS, Trial, first_id
 from unity_link.protocol.window.constants import DAMAGE_PAUSE, FIRST_TRY, TRIALS
+from unity_link.protocol.wire.compact import CompactForm, Packer
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.crc import seed_of
 from unity_link.virtual import VirtualGateway
 
 FEATURES = GatewayInfo().features | Feature.COMPACT

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, cast
 
 from unity_link.bridges.serve.requests import Relayed, RelayedRows, Said
 from unity_link.bridges.serve.turns import ClientQueue
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.messages import ErrorCode
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

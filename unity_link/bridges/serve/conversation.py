@@ -15,12 +15,12 @@ import numpy as np
 from unity_link.bridges.serve.groups import ClientGroup, GroupSettings
 from unity_link.bridges.serve.leases import ArmRequest
 from unity_link.bridges.serve.requests import Relayed, RelayedRows, answer_digits
-from unity_link.protocol.arrays import matching_rows
-from unity_link.protocol.configuration import Feature
-from unity_link.protocol.frames import LF, in_session
 from unity_link.protocol.gateway.reception import group_fits
 from unity_link.protocol.gateway.session import UNDER_WAY, Answer, GatewaySession
-from unity_link.protocol.messages import Codec, DecodedRequest, ErrorCode
+from unity_link.protocol.wire.arrays import matching_rows
+from unity_link.protocol.wire.configuration import Feature
+from unity_link.protocol.wire.frames import LF, in_session
+from unity_link.protocol.wire.messages import Codec, DecodedRequest, ErrorCode
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -9,11 +9,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Protocol
 
 from unity_link.errors import GatewayError, Outcome, UnansweredError, UnityLinkError, UnsupportedError
-from unity_link.protocol.arrays import matching_rows, request_rows
 from unity_link.protocol.host.batches import BatchRun, WordBatch
 from unity_link.protocol.host.events import Awaited
 from unity_link.protocol.host.requests import Request
-from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode, Repeat, parse_numbers
+from unity_link.protocol.wire.arrays import matching_rows, request_rows
+from unity_link.protocol.wire.messages import COMMANDS, Codec, ErrorCode, Repeat, parse_numbers
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -20,10 +20,10 @@ from unity_link.data.describing import read_spec
 from unity_link.data.robot import check_gateway
 from unity_link.errors import ArgumentError, ConnectError, LinkLostError, UnityLinkError, UnsupportedError, reason_of
 from unity_link.link.connection import Connection, Reconnect
-from unity_link.protocol.configuration import Feature
 from unity_link.protocol.host.events import GroupEvent, PostedFailure, Sampled
 from unity_link.protocol.host.requests import Request
-from unity_link.protocol.messages import Codec
+from unity_link.protocol.wire.configuration import Feature
+from unity_link.protocol.wire.messages import Codec
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine

@@ -7,8 +7,9 @@ import secrets
 from itertools import groupby
 from typing import TYPE_CHECKING, Generic, NamedTuple, TypeVar
 
-from unity_link.protocol.compact import START, cut, text_of
-from unity_link.protocol.datagrams import (
+from unity_link.protocol.gateway.reception import Reception
+from unity_link.protocol.wire.compact import START, cut, text_of
+from unity_link.protocol.wire.datagrams import (
     NO_SESSION,
     OUTSIDE,
     REFUSAL,
@@ -19,15 +20,14 @@ from unity_link.protocol.datagrams import (
     read_header,
     with_header,
 )
-from unity_link.protocol.frames import FrameError, datagrams
-from unity_link.protocol.gateway.reception import Reception
-from unity_link.protocol.messages import RequestError
-from unity_link.protocol.path import Path
+from unity_link.protocol.wire.frames import FrameError, datagrams
+from unity_link.protocol.wire.messages import RequestError
+from unity_link.protocol.wire.path import Path
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.protocol.messages import Codec
+    from unity_link.protocol.wire.messages import Codec
 
 _OF_SESSION = re.compile(rb"[g-zP]")
 """First letters of answers that only a session has, and of samples."""

@@ -10,12 +10,12 @@ import enum
 import re
 from typing import TYPE_CHECKING
 
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.crc import NO_SESSION, seed_of
-from unity_link.protocol.messages import DecodedRequest, ErrorCode, GroupFlag, RequestError
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.crc import NO_SESSION, seed_of
+from unity_link.protocol.wire.messages import DecodedRequest, ErrorCode, GroupFlag, RequestError
 
 if TYPE_CHECKING:
-    from unity_link.protocol.messages import Codec
+    from unity_link.protocol.wire.messages import Codec
 
 _HEX = re.compile(rb"[0-9A-Fa-f]*")
 _NEEDED_FEATURES = {

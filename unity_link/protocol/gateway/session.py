@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from unity_link.protocol.configuration import Feature
-from unity_link.protocol.crc import NO_SESSION, seed_of
 from unity_link.protocol.gateway.reception import Reception, Sequence, SequencePlace
-from unity_link.protocol.messages import COMMANDS, LOOKING, Codec, DecodedRequest, ErrorCode, Repeat, RequestError
 from unity_link.protocol.window.constants import MOST_KEPT_WORDS
+from unity_link.protocol.wire.configuration import Feature
+from unity_link.protocol.wire.crc import NO_SESSION, seed_of
+from unity_link.protocol.wire.messages import COMMANDS, LOOKING, Codec, DecodedRequest, ErrorCode, Repeat, RequestError
 
 if TYPE_CHECKING:
     from collections.abc import Sequence as Words

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections import deque
 from typing import TYPE_CHECKING, Any
 
-from unity_link import protocol
 from unity_link.errors import (
     GatewayError,
     Outcome,
     UnansweredError,
     UnityLinkError,
 )
+from unity_link.protocol import wire
 from unity_link.protocol.host.events import Awaited, PostedFailure
 from unity_link.protocol.host.requests import REPEATABLE, Message, Request, Source
 
@@ -21,9 +21,9 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from unity_link.protocol.arrays import Words
     from unity_link.protocol.host.events import Events
     from unity_link.protocol.host.host_codec import HostCodec
+    from unity_link.protocol.wire.arrays import Words
 
 SMALLEST_BATCH = 512
 """Messages of a batch for which room is waited for while others are under way, or for half of a smaller window: numpy
@@ -124,14 +124,14 @@ class WordBatch(Awaited):
         """Number of messages that were given an ID; a new session may send some of them again."""
         self.done = False
         """True if `answer` or `error` is known; of posted writes, whether all were sent."""
-        self.answer: Words = protocol.arrays.zeros(0 if self.posted else self.count, codec.info.data_digits)
+        self.answer: Words = wire.arrays.zeros(0 if self.posted else self.count, codec.info.data_digits)
         self.error: UnityLinkError | None = None
         self.waiter: Any = None
         self.poster: Any = None
         """Task or thread that has posted it."""
         self.given_up = False
         """True if no call waits for it any more."""
-        self._fields = protocol.arrays.hex_columns(columns)
+        self._fields = wire.arrays.hex_columns(columns)
         self._unanswered = self.count
         self._refusal: tuple[int, GatewayError] | None = None
         """The first message that the gateway refused, and how."""
@@ -228,7 +228,7 @@ class BatchRun(Message):
     def encode(self) -> bytes:
         """Return the frames, under the IDs that the window has given."""
         fields = self._batch.fields(self._start, self.count)
-        self.frames = protocol.arrays.request_rows(self.codec, self.command, self.first, fields, self.codec.seed)
+        self.frames = wire.arrays.request_rows(self.codec, self.command, self.first, fields, self.codec.seed)
         return self.frames
 
     def take_frame(self, offset: int, frame: bytes, events: Events) -> bool:
@@ -258,7 +258,7 @@ class BatchRun(Message):
         """Take the responses to messages from `offset` on; return how many of the frames were such responses."""
         number = self.first + offset & self.codec.id_count - 1
         codec, digits = self.codec, self._batch.reply_digits or 0
-        words = protocol.arrays.response_rows(codec, self.command, number, frames, digits, codec.seed_back)
+        words = wire.arrays.response_rows(codec, self.command, number, frames, digits, codec.seed_back)
         if words is None:
             return 0
         self._batch.put(self._start + offset, len(words), words, events)

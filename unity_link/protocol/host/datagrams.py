@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from unity_link.errors import ConnectError, UnsupportedError
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.crc import Crc
-from unity_link.protocol.datagrams import (
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.crc import Crc
+from unity_link.protocol.wire.datagrams import (
     NO_SESSION,
     OUTSIDE,
     REFUSAL,
@@ -16,8 +16,8 @@ from unity_link.protocol.datagrams import (
     read_header,
     with_header,
 )
-from unity_link.protocol.frames import COMPACT_END, LF, FrameError, Framing, datagrams
-from unity_link.protocol.path import Path
+from unity_link.protocol.wire.frames import COMPACT_END, LF, FrameError, Framing, datagrams
+from unity_link.protocol.wire.path import Path
 
 
 class HostDatagrams:

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from unity_link.protocol.host.events import Events
     from unity_link.protocol.host.host_codec import HostCodec
-    from unity_link.protocol.path import Path
+    from unity_link.protocol.wire.path import Path
 
 
 class HeldGroup(Awaited):

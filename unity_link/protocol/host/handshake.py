@@ -12,7 +12,7 @@ answer.
 If the session was asked for in compact form, the line is tried next (`unity_link.protocol.host.trial`). On a line that
 does not carry the form, `K i s` begins another session, whose frames are text.
 
-Where frames are in datagrams, `K i s` is padded to the longest datagram of the path (`unity_link.protocol.path`).
+Where frames are in datagrams, `K i s` is padded to the longest datagram of the path (`unity_link.protocol.wire.path`).
 
 What comes back as it was sent is an adapter's echo, which is passed over where an answer follows.
 """
@@ -27,9 +27,6 @@ from collections import deque
 from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.errors import ConnectError, LinkLostError, UnsupportedError
-from unity_link.protocol.configuration import HEX_DIGITS, Feature, GatewayInfo
-from unity_link.protocol.crc import NO_SESSION
-from unity_link.protocol.frames import COMPACT_END, LF, MOST_LINES, FrameError
 from unity_link.protocol.host.host_codec import HostCodec
 from unity_link.protocol.host.trial import Trial, first_id
 from unity_link.protocol.window.constants import (
@@ -45,11 +42,14 @@ from unity_link.protocol.window.constants import (
     TRIAL_FACTOR,
     TRIALS,
 )
+from unity_link.protocol.wire.configuration import HEX_DIGITS, Feature, GatewayInfo
+from unity_link.protocol.wire.crc import NO_SESSION
+from unity_link.protocol.wire.frames import COMPACT_END, LF, MOST_LINES, FrameError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.protocol.path import Path
+    from unity_link.protocol.wire.path import Path
 
 RESET_TRIES = 3
 """Number of times a gateway is asked for the state of its session before a session is asked for all the same."""

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from unity_link.protocol.configuration import Feature
-from unity_link.protocol.crc import NO_SESSION, seed_of
-from unity_link.protocol.frames import LF
-from unity_link.protocol.messages import Codec
+from unity_link.protocol.wire.configuration import Feature
+from unity_link.protocol.wire.crc import NO_SESSION, seed_of
+from unity_link.protocol.wire.frames import LF
+from unity_link.protocol.wire.messages import Codec
 
 if TYPE_CHECKING:
-    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.wire.configuration import GatewayInfo
 
 
 class HostCodec(Codec):

@@ -10,13 +10,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from unity_link import protocol
 from unity_link.errors import UnsupportedError
-from unity_link.protocol.frames import LF, MOST_LINES, FrameError, OtherNodeError
+from unity_link.protocol import wire
 from unity_link.protocol.host.batches import BatchRun
 from unity_link.protocol.host.events import Sampled, SampledRows, SampledTogether
 from unity_link.protocol.host.requests import Request, gateway_error
-from unity_link.protocol.messages import COMMANDS, WITHOUT_ID, ErrorCode
+from unity_link.protocol.wire.frames import LF, MOST_LINES, FrameError, OtherNodeError
+from unity_link.protocol.wire.messages import COMMANDS, WITHOUT_ID, ErrorCode
 
 if TYPE_CHECKING:
     from collections import Counter
@@ -215,7 +215,7 @@ class ResponseReceiver:
         if not data.startswith(head, start + size):
             return self._receive_mixture(data, start, now, events)
         # Imported since the group was asked for.
-        arrays = protocol.arrays
+        arrays = wire.arrays
         bodies = arrays.open_rows(framing, arrays.rows_of(data, start, count, size), head, self.codec.seed_back)
         if len(bodies) < FEWEST_SAMPLES:
             return self._receive_mixture(data, start, now, events)
@@ -225,7 +225,9 @@ class ResponseReceiver:
     def _receive_mixture(self, data: bytes, start: int, now: float, events: Events) -> int:
         """Take samples of several groups as long as they stand side by side; return where they end."""
         codec = self.codec
-        found = protocol.mixture.find_mixture(data, start, codec.framing, self._groups.begun, codec.seed_back)
+        found = wire.interleaved_samples.find_interleaved(
+            data, start, codec.framing, self._groups.begun, codec.seed_back
+        )
         if found is None or len(found.owners) < FEWEST_SAMPLES:
             return start
         events.append(SampledTogether(found.owners, found.parts, now))

@@ -12,7 +12,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Protocol
 
-from unity_link import protocol
 from unity_link.errors import (
     BusError,
     BusTimeoutError,
@@ -22,9 +21,10 @@ from unity_link.errors import (
     UnityLinkError,
     UnsupportedError,
 )
-from unity_link.protocol.frames import LF
+from unity_link.protocol import wire
 from unity_link.protocol.host.events import Awaited, PostedFailure
 from unity_link.protocol.window.sequence_space import Run
+from unity_link.protocol.wire.frames import LF
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -332,7 +332,7 @@ class Request(Message, Awaited):
         if not data:
             return None
         if self.command in _MANY_WORDS:
-            return protocol.arrays.parse_words(data, self.codec.data_digits)
+            return wire.arrays.parse_words(data, self.codec.data_digits)
         return int(data, 16)
 
     def cancel(self) -> None:

@@ -36,16 +36,12 @@ from unity_link.errors import (
     UnansweredError,
     UnsupportedError,
 )
-from unity_link.protocol.configuration import Feature
-from unity_link.protocol.crc import NO_SESSION
-from unity_link.protocol.frames import LF, LONGEST_FRAME
 from unity_link.protocol.host.batches import RequestBlock
 from unity_link.protocol.host.events import Interrupted, Opened, Taken, Unusable
 from unity_link.protocol.host.group_table import GroupTable
 from unity_link.protocol.host.handshake import TAKEN, Handshake, SessionNumbers
 from unity_link.protocol.host.receiver import Counters, ResponseReceiver
 from unity_link.protocol.host.requests import Confirmation, Fence, Request, SessionRequest, Source
-from unity_link.protocol.path import LONGEST_MTU, RESERVE
 from unity_link.protocol.window.constants import (
     ANSWER_PATIENCE,
     FEWEST_OF_A_FLOOD,
@@ -56,16 +52,20 @@ from unity_link.protocol.window.constants import (
     MOST_TRIES,
 )
 from unity_link.protocol.window.window import Window
+from unity_link.protocol.wire.configuration import Feature
+from unity_link.protocol.wire.crc import NO_SESSION
+from unity_link.protocol.wire.frames import LF, LONGEST_FRAME
+from unity_link.protocol.wire.path import LONGEST_MTU, RESERVE
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.protocol.compact import Packer, Unpacker
     from unity_link.protocol.host.events import Events
     from unity_link.protocol.host.group_table import HeldGroup
     from unity_link.protocol.host.host_codec import HostCodec
     from unity_link.protocol.host.requests import Message
-    from unity_link.protocol.path import Path
+    from unity_link.protocol.wire.compact import Packer, Unpacker
+    from unity_link.protocol.wire.path import Path
 
 _FIRST_TURN = 256
 """Bytes of a question of the handshake and its answer, at most; gateways of later versions say more of themselves."""
@@ -902,7 +902,7 @@ class Session:
             return
         self._packer = self._unpacker = None
         if compact:
-            from unity_link.protocol.compact import CompactForm, Packer, Unpacker
+            from unity_link.protocol.wire.compact import CompactForm, Packer, Unpacker
 
             forms = [CompactForm.of(self.codec.info, from_gateway=side) for side in (False, True)]
             self._packer, self._unpacker = Packer(forms[0]), Unpacker(forms[1])

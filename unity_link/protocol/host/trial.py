@@ -8,15 +8,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
-from unity_link.protocol.compact import CompactForm, Packer, Unpacker
-from unity_link.protocol.configuration import Feature
-from unity_link.protocol.crc import seed_of
-from unity_link.protocol.frames import LF, FrameError
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.compact import CompactForm, Packer, Unpacker
+from unity_link.protocol.wire.configuration import Feature
+from unity_link.protocol.wire.crc import seed_of
+from unity_link.protocol.wire.frames import LF, FrameError
+from unity_link.protocol.wire.messages import ErrorCode
 
 if TYPE_CHECKING:
-    from unity_link.protocol.configuration import GatewayInfo
     from unity_link.protocol.host.host_codec import HostCodec
+    from unity_link.protocol.wire.configuration import GatewayInfo
 
 FIRST_IDS: Final = {2: range(0x14, 0x54), 3: range(0x132, 0x800)}
 """First IDs of a session, by digits of an ID: those of the trial are in the half of the sequence space before them."""

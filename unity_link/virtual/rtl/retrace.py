@@ -19,9 +19,9 @@ from unity_link.capture.observed_session import ObservedSession
 from unity_link.capture.transcript import FrameCutter
 from unity_link.errors import ArgumentError, ConnectError
 from unity_link.files import Writing, head_of, is_device
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.crc import seed_of
-from unity_link.protocol.messages import Codec, ErrorCode, GroupFlag
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.crc import seed_of
+from unity_link.protocol.wire.messages import Codec, ErrorCode, GroupFlag
 from unity_link.virtual.bus import AccessError
 from unity_link.virtual.rtl.configurations import configurations
 from unity_link.virtual.rtl.gateway import MOST_WHILE_TICKING, RtlGateway

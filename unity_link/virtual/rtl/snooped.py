@@ -17,11 +17,11 @@ import msgspec
 from unity_link.capture.observed_session import ObservedSession
 from unity_link.capture.transcript import CONFIGURATION, QUESTION, FrameCutter
 from unity_link.errors import ArgumentError, UnsupportedError
-from unity_link.protocol.compact import text_of
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.frames import CR, LF
 from unity_link.protocol.gateway.session import Answer, GatewaySession
-from unity_link.protocol.messages import (
+from unity_link.protocol.wire.compact import text_of
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.frames import CR, LF
+from unity_link.protocol.wire.messages import (
     TIMESTAMP_DIGITS,
     Codec,
     DecodedRequest,

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from unity_link.protocol.crc import Crc
-from unity_link.protocol.frames import Framing
 from unity_link.protocol.host.group_table import HeldGroup
-from unity_link.protocol.mixture import FEWEST_OF_A_SIZE, find_mixture
+from unity_link.protocol.wire.crc import Crc
+from unity_link.protocol.wire.frames import Framing
+from unity_link.protocol.wire.interleaved_samples import FEWEST_OF_A_SIZE, find_interleaved
 
 FRAMING = Framing(Crc())
 SEED = 0x2469
@@ -24,12 +24,12 @@ def sample(group: HeldGroup, sequence: int) -> bytes:
 
 def found(data: bytes, start: int = 0) -> tuple[list[str], int]:
     """Return the owners in the order of the samples, and how many characters they take."""
-    mixture = find_mixture(data, start, FRAMING, GROUPS, SEED)
-    if mixture is None:
+    samples = find_interleaved(data, start, FRAMING, GROUPS, SEED)
+    if samples is None:
         return [], 0
-    assert sorted(place for places, _ in mixture.parts for place in places) == [*range(len(mixture.owners))]
-    assert all(len(places) == len(bodies) for places, bodies in mixture.parts)
-    return mixture.owners, mixture.size
+    assert sorted(place for places, _ in samples.parts for place in places) == [*range(len(samples.owners))]
+    assert all(len(places) == len(bodies) for places, bodies in samples.parts)
+    return samples.owners, samples.size
 
 
 @pytest.mark.parametrize("start", [0, 5])
@@ -43,9 +43,9 @@ def test_samples_of_unlike_sizes_are_found_in_their_order() -> None:
     order = [SHORT, LONG, LONG, SHORT] * FEWEST_OF_A_SIZE
     data = b"".join(sample(group, number) for number, group in enumerate(order))
     assert found(data) == ([group.owner for group in order], len(data))
-    mixture = find_mixture(data, 0, FRAMING, GROUPS, SEED)
-    assert mixture is not None
-    for places, bodies in mixture.parts:
+    samples = find_interleaved(data, 0, FRAMING, GROUPS, SEED)
+    assert samples is not None
+    for places, bodies in samples.parts:
         assert [bytes(body) for body in bodies] == [sample(order[place], place)[:-5] for place in places]
 
 

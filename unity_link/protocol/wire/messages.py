@@ -18,10 +18,10 @@ import struct
 from binascii import hexlify, unhexlify
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from unity_link import protocol
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.crc import Crc
-from unity_link.protocol.frames import Framing
+from unity_link.protocol import wire
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.crc import Crc
+from unity_link.protocol.wire.frames import Framing
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -402,7 +402,7 @@ def _id_tables(digits: int) -> tuple[list[bytes], dict[bytes, int]]:
 def hex_text(numbers: Sequence[int] | NDArray[Any], digits: int) -> bytes:
     """Return numbers side by side as upper-case hex digits."""
     if not isinstance(numbers, (list, tuple)):
-        return protocol.arrays.hex_rows(numbers, digits).tobytes()
+        return wire.arrays.hex_rows(numbers, digits).tobytes()
     if digits in _PACKED:
         return hexlify(struct.pack(f">{len(numbers)}{_PACKED[digits]}", *numbers)).upper()
     return b"%%0%dX" % digits * len(numbers) % tuple(numbers)

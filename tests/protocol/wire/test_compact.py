@@ -5,7 +5,7 @@ from __future__ import annotations
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from unity_link.protocol.compact import (
+from unity_link.protocol.wire.compact import (
     COMMANDS,
     END,
     ESCAPE,

@@ -11,11 +11,11 @@ import itertools
 import numpy as np
 import pytest
 
-from unity_link.protocol.arrays import crc_rows
-from unity_link.protocol.compact import CompactForm, Packer, text_of
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.crc import Crc, seed_of
-from unity_link.protocol.messages import COMMANDS, Codec
+from unity_link.protocol.wire.arrays import crc_rows
+from unity_link.protocol.wire.compact import CompactForm, Packer, text_of
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.crc import Crc, seed_of
+from unity_link.protocol.wire.messages import COMMANDS, Codec
 from unity_link.virtual import BareGateway, VirtualGateway
 from unity_link.virtual.rtl import RtlGateway
 from unity_link.virtual.rtl.configurations import find

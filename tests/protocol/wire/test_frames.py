@@ -8,8 +8,8 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from unity_link.protocol.crc import Crc
-from unity_link.protocol.frames import LARGEST_DATAGRAM, FrameError, Framing, datagrams
+from unity_link.protocol.wire.crc import Crc
+from unity_link.protocol.wire.frames import LARGEST_DATAGRAM, FrameError, Framing, datagrams
 
 FRAMINGS = [Framing(Crc()), Framing(Crc(16, 0x1021)), Framing(Crc(32, 0x04C11DB7)), Framing(Crc(), node=0x5A)]
 bodies = st.text("0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZghijklmnopqrstuvwxyz", max_size=40).map(str.encode)

@@ -3,7 +3,7 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
-from unity_link.protocol.finding import EVERYBODY, Found, answer, ask, asked, read_answer
+from unity_link.protocol.wire.discovery import EVERYBODY, Found, answer, ask, asked, read_answer
 
 MAC = bytes.fromhex("02554c000001")
 MACS = st.binary(min_size=6, max_size=6)

@@ -10,15 +10,15 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Protocol, TypeAlias
 
 import numpy as np
 
-from unity_link.protocol.arrays import open_rows
-from unity_link.protocol.frames import LF
+from unity_link.protocol.wire.arrays import open_rows
+from unity_link.protocol.wire.frames import LF
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
     from numpy.typing import NDArray
 
-    from unity_link.protocol.frames import Framing
+    from unity_link.protocol.wire.frames import Framing
 
 FEWEST_OF_A_SIZE = 8
 """Frames of one size that are worth a turn of numpy."""
@@ -35,7 +35,7 @@ class SampleGroup(Protocol):
     owner: Any
 
 
-class Mixture(NamedTuple):
+class InterleavedSamples(NamedTuple):
     """Sound samples, side by side."""
 
     owners: list[Any]
@@ -46,9 +46,9 @@ class Mixture(NamedTuple):
     """Characters of all frames."""
 
 
-def find_mixture(
+def find_interleaved(
     data: bytes, start: int, framing: Framing, groups: Mapping[bytes, SampleGroup], seed: int
-) -> Mixture | None:
+) -> InterleavedSamples | None:
     """Return the samples from `start` on, up to the first line that is none of these groups; None where there is none.
 
     Args:
@@ -85,7 +85,7 @@ def find_mixture(
         return None
     parts = [(places[places < count], bodies[: int(places.searchsorted(count))]) for places, bodies in found]
     size = count * size if ends is None else int(ends[count - 1])
-    return Mixture(_in_order(known, count), [part for part in parts if len(part[0])], size)
+    return InterleavedSamples(_in_order(known, count), [part for part in parts if len(part[0])], size)
 
 
 def _in_order(known: list[tuple[NDArray[np.intp], list[Any]]], count: int) -> list[Any]:

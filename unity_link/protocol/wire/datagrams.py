@@ -13,8 +13,8 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
-from unity_link.protocol.frames import FrameError, Framing
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.frames import FrameError, Framing
+from unity_link.protocol.wire.messages import ErrorCode
 
 NO_SESSION = 0
 OUTSIDE = 0

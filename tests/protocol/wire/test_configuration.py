@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from support.any_gateway import gateway_infos
 from unity_link.errors import UnsupportedError
-from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
 
 DEFAULT = b"032008031000001021FF0100FF0005F5E10002FAF08001000100007F00000000"
 

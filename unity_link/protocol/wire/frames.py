@@ -3,7 +3,7 @@
 A *checked* frame is the body, its CRC and LF. A *plain* one, which a person can type, is the body and CR; a gateway
 ends its plain replies with CR LF. On a medium that several nodes share ("Addressed frames") each body stands behind a
 prefix of `Z` and two digits, which the CRC covers. Everything above this module sees bodies only, and of a session
-what it puts into checks: the seed (`unity_link.protocol.crc.seed_of`).
+what it puts into checks: the seed (`unity_link.protocol.wire.crc.seed_of`).
 """
 
 from __future__ import annotations
@@ -13,13 +13,13 @@ import re
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from unity_link.protocol.crc import Crc
+    from unity_link.protocol.wire.crc import Crc
 
 LF = b"\n"
 CR = b"\r"
 _CR_BYTE = CR[0]
 COMPACT_START, COMPACT_END, COMPACT_ESCAPE = b"\xb5", b"\xca", b"\xd3"
-"""Bytes around a frame in compact form, and before one that would be one of them (`unity_link.protocol.compact`)."""
+"""Bytes before and after a frame in compact form, and before a byte with a value of these three."""
 COMPACT_STUFFED = 0x40
 """Value that is xored into a byte behind `COMPACT_ESCAPE`."""
 COMPACT_RESERVED = LF + CR + COMPACT_START + COMPACT_END + COMPACT_ESCAPE

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from unity_link.errors import ArgumentError, shown
 
 if TYPE_CHECKING:
-    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.wire.configuration import GatewayInfo
 
 
 MOST_BITS = 64

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from unity_link.protocol.frames import (
+from unity_link.protocol.wire.frames import (
     COMPACT_END,
     COMPACT_ESCAPE,
     COMPACT_RESERVED,

@@ -13,10 +13,10 @@ from hypothesis import strategies as st
 
 from support.any_gateway import gateway_infos
 from support.worked_examples import Example, worked_examples
-from unity_link.protocol.arrays import parse_words, request_rows, response_rows
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.crc import seed_of
-from unity_link.protocol.messages import (
+from unity_link.protocol.wire.arrays import parse_words, request_rows, response_rows
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.crc import seed_of
+from unity_link.protocol.wire.messages import (
     COMMANDS,
     LISTS,
     WITHOUT_ID,

@@ -2,7 +2,7 @@
 
 It is the same frame, with the CRC of its text: what is above this module sees text, and both forms mix at any time.
 Frames side by side are taken together, cut where an end and a start meet; where they are many bytes, of one command and
-one length, by numpy (`unity_link.protocol.compact_rows`).
+one length, by numpy (`unity_link.protocol.wire.compact_rows`).
 """
 
 from __future__ import annotations
@@ -12,8 +12,8 @@ import re
 from itertools import groupby
 from typing import TYPE_CHECKING, Final
 
-from unity_link.protocol.configuration import Feature
-from unity_link.protocol.frames import (
+from unity_link.protocol.wire.configuration import Feature
+from unity_link.protocol.wire.frames import (
     COMPACT_END,
     COMPACT_ESCAPE,
     COMPACT_RESERVED,
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
     from types import ModuleType
 
-    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.wire.configuration import GatewayInfo
 
 START: Final = COMPACT_START
 END: Final = COMPACT_END
@@ -312,7 +312,7 @@ def is_sample(frame: bytes, prefix: bytes) -> bool:
 
 def _rows() -> ModuleType:
     """Return the module that takes frames together, which needs numpy."""
-    from unity_link.protocol import compact_rows
+    from unity_link.protocol.wire import compact_rows
 
     return compact_rows
 

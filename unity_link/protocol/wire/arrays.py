@@ -1,7 +1,7 @@
 """Numbers, frames and words many at a time, as arrays: what batches, blocks and samples are made of.
 
-numpy is slow to load, so this module is asked for as ``protocol.arrays``, which imports it when it is first needed: by
-the first batch, block or subscription, before anything of it is sent, and by a server when it starts.
+numpy is slow to import, so other modules write ``wire.arrays``, which imports this module at the first use: by the
+first batch, block or subscription, before any of it is sent, and by a server when it starts.
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from unity_link.errors import ArgumentError, shown
-from unity_link.protocol.crc import Crc, byte_table
-from unity_link.protocol.frames import LF
-from unity_link.protocol.numbers import whole_number
+from unity_link.protocol.wire.crc import Crc, byte_table
+from unity_link.protocol.wire.frames import LF
+from unity_link.protocol.wire.numbers import whole_number
 
 if TYPE_CHECKING:
-    from unity_link.protocol.configuration import GatewayInfo
-    from unity_link.protocol.frames import Framing
+    from unity_link.protocol.wire.configuration import GatewayInfo
+    from unity_link.protocol.wire.frames import Framing
 
 Words: TypeAlias = NDArray[np.unsignedinteger[Any]]
 _FEWEST_ROWS = 20

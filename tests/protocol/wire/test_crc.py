@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from unity_link.protocol.arrays import crc_rows
-from unity_link.protocol.crc import Crc
+from unity_link.protocol.wire.arrays import crc_rows
+from unity_link.protocol.wire.crc import Crc
 
 USUAL = [(8, 0x07), (16, 0x1021), (32, 0x04C11DB7)]
 

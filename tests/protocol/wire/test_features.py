@@ -9,11 +9,11 @@ import pytest
 
 from support.spec_examples import FIGURE_1
 from unity_link.generate import generate
-from unity_link.protocol.configuration import Feature
+from unity_link.protocol.wire.configuration import Feature
 from unity_link.spec import compile_text
 from unity_link.virtual.generics import FEATURES, info_of
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 BITS = {name.lower(): int(bit).bit_length() - 1 for name, bit in Feature.__members__.items()}
 """The table: numbers of the bits, by names in small letters."""
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from unity_link.protocol.configuration import Feature
-from unity_link.protocol.numbers import as_decimal
+from unity_link.protocol.wire.configuration import Feature
+from unity_link.protocol.wire.numbers import as_decimal
 
 
 @pytest.mark.parametrize(("word", "text"), [(0, "0"), (0x7F, "127"), (0x80, "128 or -128"), (0xFF, "255 or -1")])

@@ -11,7 +11,7 @@ import enum
 import msgspec
 
 from unity_link.errors import UnsupportedError
-from unity_link.protocol.crc import last_session
+from unity_link.protocol.wire.crc import last_session
 
 PROTOCOL_VERSION = 3
 HEX_DIGITS = b"0123456789ABCDEFabcdef"

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from unity_link.protocol.frames import LARGEST_DATAGRAM, LF
+from unity_link.protocol.wire.frames import LARGEST_DATAGRAM, LF
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.protocol.frames import Framing
+    from unity_link.protocol.wire.frames import Framing
 
 SHORTEST_MTU, LONGEST_MTU = 576, 1500
 """Bytes of an IP packet: RFC 791 requires each host to take the first, and Ethernet carries the second."""
