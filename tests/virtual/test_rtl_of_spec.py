@@ -190,7 +190,7 @@ async def test_a_gateway_that_is_late_publishes_less_often_and_loses_nothing() -
     async with unity_link.connect("rtl:walker") as link, Walker(link).groups["state"].subscribe() as samples:
         await asyncio.sleep(0.02)
         loop: Any = asyncio.get_running_loop()
-        # Longer than a pump makes up for.
+        # Longer than a model clock makes up for.
         loop.jump(2.0)
         await asyncio.sleep(0.02)
         assert samples.received > 15

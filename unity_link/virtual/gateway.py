@@ -31,7 +31,7 @@ from unity_link.protocol.wire.messages import COMMANDS, Codec, ErrorCode, Repeat
 from unity_link.virtual.bus import AccessError, Device, ModelBus
 from unity_link.virtual.commands import CommandSet, FieldRangeError
 from unity_link.virtual.groups import PublishGroups
-from unity_link.virtual.pump import PumpedGateway
+from unity_link.virtual.model_clock import ClockedGateway
 from unity_link.virtual.transport import GatewayTransport
 
 if TYPE_CHECKING:
@@ -50,7 +50,7 @@ _DEFAULT_INFO = GatewayInfo()
 
 
 @runtime_checkable
-class Gateway(PumpedGateway, Protocol):
+class Gateway(ClockedGateway, Protocol):
     """Anything that behaves like a gateway: this model, the gateware in a simulator, a bad line before either.
 
     What subclasses it is a `unity_link.transport.Medium`: `unity_link.connect` opens it in place of a URL.

@@ -1,7 +1,7 @@
-"""Drives a gateway by the clock of an event loop: what every way of serving one has in common.
+"""The clock of a simulated gateway: it advances the gateway with the time of an event loop.
 
-A sample belongs to the instant at which it is due, not to the one at which the loop comes to it. So the pump steps from
-one due instant to the next, as far as the loop's time has come. It never does more in one go than `MOST_BYTES` or
+A sample belongs to the instant at which it is due, not to the one at which the loop comes to it. So the clock steps
+from one due instant to the next, as far as the loop's time has come. It never does more in one go than `MOST_BYTES` or
 `MOST_STEPS`, or for longer than `MOST_TURN`, so that the loop stays alive; a gateway that is asked for more samples
 than this machine can make runs late. What is later than `MOST_LAG`, or becomes due while the medium is blocked, waits
 in the gateway as far as there is room, and is otherwise counted as overruns.
@@ -10,7 +10,7 @@ A gateway that leaves time out (compiled gateware) but is quicker than time is l
 may take `LONGEST_TURN` to catch up: what comes to it next, such as a kick that is too late, finds that this time has
 passed.
 
-Where a turn takes so long that the next instant is past when it ends, the pump rests for `REST` before it goes on: many
+If a turn takes so long that the next instant is past when it ends, the clock rests for `REST` before it goes on: many
 samples in one turn of the loop cost little more than one, and a turn for each would take all of the loop's time.
 """
 
@@ -32,15 +32,15 @@ MOST_TURN = 0.02
 LONGEST_TURN = 0.5
 """The same of one that leaves time out, where the loop stood still and it is quicker than time."""
 REST = 0.001
-"""Seconds between the turns of a pump that is late: as finely as a loop sleeps anyway."""
+"""Seconds between the turns of a clock that is late: as finely as a loop sleeps anyway."""
 MOST_LAG = 1.0
 """Seconds by which the gateway's time may be behind that of the loop."""
 LONGEST_PAUSE = 10.0
 """The same as for `LONGEST_TURN`."""
 
 
-class PumpedGateway(Protocol):
-    """A gateway that is moved along from outside."""
+class ClockedGateway(Protocol):
+    """A gateway that a `ModelClock` advances."""
 
     wake: Callable[[], None]
     """Called when `next_due` has moved ahead for another reason than a call of `receive` or `advance`."""
@@ -76,8 +76,8 @@ class PumpedGateway(Protocol):
         """
 
 
-class Pump:
-    """Moves one gateway along.
+class ModelClock:
+    """Advances one gateway with the time of a loop.
 
     Args:
         gateway: what is driven.
@@ -86,7 +86,7 @@ class Pump:
         loop: whose time counts.
     """
 
-    def __init__(self, gateway: PumpedGateway, send: Callable[[bytes], None], loop: asyncio.AbstractEventLoop) -> None:
+    def __init__(self, gateway: ClockedGateway, send: Callable[[bytes], None], loop: asyncio.AbstractEventLoop) -> None:
         self.gateway = gateway
         self.blocked = False
         self._send = send

@@ -1,4 +1,4 @@
-"""The pump of a gateway that leaves time out, as compiled gateware does: behind a pause, and where it is too slow."""
+"""The clock of a gateway that leaves time out, as compiled gateware does: behind a pause, and where it is too slow."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from unity_link.virtual.pump import LONGEST_TURN, MOST_LAG, MOST_TURN, Pump
+from unity_link.virtual.model_clock import LONGEST_TURN, MOST_LAG, MOST_TURN, ModelClock
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -77,35 +77,35 @@ def loop() -> Iterator[Loop]:
 @pytest.mark.parametrize("pause", [0.2, 0.9])
 def test_what_comes_behind_a_pause_finds_that_all_of_its_time_has_passed(loop: Loop, pause: float) -> None:
     gateway = Gateway(loop, 0.4 * SLICE)
-    pump = Pump(gateway, lambda _: None, loop)
+    clock = ModelClock(gateway, lambda _: None, loop)
     for _ in range(100):
         loop.fire()
     begun = loop.now
     loop.now += pause
-    pump.feed(b"a kick")
+    clock.feed(b"a kick")
     ((_, instant),) = gateway.received
     assert instant == pytest.approx(begun + pause, abs=SLICE)
     assert gateway.time == pytest.approx(begun + pause, abs=2 * SLICE)
     assert gateway.left_out == 0
-    pump.close()
+    clock.close()
 
 
 def test_a_very_long_pause_does_not_stop_the_loop_for_as_long(loop: Loop) -> None:
     gateway = Gateway(loop, 0.4 * SLICE)
-    pump = Pump(gateway, lambda _: None, loop)
+    clock = ModelClock(gateway, lambda _: None, loop)
     loop.fire()
     for pause in (5.0, 3600.0):
         loop.now += pause
         begun = loop.now
-        pump.feed(b"a kick")
+        clock.feed(b"a kick")
         assert loop.now - begun < LONGEST_TURN + 2 * SLICE
     assert gateway.left_out > 3590
-    pump.close()
+    clock.close()
 
 
 def test_one_that_is_too_slow_leaves_the_loop_its_turns(loop: Loop) -> None:
     gateway = Gateway(loop, 2.5 * SLICE)
-    pump = Pump(gateway, lambda _: None, loop)
+    clock = ModelClock(gateway, lambda _: None, loop)
     turns = []
     for _ in range(2000):
         begun = max(loop.now, loop.when)
@@ -115,4 +115,4 @@ def test_one_that_is_too_slow_leaves_the_loop_its_turns(loop: Loop) -> None:
     # It runs at its own pace.
     assert gateway.left_out == pytest.approx(0.6 * loop.now, rel=0.1)
     assert loop.now - gateway.time <= MOST_LAG + 0.1
-    pump.close()
+    clock.close()
