@@ -1,6 +1,6 @@
-"""What runs the coroutines of a link: an event loop of asyncio, the calling thread, or tasks of trio.
+"""The runtimes of a link, which run its coroutines: asyncio, the calling thread of blocking code, and trio.
 
-- `runtime`: what a link asks of whatever runs it, and that of asyncio
+- `runtime`: the interface that a link needs, and its implementation for asyncio
 - `calling_thread`: blocking code; the thread that calls runs the coroutine
 - `trio_runtime`: tasks of trio
 - `waiter`, `timers`: futures and timers for the last two
