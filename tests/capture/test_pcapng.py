@@ -76,7 +76,7 @@ def test_a_connection_ends_with_its_time_and_the_reason() -> None:
 @pytest.mark.parametrize(
     ("body", "words"),
     [
-        (struct.pack(">IHHq", pcapng.ORDER, 1, 0, -1), "its bytes stand in another order"),
+        (struct.pack(">IHHq", pcapng.ORDER, 1, 0, -1), "its byte order is big-endian"),
         (struct.pack("<IHHq", pcapng.ORDER, 1, 0, -1), "but of another program"),
     ],
 )

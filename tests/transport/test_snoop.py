@@ -267,7 +267,7 @@ def test_what_another_program_joined_is_read_as_the_snoops_in_it(tmp_path: Path)
     path.write_bytes(path.read_bytes() + block(1, struct.pack("<HHI", 1, 0, 0)))
     said: list[str] = []
     assert list(read(path, said.append)) == expected
-    assert "what is captured is no connection to a gateway" in said[0]
+    assert "an interface that is no connection to a gateway" in said[0]
 
 
 def test_a_full_disk_ends_the_snoop_and_not_the_link(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:

@@ -1,7 +1,8 @@
-"""Frames in words: requests, and what a gateway sends.
+"""The meaning of single frames, in words.
 
-A response with an ID does not repeat what it answers, and a publish does not say which addresses its words are of, so
-the decoder is given both directions.
+The decoder needs the frames of both directions. A response with an ID does not repeat the request, so its address and
+command come from the request with the same ID. A sample does not contain its addresses; they come from the request that
+set up its group.
 """
 
 from __future__ import annotations
@@ -41,7 +42,8 @@ ERRORS = {
     11: "the session of a program is under way, or that of this number",
 }
 _MODES = {0: "off", 1: "always", 2: "adaptive"}
-# {a} address, {d} word, {n} count, {D} words, {g} group, {s} mode, {i} ID; what a response lacks is from its request.
+# Texts of responses. {a} is an address, {d} a word, {n} a count, {D} several words, {g} a group, {s} a mode, {i} an ID,
+# {k} a session and {b} the session before. Fields that a response lacks come from its request.
 _TEXTS = {
     "R": "read of {a}: {d}",
     "RM": "block read of {n} words from {a}: {D}",
@@ -58,10 +60,8 @@ _TEXTS = {
     "H": "nothing, done",
     "K": "{k} has begun, the next ID expected is {i}; {b} ended",
 }
-_SESSION_TOLD = "{k} is under way"
-
-
-# The same letters, {m} for a mask, and of a group its {f} flags and divisor and its {A} addresses.
+_CURRENT_SESSION = "{k} is under way"
+# Texts of requests, with the same letters; also {m} for a mask, and {f} and {A} for the flags and addresses of a group.
 _REQUESTS = {
     "R": "read {a}",
     "RM": "read {n} words from {a} on",
@@ -80,7 +80,7 @@ _REQUESTS = {
     "Q": "what are you?",
     "K": "begin {k}, the next ID is {i}",
 }
-_SESSION_ASKED = "which session is under way?"
+_SESSION_QUERY = "which session is under way?"
 _FLAGS = {
     GroupFlag.TRIGGER: "at its trigger",
     GroupFlag.IMMEDIATE: "sent immediately",
@@ -97,11 +97,11 @@ class FrameKind(enum.StrEnum):
     REQUEST = "request"
     ANSWER = "answer"
     ERROR = "error"
-    """An error, or the next ID expected: an answer that is no good news."""
+    """An error response, or an ``n`` after a lost request."""
     SAMPLE = "sample"
     DAMAGED = "damaged"
     UNKNOWN = "unknown"
-    """Sound, and no message."""
+    """The CRC is right, but the frame is not a message of this gateway's widths."""
 
 
 class Meaning(NamedTuple):
@@ -109,27 +109,30 @@ class Meaning(NamedTuple):
 
     kind: FrameKind
     words: str
+    """The frame's content as a phrase, such as ``read of 0x88: 42 (ID 01F)``."""
     command: str = ""
-    """Letter of the command in upper case, ``X``, ``N`` and ``P`` among them."""
+    """Letters of the command in upper case; also ``X`` (error), ``N`` (next ID expected) and ``P`` (sample)."""
     id: int | None = None
+    """ID of the request or response, or for ``N`` the next ID expected."""
     group: int | None = None
     """Group of a sample."""
     error: int | None = None
+    """Code of an error response."""
 
 
 class Decoder:
-    """Puts what passes between one gateway and its host into words.
+    """Decodes the frames between one gateway and its host, in the order in which they passed.
 
     Args:
-        codec: the messages of the gateway.
+        codec: message codec with the widths of the gateway.
     """
 
     def __init__(self, codec: Codec) -> None:
         self._codec = codec
         self._requests: dict[int, DecodedRequest] = {}
         self._groups: dict[int, DecodedRequest] = {}
-        self._asked: dict[int, DecodedRequest] = {}
-        """Settings of groups that the gateway has not confirmed yet."""
+        self._unconfirmed: dict[int, DecodedRequest] = {}
+        """Latest ``GS`` request of each group, until the gateway confirms or refuses it."""
         node = codec.framing.prefix
         self.session = ObservedSession(codec.framing)
         self._to_all = Framing(codec.framing.crc, _BROADCAST) if node else None
@@ -137,7 +140,7 @@ class Decoder:
     # Requests
 
     def listen(self, body: bytes) -> DecodedRequest | None:
-        """Take the body of a request that is sent; return it decoded, None where it is no proper request."""
+        """Decode and remember the body of a request from the host; return None if it is not a valid request."""
         try:
             request = self._codec.decode_plain_request(body)
         except RequestError:
@@ -145,11 +148,11 @@ class Decoder:
         if request.id is not None:
             self._requests[request.id] = request
         if request.command == "GS":
-            self._asked[request.values[0]] = request
+            self._unconfirmed[request.values[0]] = request
         return request
 
     def explain_request(self, line: bytes) -> Meaning:
-        """Put a frame that a host sent, given without its LF, into words."""
+        """Return the meaning of a frame from the host, given without its LF."""
         to_all = self._to_all is not None and line.startswith(self._to_all.prefix)
         try:
             body = self._to_all.open(line) if to_all and self._to_all else self.session.open(line, from_gateway=False)
@@ -158,8 +161,9 @@ class Decoder:
         request = self.listen(body)
         if request is None:
             return Meaning(FrameKind.UNKNOWN, "not a request to this gateway")
-        asks = request.command == "K" and not request.values
-        text = _SESSION_ASKED if asks else _REQUESTS[request.command].format_map(self._in_words(self._fields(request)))
+        is_query = request.command == "K" and not request.values
+        form = _SESSION_QUERY if is_query else _REQUESTS[request.command]
+        text = form.format_map(self._in_words(self._fields(request)))
         return Meaning(
             FrameKind.REQUEST,
             f"to all nodes: {text}" if to_all else self._with_id(text, request.id),
@@ -175,10 +179,10 @@ class Decoder:
             fields["f"] = (fields["f"], fields["v"])
         return fields
 
-    # What the gateway sends
+    # Frames of the gateway
 
     def explain(self, line: bytes) -> Meaning:
-        """Put a frame of the gateway, given without its LF, into words."""
+        """Return the meaning of a frame from the gateway, given without its LF."""
         try:
             body = self.session.open(line, from_gateway=True)
         except FrameError as error:
@@ -193,7 +197,7 @@ class Decoder:
             return Meaning(FrameKind.UNKNOWN, "not a message of this gateway")
 
     def body(self, line: bytes) -> bytes:
-        """Return what a frame says without its CRC or CR; for a damaged one, all of it."""
+        """Return the body of a frame from the gateway, without CRC and CR; a damaged frame is returned whole."""
         try:
             return self.session.open(line, from_gateway=True)
         except FrameError:
@@ -216,38 +220,43 @@ class Decoder:
         self._confirmed(response)
         request = None if number is None else self._requests.get(number)
         values = dict.fromkeys("adnDgsi", "?") | self._in_words(self._known(request) | response.fields)
-        text = (_SESSION_TOLD if command == "K" and "i" not in response.fields else _TEXTS[command]).format_map(values)
+        form = _CURRENT_SESSION if command == "K" and "i" not in response.fields else _TEXTS[command]
+        text = form.format_map(values)
         if failed := response.fields.get("c"):
             text += f"; {failed} posted writes of the session have failed"
         return Meaning(FrameKind.ANSWER, self._with_id(text, number), command, number)
 
     def _explain_gap(self, number: int) -> Meaning:
-        ring = self._codec.id_count
-        question = self._requests.get((number + ring // 2 - 1) % ring)
+        ids = self._codec.id_count
+        # An ``h`` half the sequence space ahead asks for the next ID, so the ``n`` answers it and reports no loss.
+        request = self._requests.get((number + ids // 2 - 1) % ids)
         text = f"the next ID expected is {self._id(number)}"
-        if question is not None and question.command == "H":
+        if request is not None and request.command == "H":
             return Meaning(FrameKind.ANSWER, f"{text}: the session is still this one", "N", number)
         return Meaning(FrameKind.ERROR, f"out of sequence: {text}", "N", number)
 
-    # Which settings of a group its samples follow (docs/protocol.md, "Groups"): those that an answer has confirmed.
+    # The samples of a group have the addresses of the last settings that the gateway confirmed (docs/protocol.md,
+    # "Groups").
 
     def _confirmed(self, response: DecodedResponse) -> None:
-        ring = self._codec.id_count
-        for group, request in list(self._asked.items()):
+        """Use the settings of groups that a response confirms: its own, and those of requests with earlier IDs."""
+        ids = self._codec.id_count
+        for group, request in list(self._unconfirmed.items()):
             if request.id is None:
-                told = response.command == "GS" and response.fields.get("g") == group
+                is_confirmed = response.command == "GS" and response.fields.get("g") == group
             else:
-                told = response.id is not None and (response.id - request.id) % ring < ring // 2
-            if told:
-                self._groups[group] = self._asked.pop(group)
+                is_confirmed = response.id is not None and (response.id - request.id) % ids < ids // 2
+            if is_confirmed:
+                self._groups[group] = self._unconfirmed.pop(group)
 
     def _refused(self, number: int) -> None:
-        for group, request in list(self._asked.items()):
+        """Forget the settings of the request with this ID."""
+        for group, request in list(self._unconfirmed.items()):
             if request.id == number:
-                del self._asked[group]
+                del self._unconfirmed[group]
 
     def _known(self, request: DecodedRequest | None) -> dict[str, Any]:
-        """Return what a request says of its response."""
+        """Return the fields of a request that its response repeats or shares: all but the words."""
         if request is None:
             return {}
         known = self._fields(request)
@@ -329,7 +338,12 @@ class Decoder:
 
 
 def _when(flags: int, divisor: int) -> str:
-    """Return the times and the form of a group's samples, in words."""
+    """Return when a group is sampled and how its samples are sent, as a phrase.
+
+    Args:
+        flags: the group's flags, as in ``GS``.
+        divisor: base ticks from one sample to the next.
+    """
     parts = [f"every {divisor} ticks" if divisor > 1 else "every tick"] if flags & GroupFlag.PERIODIC else []
     parts += [text for flag, text in _FLAGS.items() if flags & flag]
     return ", ".join(parts) or "when it is asked to"
@@ -341,7 +355,7 @@ def _configuration(text: bytes) -> str:
 
 
 def summary(info: GatewayInfo) -> str:
-    """Return the description of a gateway in half a line."""
+    """Return the widths, the CRC and the clock of a gateway as a phrase."""
     return (
         f"words of {info.data_bits} bits, addresses of {info.address_bits}, IDs of {info.id_digits} digits, "
         f"CRC-{info.crc_bits}, a clock of {info.clock_hz / 1e6:g} MHz"

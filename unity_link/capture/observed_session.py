@@ -1,7 +1,10 @@
-"""The session between a host and a gateway, as one who listens to both knows it.
+"""The session between a host and a gateway, as a passive observer of both directions finds it.
 
-The answer to `K i s` names it. Where listening began later, two frames show it: the CRC run backwards over a frame
-gives what it began with, which is the same number in both if they are whole and of one session.
+The initial value of a frame's CRC contains the number of the session. The observer learns that number in two ways:
+
+- The answer to `K i s` contains it.
+- If observation began later, two consecutive frames reveal it: running the CRC backwards over a frame gives its initial
+  value. Equal results for two frames mean that both are undamaged and belong to that session.
 """
 
 from __future__ import annotations
@@ -16,52 +19,53 @@ if TYPE_CHECKING:
 
 
 class ObservedSession:
-    """Opens the frames of both sides.
+    """Checks the CRC of frames from both directions, and finds the number of their session.
 
     Args:
-        framing: takes bodies out of frames.
+        framing: the framing of the gateway, with its CRC and node number.
     """
 
     def __init__(self, framing: Framing) -> None:
         self.number = NO_SESSION
-        """Number of the session, 0 for none or one that has not been found yet."""
+        """Number of the session; 0 if there is none, or its number is not found yet."""
         self._framing = framing
         self._guess = NO_SESSION
+        """Number that the CRC of the last frame of an unknown session implies."""
 
     def open(self, line: bytes, *, from_gateway: bool) -> bytes:
         """Return the body of a frame.
 
         Args:
-            line: what came before the LF.
+            line: the frame without its LF.
             from_gateway: True for a frame of the gateway.
 
         Raises:
-            FrameError: where it is damaged or another node's.
+            FrameError: if the frame is damaged, or belongs to another node.
         """
         try:
             return self._framing.open(line, seed_of(self.number, from_gateway=from_gateway))
         except CheckError:
             if self.number != NO_SESSION and (body := self._without_session(line)):
                 return body
-            if not self._finds(line, from_gateway=from_gateway):
+            if not self._find_session(line, from_gateway=from_gateway):
                 raise
             return self._framing.open(line, seed_of(self.number, from_gateway=from_gateway))
 
     def hear(self, response: DecodedResponse) -> None:
-        """Take it from an answer to `K` which session is under way; the bit above its number asks for a form."""
+        """Set the session from an answer to `K`; the bit above the number (compact form) is masked out."""
         if response.command == "K":
             self.number, self._guess = response.fields["k"] & last_session(self._framing.crc.digits), NO_SESSION
 
     def _without_session(self, line: bytes) -> bytes:
-        """Return the body of a frame as it is without a session, empty if it is none: after a reset there is none."""
+        """Return the body of a frame whose CRC has no session, as after a reset; empty if the CRC has one."""
         try:
             body = self._framing.open(line)
         except CheckError:
             return b""
         return body
 
-    def _finds(self, line: bytes, *, from_gateway: bool) -> bool:
-        """Return whether a frame is the second of a session that was not known."""
+    def _find_session(self, line: bytes, *, from_gateway: bool) -> bool:
+        """Set the session if this frame and the last one imply the same number; return whether they do."""
         framing = self._framing
         digits = framing.crc.digits
         body, check = line[len(framing.prefix) : -digits], line[-digits:]

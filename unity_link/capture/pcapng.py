@@ -1,7 +1,11 @@
-"""The blocks of a snoop: pcapng, as far as Unity-Link writes it (docs/reference/snoop.md).
+"""Capture files ("snoops"): the part of pcapng that Unity-Link writes (docs/reference/snoop.md).
 
-A file is a row of blocks, each with its length at both ends. A section begins with each program that writes to it, a
-connection is an interface of its section, and what passed in one read or write is a packet.
+A file is a sequence of blocks. Each block contains its length at its beginning and at its end.
+
+- A section header block begins the blocks of one program; several programs may append to one file.
+- An interface description block is one connection of that program.
+- An enhanced packet block has the bytes of one read or write.
+- An interface statistics block marks the end of a connection, with the reason.
 """
 
 from __future__ import annotations
@@ -16,40 +20,45 @@ if TYPE_CHECKING:
 SECTION, INTERFACE, PACKET, STATISTICS = 0x0A0D0D0A, 1, 6, 5
 _OURS = (SECTION, INTERFACE, PACKET, STATISTICS)
 ORDER = 0x1A2B3C4D
+"""Byte-order magic of a section; only files in little-endian order are read."""
 LINK_TYPE = 147
-"""LINKTYPE_USER0: what it is, the two ends know."""
+"""LINKTYPE_USER0, reserved for private use."""
 FORM = "Unity-Link snoop 1"
-"""Marker of the form in a section; a later form has another number."""
+"""Name of the format and its version, as the application of a section."""
 SECTION_START = struct.pack("<I", SECTION)
 _INBOUND, _OUTBOUND = 1, 2
 _COMMENT, _APPLICATION, _NAME, _RESOLUTION, _FLAGS = 1, 4, 2, 9, 2
 _TICKS = bytes([9])
-"""Resolution of the times of an interface: nanoseconds."""
+"""Time resolution of an interface: 10**-9 s."""
 SMALLEST = 12
 """Bytes of a block without a body."""
 LARGEST_BLOCK = 1 << 26
-"""Bytes: no read or write is as large, and what says so is damaged."""
+"""Upper limit of the bytes of a block. No read or write is as large, so a larger length is damaged."""
 
 
 class PcapngBlock(NamedTuple):
-    """A block, whole."""
+    """A complete block."""
 
     kind: int
+    """Block type."""
     body: bytes
+    """Bytes between the two length fields, with padding and options."""
 
 
 class Packet(NamedTuple):
-    """Bytes that passed."""
+    """Bytes of one read or write."""
 
     connection: int
+    """Number of the connection in its section, from 0."""
     time_ns: int
-    """Since 1970."""
+    """Nanoseconds since 1970."""
     sent: bool
+    """True for bytes that the host has written, False for bytes that it has read."""
     data: bytes
 
 
 class DamagedFileError(ValueError):
-    """A file that goes on as no row of blocks does; `offset` is where that begins."""
+    """The file is not a sequence of complete blocks; `offset` is the first byte after the last complete block."""
 
     def __init__(self, offset: int, reason: str) -> None:
         super().__init__(f"{reason} at byte {offset:,}")
@@ -62,13 +71,13 @@ def section() -> bytes:
 
 
 def interface(name: str) -> bytes:
-    """Return the block of a connection; those of a section are numbered from 0 in their order."""
+    """Return the block of a connection. Its number is its position among the interfaces of its section, from 0."""
     options = _option(_NAME, name.encode(errors="backslashreplace")) + _option(_RESOLUTION, _TICKS) + _END
     return _block(INTERFACE, struct.pack("<HHI", LINK_TYPE, 0, 0) + options)
 
 
 def packet(passed: Packet) -> bytes:
-    """Return the block of what passed."""
+    """Return the block of one read or write."""
     size = len(passed.data)
     head = struct.pack("<IIIII", passed.connection, passed.time_ns >> 32, passed.time_ns & 0xFFFFFFFF, size, size)
     flags = _option(_FLAGS, struct.pack("<I", _OUTBOUND if passed.sent else _INBOUND)) + _END
@@ -76,7 +85,13 @@ def packet(passed: Packet) -> bytes:
 
 
 def ending(connection: int, time_ns: int, why: str) -> bytes:
-    """Return the block that tells the end of a connection."""
+    """Return the block that marks the end of a connection.
+
+    Args:
+        connection: number of the connection in its section.
+        time_ns: instant of its end, in nanoseconds since 1970.
+        why: reason for the end, in words.
+    """
     head = struct.pack("<III", connection, time_ns >> 32, time_ns & 0xFFFFFFFF)
     return _block(STATISTICS, head + _option(_COMMENT, why.encode()) + _END)
 
@@ -101,21 +116,21 @@ def blocks(data: bytes | mmap.mmap, offset: int = 0) -> Iterator[PcapngBlock]:
     """Return the blocks of a file, from an offset on.
 
     Raises:
-        DamagedFileError: behind the last whole block, where something else follows.
+        DamagedFileError: after the last complete block, if other bytes follow.
     """
     while offset < len(data):
-        size = _whole(data, offset)
+        size = _block_length(data, offset)
         kind = int.from_bytes(data[offset : offset + 4], "little")
         yield PcapngBlock(kind, data[offset + 8 : offset + size - 4])
         offset += size
 
 
 def length_of_whole(data: bytes | mmap.mmap) -> int:
-    """Return where the last whole block ends."""
+    """Return the offset of the end of the last complete block."""
     offset = 0
     try:
         while offset < len(data):
-            offset += _whole(data, offset)
+            offset += _block_length(data, offset)
     except DamagedFileError:
         pass
     return offset
@@ -125,19 +140,19 @@ def check_beginning(data: bytes | mmap.mmap) -> None:
     """Check that a file begins with a section of ours.
 
     Raises:
-        ValueError: where it does not, or the section is of another version.
+        ValueError: if it does not, or the section has another version.
     """
     if data[: len(SECTION_START)] != SECTION_START:
-        raise ValueError("it begins as no capture does")
+        raise ValueError("it does not begin with a section of pcapng")
     if (order := data[8:12]) != struct.pack("<I", ORDER):
-        raise ValueError("its bytes stand in another order" if order == struct.pack(">I", ORDER) else "it is cut")
-    check_section(data[8 : _whole(data, 0) - 4])
+        raise ValueError("its byte order is big-endian" if order == struct.pack(">I", ORDER) else "it is cut")
+    check_section(data[8 : _block_length(data, 0) - 4])
 
 
 def is_begun(rest: bytes) -> bool:
-    """Return whether what stands behind the last whole block is nothing but the beginning of one of ours.
+    """Return whether the bytes after the last complete block are the beginning of a block that we write.
 
-    Where a machine loses its power, a file may have got its length and not its last bytes, which are zeros then.
+    After a loss of power a file may have its new length but zeros as its last bytes, so zeros at the end are ignored.
     """
     begun = rest.rstrip(b"\0")
     if len(rest) > LARGEST_BLOCK:
@@ -149,7 +164,7 @@ def is_begun(rest: bytes) -> bool:
 
 
 def ends_whole(data: bytes | mmap.mmap) -> bool:
-    """Return whether the last block is whole, as far as its two lengths tell."""
+    """Return whether the two lengths of the last block agree, so that the file probably ends with a complete block."""
     size = int.from_bytes(data[-4:], "little")
     if not SMALLEST <= size <= len(data):
         return False
@@ -157,14 +172,20 @@ def ends_whole(data: bytes | mmap.mmap) -> bool:
     return data[-size:][4:8] == data[-4:] and kind in _OURS
 
 
-def _whole(data: bytes | mmap.mmap, offset: int) -> int:
-    """Return the length of the block that begins at an offset."""
+def _block_length(data: bytes | mmap.mmap, offset: int) -> int:
+    """Return the length of the block that begins at an offset.
+
+    Raises:
+        DamagedFileError: if no complete block begins there.
+    """
     left = len(data) - offset
     if left < SMALLEST:
         raise DamagedFileError(offset, "it is cut")
     size = int.from_bytes(data[offset + 4 : offset + 8], "little")
     if size % 4 or not SMALLEST <= size <= LARGEST_BLOCK:
-        raise DamagedFileError(offset, f"a block of {size} bytes is none")
+        raise DamagedFileError(
+            offset, f"a block has a length of {size}, expected a multiple of 4 from {SMALLEST} to {LARGEST_BLOCK}"
+        )
     if size > left:
         raise DamagedFileError(offset, "it is cut")
     if data[offset + size - 4 : offset + size] != data[offset + 4 : offset + 8]:
@@ -172,22 +193,22 @@ def _whole(data: bytes | mmap.mmap, offset: int) -> int:
     return size
 
 
-# What blocks say.
+# Bodies of blocks
 
 
 def check_section(body: bytes, data: bytes | mmap.mmap = b"", end: int = 0) -> None:
-    """Check what a section says of who wrote it.
+    """Check that a section comes from this version of Unity-Link, or is a copy by another program of such a section.
 
     Args:
-        body: of the section.
-        data: the file; none where what another program has copied counts as no snoop.
-        end: where the section ends in the file.
+        body: body of the section header block.
+        data: the file; empty if copies are to be rejected.
+        end: offset of the end of the section header block.
 
     Raises:
-        ValueError: where it is not ours, and no copy; or of another version.
+        ValueError: if the section is neither, or has another version.
     """
     if body[:4] != struct.pack("<I", ORDER):
-        raise ValueError("no snoop: its bytes stand in another order")
+        raise ValueError("no snoop: its byte order is big-endian")
     application = _options(body[16:]).get(_APPLICATION, b"").decode(errors="replace")
     if not application.startswith("Unity-Link snoop"):
         if not _is_connection(data, end):
@@ -197,7 +218,7 @@ def check_section(body: bytes, data: bytes | mmap.mmap = b"", end: int = 0) -> N
 
 
 def _is_connection(data: bytes | mmap.mmap, offset: int) -> bool:
-    """Return whether a connection begins at an offset, by whichever program it was copied."""
+    """Return whether the block at an offset is a connection in the form of `interface`, which other programs copy."""
     try:
         following = next(blocks(data, offset), None)
     except DamagedFileError:
@@ -212,18 +233,18 @@ def read_interface(body: bytes) -> str:
     """Return the name of a connection.
 
     Raises:
-        ValueError: where it is of something else.
+        ValueError: if the interface has another link type.
     """
     if body[:2] != struct.pack("<H", LINK_TYPE):
-        raise ValueError("what is captured is no connection to a gateway")
+        raise ValueError("an interface that is no connection to a gateway")
     return _options(body[8:]).get(_NAME, b"").decode(errors="replace")
 
 
 def read_packet(body: bytes) -> Packet:
-    """Return what passed.
+    """Return the bytes of one read or write.
 
     Raises:
-        ValueError: where it does not say which way, or is shorter than it says.
+        ValueError: if the direction is missing, or the body is shorter than its length field.
     """
     try:
         connection, high, low, size, _ = struct.unpack_from("<IIIII", body)
@@ -237,10 +258,10 @@ def read_packet(body: bytes) -> Packet:
 
 
 def read_ending(body: bytes) -> tuple[int, int, str]:
-    """Return which connection has ended, when (ns), and why.
+    """Return the number of the connection that ended, the instant in ns since 1970, and the reason.
 
     Raises:
-        ValueError: where it is not whole.
+        ValueError: if the body is cut.
     """
     try:
         connection, high, low = struct.unpack_from("<III", body)

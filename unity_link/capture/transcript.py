@@ -1,6 +1,7 @@
 """The bytes of one connection, in both directions, as frames with their meanings.
 
-The widths follow from what the gateway answers to `Q`. Until then those of the default build are assumed.
+The widths of all fields follow from the gateway's answer to `Q`. Before that answer the widths of the default build are
+assumed.
 """
 
 from __future__ import annotations
@@ -23,32 +24,32 @@ _SENT = re.compile(rb"[^\r\n]*[\r\n]")
 _RECEIVED = re.compile(rb"[^\n]*\n")
 _UNKNOWN = GatewayInfo(features=GatewayInfo().features | Feature.COMPACT)
 QUESTION = re.compile(rb"(?:Z([0-9A-Fa-f]{2}))?Q\r")
-"""A `Q`; its group is the number of the node, if it is addressed."""
+"""Pattern of the request `Q`; group 1 is the number of the node, if there is one."""
 CONFIGURATION = re.compile(rb"(?:Z[0-9A-F]{2})?Q([0-9A-F]+)\r\n")
-"""The answer; its group is the configuration."""
+"""Pattern of the answer to `Q`; group 1 is the configuration."""
 
 
 class TimedFrame(NamedTuple):
-    """A frame, when it passed and what it means."""
+    """A frame with its time and its meaning."""
 
     time: float
-    """Instant of the frame, in seconds."""
+    """Instant at which the last byte passed, in seconds of the caller's clock."""
     sent: bool
-    """True if the host has sent it."""
+    """True for a frame from the host, False for a frame from the gateway."""
     frame: bytes
-    """With its end."""
+    """The frame as text, with its line end."""
     meaning: Meaning
     again: bool = False
-    """A request that was sent before under the same ID."""
+    """True for a retransmission: a request that was sent before with the same ID."""
     round_trip: float | None = None
-    """Seconds since the request, for an answer to one with an ID that was sent once."""
+    """Seconds from the request to this answer; None if the request has no ID, or was retransmitted."""
 
 
 class FrameCutter:
     """Cuts the bytes of one direction into frames.
 
     Args:
-        sent: of the host, whose frames end in LF or CR; those of a gateway end in LF.
+        sent: True for the bytes of the host, whose frames end in LF or CR; the frames of a gateway end in LF.
     """
 
     def __init__(self, *, sent: bool) -> None:
@@ -56,19 +57,19 @@ class FrameCutter:
         self._form = _SENT if sent else _RECEIVED
         self._text_of: Callable[[bytes], bytes] = bytes
         self.rest = b""
-        """The beginning of a frame whose end has not come."""
+        """The beginning of a frame whose line end has not arrived."""
 
     def use(self, info: GatewayInfo) -> None:
-        """Make text of frames in compact form, if a gateway has that."""
+        """Convert frames in compact form to text from now on, if the gateway has the compact form."""
         self._text_of = text_of(info, from_gateway=not self._sent)
 
     def cut(self, data: bytes) -> list[bytes]:
-        """Take bytes, and return the frames that are whole now, as text with its ends; empty ones are left out."""
+        """Add bytes, and return the completed frames as text with their line ends; empty lines are left out."""
         data = self.rest + self._text_of(data)
         frames = self._form.findall(data)
         rest = data[sum(map(len, frames)) :]
         if len(rest) > LONGEST_FRAME:
-            # Noise without a line end.
+            # No frame is this long: return the bytes as they are, so that noise does not fill the memory.
             frames.append(rest)
             rest = b""
         self.rest = rest
@@ -85,17 +86,25 @@ class Transcript:
         self._cutters = {True: FrameCutter(sent=True), False: FrameCutter(sent=False)}
         self._use_forms()
         self._next: int | None = None
+        """ID that the host gives to its next new request; None before an observed session began."""
         self._numbered = 0
-        """IDs of the session before the next one."""
+        """Number of IDs that the host has used in this session."""
         self._sent_at: dict[int, float | None] = {}
+        """Instant of each request without an answer, by ID; None if it was retransmitted."""
 
     def take(self, data: bytes, time: float, *, sent: bool) -> Iterator[TimedFrame]:
-        """Take bytes of one direction at a time in seconds, and return the frames that are whole now."""
+        """Add bytes of one direction, and return the completed frames.
+
+        Args:
+            data: the bytes.
+            time: instant of the bytes, in seconds of any clock.
+            sent: True for bytes from the host, False for bytes from the gateway.
+        """
         for frame in self._cutters[sent].cut(data):
             yield self._sent(frame, time) if sent else self._received(frame, time)
 
     def end(self, time: float) -> Iterator[TimedFrame]:
-        """Return what is left without an end."""
+        """Return the incomplete frames of both directions at the end of the connection, as damaged ones."""
         for sent, cutter in self._cutters.items():
             if cutter.rest:
                 yield TimedFrame(time, sent, cutter.rest, Meaning(FrameKind.DAMAGED, "cut: its end has not come"))
@@ -109,8 +118,8 @@ class Transcript:
         return TimedFrame(time, sent=True, frame=frame, meaning=meaning, again=self._is_again(meaning, time, frame))
 
     def _is_again(self, meaning: Meaning, time: float, frame: bytes) -> bool:
-        """Return whether a request was sent before; record the IDs and times that tell."""
-        number, ring = meaning.id, self.codec.id_count
+        """Return whether a request is a retransmission, and record its ID and time."""
+        number, ids = meaning.id, self.codec.id_count
         if meaning.command == "K" and frame[len(self.codec.framing.prefix) + 1 :].strip(b"\r\n"):
             self._next = self.codec.id_number.get(
                 frame[len(self.codec.framing.prefix) + 1 :][: self.codec.info.id_digits]
@@ -119,12 +128,12 @@ class Transcript:
             self._numbered = 0
         if number is None or self._next is None:
             return False
-        is_behind = (number - self._next) % ring >= ring // 2
-        # The IDs of a trial of the compact form are behind the first one of the session.
-        again = is_behind and (self._next - number) % ring <= self._numbered
-        if not is_behind:
-            after = (number + 1) % ring
-            self._numbered += (after - self._next) % ring
+        is_earlier = (number - self._next) % ids >= ids // 2
+        # The test of the compact form uses IDs before the first one of the session, which are no retransmissions.
+        again = is_earlier and (self._next - number) % ids <= self._numbered
+        if not is_earlier:
+            after = (number + 1) % ids
+            self._numbered += (after - self._next) % ids
             self._next = after
         self._sent_at[number] = None if again else time
         return again
