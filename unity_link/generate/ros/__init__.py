@@ -17,10 +17,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from unity_link.generate import GeneratedFile
 from unity_link.generate.python.classes import module_name
 from unity_link.generate.ros.topics import SI, message_type, topic_names
-from unity_link.protocol.configuration import FIELDS, PROTOCOL_VERSION, Feature
-from unity_link.protocol.frames import TOKEN_LINE
-from unity_link.protocol.handshake import NEVER_CHOSEN
-from unity_link.protocol.messages import GroupFlag
+from unity_link.protocol.host.handshake import NEVER_CHOSEN
+from unity_link.protocol.wire.configuration import FIELDS, PROTOCOL_VERSION, Feature
+from unity_link.protocol.wire.frames import TOKEN_LINE
+from unity_link.protocol.wire.messages import GroupFlag
 from unity_link.spec import KindName, ParameterReference
 
 if TYPE_CHECKING:
