@@ -56,10 +56,10 @@ NEXT_VENV := $(VENV)/next
 NEXT := $(NEXT_VENV)/.installed
 ifeq ($(NEXT_PYTHON),)
 test-next:
-	@echo "No python3.13 is installed: tests/protocol, tests/link and tests/spec did not run on it."
+	@echo "No python3.13 is installed: tests/capture, tests/protocol, tests/link and tests/spec did not run on it."
 else
 test-next: $(NEXT) ## quick tests of protocol, link and spec on Python 3.13, if it is installed
-	@$(NEXT_VENV)/bin/python -m pytest --numprocesses $(PYTEST_PROCESSES) -m "$(QUICK)" tests/protocol tests/link tests/spec $(PYTEST_ARGS)
+	@$(NEXT_VENV)/bin/python -m pytest --numprocesses $(PYTEST_PROCESSES) -m "$(QUICK)" tests/capture tests/protocol tests/link tests/spec $(PYTEST_ARGS)
 endif
 
 # Measuring takes about as long again as the tests do.

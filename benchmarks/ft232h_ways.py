@@ -17,8 +17,8 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 import unity_link
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.messages import Codec
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.messages import Codec
 from unity_link.transport import parse_url
 from unity_link.transport.ft232h import with_libusb, with_pyftdi
 from unity_link.transport.ft232h.chip import open_chip

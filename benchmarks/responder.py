@@ -13,8 +13,8 @@ from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.messages import Codec, DecodedRequest
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.messages import Codec, DecodedRequest
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence

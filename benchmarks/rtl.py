@@ -15,7 +15,7 @@ from rich.console import Console
 
 import unity_link
 from benchmarks.measure import seconds
-from unity_link.protocol.messages import Codec
+from unity_link.protocol.wire.messages import Codec
 from unity_link.virtual.rtl import RtlGateway
 
 if TYPE_CHECKING:

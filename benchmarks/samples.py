@@ -7,7 +7,7 @@ import time
 import unity_link
 from benchmarks.measure import Row, compare, rate_row, seconds
 from benchmarks.responder import GATEWAY, BareLoop, exchange, responder
-from unity_link.protocol.messages import Codec
+from unity_link.protocol.wire.messages import Codec
 
 SAMPLES = 100_000
 LEAST = 80_000

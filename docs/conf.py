@@ -12,12 +12,12 @@ from pathlib import Path
 from sphinx.application import Sphinx
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
-import unity_link.link.subscription
+import unity_link.link.publishing
 from docs.ul_lexer import UlLexer
-from unity_link.protocol.arrays import Words
+from unity_link.protocol.wire.arrays import Words
 
 # Known to type checkers alone, since numpy is imported late; here the signature of a sample needs it.
-vars(unity_link.link.subscription)["Words"] = Words
+vars(unity_link.link.publishing)["Words"] = Words
 
 _DIRECTIVE = re.compile(r"^<!-- (\{[\w-]+\}.*?)^-->$", re.DOTALL | re.MULTILINE)
 _DATASHEET = re.compile(r"\]\((?:\.\./)+gateware/cores/(\w+)/README\.md")

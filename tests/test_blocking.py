@@ -23,8 +23,8 @@ from anyio.from_thread import start_blocking_portal
 
 import unity_link
 from unity_link import blocking
-from unity_link.link.calling_thread import CallingThread
-from unity_link.protocol.messages import ErrorCode
+from unity_link.link.runtimes.calling_thread import CallingThread
+from unity_link.protocol.wire.messages import ErrorCode
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
 from unity_link.virtual.line import SlowLine

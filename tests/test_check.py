@@ -13,7 +13,7 @@ ROOT = Path(__file__).parent.parent
 @pytest.mark.parametrize(
     ("file", "tests"),
     [
-        ("unity_link/protocol/window.py", {"tests/protocol"}),
+        ("unity_link/files.py", {"tests/test_files.py"}),
         ("unity_link/blocking.py", {"tests/test_blocking.py", "tests/test_blocking_reconnection.py"}),
         ("unity_link/pytest_plugin.py", {"tests/test_pytest_plugin.py"}),
         ("unity_link/boards/board.py", {"tests/boards"}),
@@ -41,6 +41,8 @@ def test_a_change_of_a_file_runs_its_tests(file: str, tests: set[str]) -> None:
     ("file", "test"),
     [
         ("unity_link/bridges/serve/turns.py", "tests/bridges/test_serve_pace.py"),
+        ("unity_link/link/runtimes/timers.py", "tests/link/runtimes/test_synchronisation.py"),
+        ("unity_link/protocol/window/retransmission.py", "tests/protocol/window/test_window.py"),
         ("unity_link/virtual/rtl/snooped.py", "tests/virtual/test_retrace.py"),
         ("unity_link/generate/c/layout.py", "tests/generate/test_c.py"),
         ("unity_link/gateware/release.py", "gateware/bench/verilog"),
@@ -52,7 +54,7 @@ def test_a_change_of_a_file_runs_its_tests(file: str, tests: set[str]) -> None:
 def test_the_tests_of_a_part_are_among_those_that_run(file: str, test: str) -> None:
     found = check.tests_of([file])
     assert any(path == test or test.startswith(f"{path}/") for path in found)
-    assert not {"tests/bridges", "tests/virtual", "tests/generate"} & set(found)
+    assert not {"tests/bridges", "tests/virtual", "tests/generate", "tests/link", "tests/protocol"} & set(found)
 
 
 def test_every_room_of_the_package_has_tests() -> None:
@@ -64,7 +66,9 @@ def test_every_room_of_the_package_has_tests() -> None:
 
 
 def test_tests_that_take_long_and_those_of_compiled_gateware_are_left_out_unless_that_has_changed() -> None:
-    assert check.marks_of(["unity_link/protocol/window.py"]) == "not slow and not campaign and not usb and not rtl"
+    assert (
+        check.marks_of(["unity_link/protocol/window/window.py"]) == "not slow and not campaign and not usb and not rtl"
+    )
     assert check.marks_of(["gateware/rtl/unity_link.vhd"]) == "not slow and not campaign and not usb"
 
 

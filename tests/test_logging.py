@@ -14,7 +14,7 @@ import pytest
 import unity_link
 from support.simulated_time import on_simulated_time
 from support.valve import Valve, cut
-from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.wire.configuration import GatewayInfo
 from unity_link.spec import compile_text
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.build import simulated

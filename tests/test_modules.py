@@ -13,7 +13,7 @@ from unity_link import ArgumentError, BusError, GatewayInfo
 from unity_link.data.robot import MODULE_TYPES
 from unity_link.modules import Fifo, Memory, Module
 from unity_link.network import TosnetNetwork, TosnetNode
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.messages import ErrorCode
 from unity_link.spec import compile_text
 from unity_link.spec.modules import MODULES
 from unity_link.virtual import AccessError, VirtualGateway

@@ -7,10 +7,10 @@ import fastcrc
 import pytest
 
 from support.worked_examples import DOCUMENT, Example, worked_examples
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.crc import last_session, seed_of
-from unity_link.protocol.handshake import NEVER_CHOSEN
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.host.handshake import NEVER_CHOSEN
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.crc import last_session, seed_of
+from unity_link.protocol.wire.messages import ErrorCode
 from unity_link.virtual.faults import Failing
 from unity_link.virtual.gateway import VirtualGateway
 

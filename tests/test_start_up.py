@@ -10,14 +10,14 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from unity_link import protocol
+from unity_link.protocol import wire
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
 SERVER = Path(__file__).parent / "transport" / "serve.py"
 SLOW = {"anyio", "numpy", "pydantic", "rich"}
-MODULES_OF_ITS_OWN = 56
+MODULES_OF_ITS_OWN = 63
 """Most modules that `import unity_link` may bring beside asyncio, msgspec and fastcrc."""
 
 COMMAND = """
@@ -178,4 +178,4 @@ def test_a_command_imports_no_other_family() -> None:
 
 
 def test_the_protocol_has_no_other_name_than_its_own() -> None:
-    assert not hasattr(protocol, "matrices")
+    assert not hasattr(wire, "matrices")

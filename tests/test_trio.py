@@ -16,7 +16,7 @@ import unity_link
 from unity_link import UnsupportedError
 from unity_link.data import Group
 from unity_link.errors import first_error
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.messages import ErrorCode
 from unity_link.spec import compile_text
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing

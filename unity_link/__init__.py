@@ -46,8 +46,9 @@ from unity_link.errors import (
 from unity_link.link.connecting import connect
 from unity_link.link.connection import Reconnect
 from unity_link.link.link import Link, Statistics
-from unity_link.link.subscription import Sample, Subscription
-from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.link.publishing import Sample
+from unity_link.link.subscription import Subscription
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
 from unity_link.transport import register, register_stand_in
 
 if TYPE_CHECKING:

@@ -29,10 +29,10 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any, Self, TypeVar
 
 from unity_link.errors import LinkClosedError, LinkLostError, Outcome, Sealed, UnityLinkError, missing, refusing
-from unity_link.link.calling_thread import CallingThread
 from unity_link.link.connecting import connect as connect_asynchronously
 from unity_link.link.connection import CONNECT_TIMEOUT
 from unity_link.link.interrupts import DEFERRED
+from unity_link.link.runtimes.calling_thread import CallingThread
 from unity_link.link.subscription import check_count
 
 if TYPE_CHECKING:
@@ -43,10 +43,10 @@ if TYPE_CHECKING:
 
     from unity_link.link import link as asynchronous
     from unity_link.link.connection import Reconnect
-    from unity_link.link.subscription import Sample
+    from unity_link.link.publishing import Sample
     from unity_link.link.subscription import Subscription as AsyncSubscription
-    from unity_link.protocol.arrays import Words
-    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.wire.arrays import Words
+    from unity_link.protocol.wire.configuration import GatewayInfo
     from unity_link.transport import Medium
 
 T = TypeVar("T")

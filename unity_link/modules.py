@@ -17,7 +17,7 @@ import numpy as np
 
 from unity_link.errors import ArgumentError, Sealed
 from unity_link.link.calls import returns_coroutine
-from unity_link.protocol.numbers import whole_number
+from unity_link.protocol.wire.numbers import whole_number
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine, Sequence
@@ -25,9 +25,10 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from unity_link.link.link import Link
-    from unity_link.link.subscription import Sample, Subscription
-    from unity_link.protocol.arrays import Words
-    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.link.publishing import Sample
+    from unity_link.link.subscription import Subscription
+    from unity_link.protocol.wire.arrays import Words
+    from unity_link.protocol.wire.configuration import GatewayInfo
 
 __all__ = ["Bus", "Fifo", "Memory", "Module", "link_under"]
 

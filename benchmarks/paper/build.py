@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.crc import seed_of
-from unity_link.protocol.frames import in_session
-from unity_link.protocol.messages import Codec
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.crc import seed_of
+from unity_link.protocol.wire.frames import in_session
+from unity_link.protocol.wire.messages import Codec
 from unity_link.virtual.rtl import RtlGateway, choose
 
 MODEL = GatewayInfo(

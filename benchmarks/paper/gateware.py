@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from benchmarks.paper.build import OPENED_BYTES, OPENING, checked, compiled_gateway
 from benchmarks.paper.results import Block, GatewareFigures, Publishing
-from unity_link.protocol.messages import GroupFlag
+from unity_link.protocol.wire.messages import GroupFlag
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

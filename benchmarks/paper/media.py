@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Literal
 
 import msgspec
 
-from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
 from unity_link.virtual.ft232h.port import Mode as Pins
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ import numpy as np
 
 from benchmarks.paper.build import checked
 from unity_link.link.connecting import connect
-from unity_link.protocol.messages import GroupFlag
+from unity_link.protocol.wire.messages import GroupFlag
 from unity_link.transport import parse_url
 
 if TYPE_CHECKING:

@@ -16,8 +16,8 @@ from benchmarks.measure import seconds
 from benchmarks.peers.race import BLOCK, Contender, Size, median_of
 from benchmarks.responder import GATEWAY, LOOPBACK, exchange, responder
 from unity_link import blocking
-from unity_link.protocol.compact import CompactForm, Packer
-from unity_link.protocol.configuration import Feature
+from unity_link.protocol.wire.compact import CompactForm, Packer
+from unity_link.protocol.wire.configuration import Feature
 
 if TYPE_CHECKING:
     from contextlib import ExitStack

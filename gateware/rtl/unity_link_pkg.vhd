@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
 -- The protocol's numbers as the gateware needs them: command codes, error codes, and the widths that follow from the
--- generics. The host's twin of the latter is `unity_link/protocol/configuration.py`; both follow docs/protocol.md.
+-- generics. The host's twin of the latter is `unity_link/protocol/wire/configuration.py`; both follow docs/protocol.md.
 --
 -- A command is four bits. The codes are chosen so that bits tell what is asked everywhere: bit 3 low is an access to the
 -- bus (bit 2: it writes), "10xx" is about groups. What is sent in reply adds three that no request has, with bit 4.

@@ -10,7 +10,7 @@ import pytest
 import unity_link
 from benchmarks.responder import GATEWAY, LOOPBACK, exchange, responder
 from support.compilers import needs_c
-from unity_link.protocol.configuration import Feature
+from unity_link.protocol.wire.configuration import Feature
 
 pytestmark = needs_c
 WIDTHS = [

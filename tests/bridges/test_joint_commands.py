@@ -126,7 +126,7 @@ async def test_an_array_asks_for_what_a_state_of_the_same_values_in_any_order_as
 @on_simulated_time
 async def test_diagnostics_warn_of_what_went_wrong_since_they_told_last() -> None:
     gateway = VirtualGateway()
-    gateway.attach(Failing(unity_link.protocol.messages.ErrorCode.BUS_ERROR), [1])
+    gateway.attach(Failing(unity_link.protocol.wire.messages.ErrorCode.BUS_ERROR), [1])
     async with unity_link.connect(gateway) as link:
         diagnostics = Diagnostics("bridge", link, "here")
         before = diagnostics.status(10, 0, 0)

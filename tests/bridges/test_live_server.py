@@ -42,7 +42,7 @@ from unity_link.bridges.live.round_trips import RoundTrips
 from unity_link.bridges.sampled import sampled_groups
 from unity_link.data import Batch
 from unity_link.data.layout import GroupLayout
-from unity_link.link.subscription import Sample
+from unity_link.link.publishing import Sample
 from unity_link.spec import compile_text
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.build import build_gateway

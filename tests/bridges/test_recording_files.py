@@ -32,7 +32,7 @@ from unity_link.bridges.recording import Recording
 from unity_link.bridges.recording.chunks import CHUNK, ChunkWriter
 from unity_link.data import Batch
 from unity_link.data.layout import GroupLayout
-from unity_link.link.subscription import Sample
+from unity_link.link.publishing import Sample
 from unity_link.spec import compile_text
 
 if TYPE_CHECKING:

@@ -23,8 +23,8 @@ from unity_link.bridges.recording.files import RecordingFile
 from unity_link.bridges.sampled import sampled_groups
 from unity_link.data import Batch
 from unity_link.data.layout import GroupLayout
-from unity_link.link.subscription import Sample
-from unity_link.protocol.configuration import GatewayInfo
+from unity_link.link.publishing import Sample
+from unity_link.protocol.wire.configuration import GatewayInfo
 from unity_link.spec import compile_text
 from unity_link.virtual import VirtualGateway
 

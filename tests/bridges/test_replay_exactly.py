@@ -15,7 +15,7 @@ from support.recordings import work_in_place
 from support.searching import examples
 from support.simulated_time import run_simulated
 from unity_link.bridges.recording import Recorder, Recording, replay
-from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.wire.configuration import GatewayInfo
 from unity_link.spec import Spec, compile_text
 from unity_link.virtual import VirtualGateway
 

@@ -15,7 +15,7 @@ from support.sharing import PipedLink, Terminal, call, settle, sharing, until
 from support.simulated_time import on_simulated_time, run_simulated
 from support.valve import Valve, cut
 from unity_link import LinkLostError
-from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.wire.configuration import GatewayInfo
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.line import SlowLine
 

@@ -18,8 +18,8 @@ from support.worked_examples import Example, worked_examples
 from unity_link.bridges.serve import connection
 from unity_link.bridges.serve.connection import MOST_UNDER_WAY
 from unity_link.bridges.serve.conversation import Conversation
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.messages import Codec, ErrorCode
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.messages import Codec, ErrorCode
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
 
@@ -122,7 +122,7 @@ def requests(command: str, first: int, count: int) -> list[bytes]:
     fields = {"R": (), "H": None}.get(command, (1,))
     values = [() if fields is None else (number % 9, *fields) for number in range(first, first + count)]
     return [
-        CODEC.request(command, number % CODEC.ring, CODEC.fields(command, *value))
+        CODEC.request(command, number % CODEC.id_count, CODEC.fields(command, *value))
         for number, value in enumerate(values, first)
     ]
 
@@ -140,7 +140,7 @@ async def hold_conversation(operations: list[tuple[Any, ...]]) -> tuple[list[byt
             if command == "reset":
                 await tell_of_reset(shared, gateway, terminal)
             elif command == "K":
-                expected = first % CODEC.ring
+                expected = first % CODEC.id_count
                 terminal.transport.write(b"K%b\r" % CODEC.id_text[expected])
             else:
                 terminal.transport.write(spelling(b"".join(requests(command, first, count))))

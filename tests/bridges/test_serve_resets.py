@@ -14,11 +14,11 @@ from support.simulated_time import on_simulated_time
 from support.valve import Valve, cut
 from unity_link import Reconnect
 from unity_link.errors import GatewayResetError
-from unity_link.protocol.arrays import hex_rows, request_rows
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.constants import KEEP_ALIVE
-from unity_link.protocol.events import Interrupted
-from unity_link.protocol.messages import Codec
+from unity_link.protocol.host.events import Interrupted
+from unity_link.protocol.window.constants import KEEP_ALIVE
+from unity_link.protocol.wire.arrays import hex_rows, request_rows
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.messages import Codec
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.line import SlowLine
 

@@ -28,9 +28,9 @@ from unity_link import (
 )
 from unity_link.bridges.serve.connection import COST_ALONE, MOST_POSTED, MOST_UNDER_WAY, MOST_UNSENT
 from unity_link.bridges.serve.shared import PATIENCE, SharedLink
-from unity_link.protocol import posts
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.messages import Codec
+from unity_link.protocol.window import posted_writes
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.messages import Codec
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Noise, NoisyLine
 from unity_link.virtual.gateway import Gateway
@@ -40,7 +40,7 @@ if TYPE_CHECKING:
     from collections.abc import AsyncIterator
 
     from unity_link import Link
-    from unity_link.protocol.arrays import Words
+    from unity_link.protocol.wire.arrays import Words
     from unity_link.transport.stream import Stream
 
 KILOHERTZ = 1_000_000
@@ -421,7 +421,7 @@ async def test_a_request_waits_behind_few_of_a_client_that_floods_the_gateway(fl
 async def test_posted_writes_leave_their_room_once_a_row_of_reads_behind_them_is_answered(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr(posts, "FENCE_DELAY", 1.0)
+    monkeypatch.setattr(posted_writes, "FENCE_DELAY", 1.0)
     async with sharing(VirtualGateway()) as shared, PipedLink(shared) as link:
         for _ in range(MOST_POSTED // COST_ALONE):
             await link.post(0x0A, 1)

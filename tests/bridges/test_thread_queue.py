@@ -19,7 +19,7 @@ from unity_link import GatewayInfo
 from unity_link.bridges.sampled import sampled_groups
 from unity_link.bridges.thread_queue import Carrier
 from unity_link.data import load
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.messages import ErrorCode
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
 

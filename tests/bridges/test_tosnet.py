@@ -16,7 +16,7 @@ from support.bridge_programs import PATIENCE, bridge_on_shared, free_domain, wai
 from support.spec_examples import FIGURE_1
 from unity_link import blocking
 from unity_link.generate import generate, write
-from unity_link.protocol.numbers import to_signed
+from unity_link.protocol.wire.numbers import to_signed
 from unity_link.spec import compile_text
 
 if TYPE_CHECKING:

@@ -18,7 +18,7 @@ import pytest
 import typer
 
 from unity_link import cli
-from unity_link.protocol.configuration import PROTOCOL_VERSION
+from unity_link.protocol.wire.configuration import PROTOCOL_VERSION
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -12,7 +12,7 @@ import pytest
 
 import unity_link
 from support.simulated_time import run_simulated
-from unity_link.transport import pcapng
+from unity_link.capture import pcapng
 
 PROGRAM = str(Path(sys.executable).parent / "unity-link")
 

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 import unity_link
-from unity_link.protocol.finding import NOWHERE, Found, answer, asked
+from unity_link.protocol.wire.discovery import NOWHERE, Found, answer, asked
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence

@@ -13,7 +13,7 @@ from anyio.from_thread import start_blocking_portal
 
 from support.counting_device import CountingDevice
 from support.terminal_window import GIVEN_BACK, Window, needs_tmux
-from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.wire.configuration import GatewayInfo
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.build import build_gateway
 from unity_link.virtual.serving import serve_unix

@@ -19,7 +19,7 @@ from unity_link import cli
 from unity_link.cli import completion
 from unity_link.cli.spec import url_and_spec
 from unity_link.errors import ArgumentError
-from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
 from unity_link.spec import compile_text
 from unity_link.transport import parse_url
 

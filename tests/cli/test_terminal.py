@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from anyio.from_thread import start_blocking_portal
 
 from support.terminal_window import GIVEN_BACK, Window, needs_tmux
-from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.wire.configuration import GatewayInfo
 from unity_link.transport.listening import listen_unix
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.serving import serve_unix

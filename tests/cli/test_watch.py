@@ -17,7 +17,7 @@ from support.valve import Valve
 from unity_link.cli import plots, watch, watch_view
 from unity_link.cli.watched import WatchedSignals, Words
 from unity_link.data.loading import load
-from unity_link.protocol.numbers import Format
+from unity_link.protocol.wire.numbers import Format
 from unity_link.spec import compile_text
 from unity_link.virtual import VirtualGateway
 

@@ -15,8 +15,8 @@ from unity_link import SpecMismatchError, UnsupportedError
 from unity_link.data import load
 from unity_link.data.blocking import put
 from unity_link.data.describing import MOST_DIFFERENCES
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.description import page_address
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.description import page_address
 from unity_link.spec import compile_file, compile_text
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.build import simulate, simulated

@@ -13,8 +13,8 @@ import unity_link
 from support.simulated_time import on_simulated_time
 from unity_link.data.describing import read_spec
 from unity_link.errors import UnsupportedError
-from unity_link.protocol.configuration import Feature
-from unity_link.protocol.description import PAGE_WORDS, page_address, words_of
+from unity_link.protocol.wire.configuration import Feature
+from unity_link.protocol.wire.description import PAGE_WORDS, page_address, words_of
 from unity_link.spec import compile_file
 from unity_link.virtual.build import put_behind_line, simulate
 

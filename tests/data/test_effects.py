@@ -18,7 +18,7 @@ from unity_link import ArgumentError, UnsupportedError, blocking
 from unity_link.data import Group
 from unity_link.data.blocking import put
 from unity_link.data.writing import NOT_POSTED, write_values
-from unity_link.protocol.configuration import Feature
+from unity_link.protocol.wire.configuration import Feature
 from unity_link.virtual.faults import Noise, NoisyLine
 
 if TYPE_CHECKING:

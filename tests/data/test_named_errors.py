@@ -10,7 +10,7 @@ import pytest
 import unity_link
 from unity_link import ArgumentError, BusError
 from unity_link.data import Group
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.messages import ErrorCode
 from unity_link.spec import compile_text
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing

@@ -17,7 +17,7 @@ from support.searching import examples
 from support.simulated_time import run_simulated
 from unity_link import ArgumentError
 from unity_link.data import Group
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.messages import ErrorCode
 from unity_link.spec import compile_text
 from unity_link.virtual import AccessError, VirtualGateway
 from unity_link.virtual.faults import Noise, NoisyLine

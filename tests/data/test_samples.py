@@ -33,8 +33,8 @@ from unity_link import (
 )
 from unity_link.data import Batch, Group, GroupSubscription, Registration
 from unity_link.data.feed import Feed, Listener
-from unity_link.link.subscription import Sample
-from unity_link.protocol.messages import ErrorCode
+from unity_link.link.publishing import Sample
+from unity_link.protocol.wire.messages import ErrorCode
 from unity_link.spec import compile_text
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.bus import AccessError

@@ -27,7 +27,7 @@ from unity_link.data import Batch, Group
 from unity_link.data.layout import GroupLayout
 from unity_link.data.tables import column_names
 from unity_link.errors import UnknownNameError
-from unity_link.link.subscription import Sample
+from unity_link.link.publishing import Sample
 from unity_link.spec import compile_text
 from unity_link.virtual import VirtualGateway
 

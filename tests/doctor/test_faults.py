@@ -25,7 +25,7 @@ from unity_link.cli import doctor
 from unity_link.doctor import garbage
 from unity_link.doctor.computer import SLEEP, Wakes, measure_wakes
 from unity_link.doctor.media import adapter_latency
-from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
 from unity_link.spec import compile_text
 from unity_link.transport.ft232h.chip import UDEV_LINE
 from unity_link.transport.ft232h.eeprom_image import build_eeprom

@@ -19,8 +19,8 @@ import pytest
 from gateware.bench.network.host import HOST_IP, sum_of
 from gateware.bench.network.tap import GATEWAY, LINE, URL, line, own_network, run_ip
 from gateware.bench.network.wire import GATEWAY_IP, GATEWAY_MAC
-from unity_link.protocol import finding
-from unity_link.protocol.finding import Found
+from unity_link.protocol.wire import discovery
+from unity_link.protocol.wire.discovery import Found
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Straying
 from unity_link.virtual.serving import serve_udp
@@ -134,7 +134,7 @@ def answering_stations(*macs: bytes) -> Callable[[bytes], list[bytes]]:
             return [is_at(frame, mac) for mac in macs if silent_station(frame)]
         if frame[42:44] == b"U?":
             found = [Found(mac, GATEWAY_IP, 0, has_fingerprint=False, session_open=False, name="twin") for mac in macs]
-            return [datagram(frame, each.mac, finding.answer(each)) for each in found]
+            return [datagram(frame, each.mac, discovery.answer(each)) for each in found]
         return [datagram(frame, macs[0], b"U0000000100000000\r\nH\r\n")] if frame[42:44] == b"H\r" else []
 
     return answer

@@ -9,10 +9,10 @@ import subprocess
 import sys
 from pathlib import Path
 
-from unity_link.protocol.compact import END, ESCAPE, START, CompactForm, Packer
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.crc import Crc, seed_of
-from unity_link.protocol.frames import TOKEN_LINE
+from unity_link.protocol.wire.compact import END, ESCAPE, START, CompactForm, Packer
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.crc import Crc, seed_of
+from unity_link.protocol.wire.frames import TOKEN_LINE
 from unity_link.virtual import VirtualGateway
 
 CORPUS = Path(__file__).with_name("corpus")

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 from unity_link.bridges.serve.door import Door
 from unity_link.bridges.serve.shared import SharedLink
 from unity_link.errors import ConnectError
-from unity_link.protocol.crc import Crc, seed_of
-from unity_link.protocol.frames import in_session
+from unity_link.protocol.wire.crc import Crc, seed_of
+from unity_link.protocol.wire.frames import in_session
 from unity_link.transport.pipe import PipeEnd, connect_pipe
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.gateway import Gateway

@@ -18,13 +18,13 @@ from fuzz.choices import Choices
 from unity_link.bridges.live.writing import Hello, Stop, Write
 from unity_link.bridges.recording.reader import Recording
 from unity_link.bridges.recording.replay import replay
+from unity_link.capture.transcript import Transcript
 from unity_link.errors import UnityLinkError
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.crc import Crc
-from unity_link.protocol.frames import FrameError, Framing
-from unity_link.protocol.requests import Request
-from unity_link.protocol.session import Session
-from unity_link.protocol.transcript import Transcript
+from unity_link.protocol.host.requests import Request
+from unity_link.protocol.host.session import Session
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.crc import Crc
+from unity_link.protocol.wire.frames import FrameError, Framing
 from unity_link.spec import compile_text, format_text
 from unity_link.transport import snoop
 from unity_link.virtual import VirtualGateway
@@ -32,7 +32,7 @@ from unity_link.virtual import VirtualGateway
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.protocol.host_codec import HostCodec
+    from unity_link.protocol.host.host_codec import HostCodec
 
 LONGEST_ANSWER = 1 << 20
 """Bytes that a gateway may answer to an input; blocks and samples are what they are asked for."""

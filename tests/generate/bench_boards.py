@@ -13,8 +13,8 @@ import cocotb
 from cocotb.clock import Clock
 from cocotb.triggers import ClockCycles, FallingEdge, RisingEdge, Timer
 
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.messages import Codec
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.messages import Codec
 from unity_link.spec import compile_file, compile_text
 
 if TYPE_CHECKING:

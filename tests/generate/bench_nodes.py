@@ -14,14 +14,14 @@ from cocotb.clock import Clock
 from cocotb.triggers import ClockCycles, FallingEdge, Timer
 from cocotb.utils import get_sim_time
 
-from unity_link.protocol.events import Interrupted
-from unity_link.protocol.requests import Request
-from unity_link.protocol.session import Session
+from unity_link.protocol.host.events import Interrupted
+from unity_link.protocol.host.requests import Request
+from unity_link.protocol.host.session import Session
 from unity_link.spec import compile_text
 from unity_link.transport.turns import Line
 
 if TYPE_CHECKING:
-    from unity_link.protocol.events import Sampled
+    from unity_link.protocol.host.events import Sampled
     from unity_link.transport.turns import Seat
 
 NODES = (1, 2, 5, 0xFE)

@@ -28,9 +28,9 @@ from typing import TYPE_CHECKING, Literal, Self
 import msgspec
 
 from support.recorded_bus import RecordedBus
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.crc import Crc
-from unity_link.protocol.frames import Framing
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.crc import Crc
+from unity_link.protocol.wire.frames import Framing
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.serving import serve_tcp
 

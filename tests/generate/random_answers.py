@@ -24,8 +24,8 @@ from typing import TYPE_CHECKING
 from generate.peers import ObservedGateway
 from generate.programs import HERE, SANITIZED, C, Simulated, compiled, generated, linked
 from support.spec_examples import FIGURE_1
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.crc import Crc, seed_of
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.crc import Crc, seed_of
 from unity_link.spec import compile_text
 
 if TYPE_CHECKING:

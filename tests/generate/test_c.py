@@ -66,18 +66,18 @@ from support.spec_examples import FIGURE_1, specs
 from support.valve import Uncounting
 from unity_link.errors import Outcome, UnsupportedError
 from unity_link.generate.c.layout import Layout
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.constants import (
+from unity_link.protocol.host.batches import WordBatch
+from unity_link.protocol.window.constants import (
     DONE_FOR_ONE_MORE,
     FEWEST_IN_FLIGHT,
     LONGEST_SILENCE,
     LONGEST_TIMEOUT,
     QUICK_TIMEOUT,
 )
-from unity_link.protocol.crc import Crc, seed_of
-from unity_link.protocol.frames import Framing
-from unity_link.protocol.messages import ErrorCode
-from unity_link.protocol.requests import WordBatch
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.crc import Crc, seed_of
+from unity_link.protocol.wire.frames import Framing
+from unity_link.protocol.wire.messages import ErrorCode
 from unity_link.spec import KindName, compile_file, compile_text
 from unity_link.spec.printer import print_file
 from unity_link.virtual import VirtualGateway

@@ -13,9 +13,9 @@ from protocol_model.gateway_on_the_page import END, START, Widths
 from protocol_model.mixed_frames import FRAMES, HOSTS, from_a_gateway, lines_in, lines_on_the_page
 from support.changed_lines import DIRECTIONS, LINES, ChangedLine, on_a_port
 from support.makers import SHORT, simulated
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.handshake import NOT_CARRIED
-from unity_link.protocol.session import COMPACT_HINT
+from unity_link.protocol.host.handshake import NOT_CARRIED
+from unity_link.protocol.host.session import COMPACT_HINT
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
 from unity_link.virtual.faults import Noise, NoisyLine
 
 if TYPE_CHECKING:

@@ -9,8 +9,8 @@ import pytest
 from generate.programs import Simulated
 from support.recorded_bus import RecordedBus
 from support.shared_pair import PAIR
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.constants import MOST_TRIES
+from unity_link.protocol.window.constants import MOST_TRIES
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
 from unity_link.virtual import VirtualGateway
 
 if TYPE_CHECKING:

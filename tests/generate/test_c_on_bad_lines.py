@@ -16,9 +16,9 @@ from support.changed_ports import make_sane
 from support.events_read import CLEARED, QUEUE, Cleared, Numbers
 from support.floods import FLOODS
 from support.makers import COMPACT, SLOW, simulated
-from unity_link.protocol.constants import ECHO_PATIENCE
-from unity_link.protocol.handshake import ECHO, LINE_ENDS
-from unity_link.protocol.session import FLOODED
+from unity_link.protocol.host.handshake import ECHO, LINE_ENDS
+from unity_link.protocol.host.session import FLOODED
+from unity_link.protocol.window.constants import ECHO_PATIENCE
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Noise, NoisyLine, Straying
 

@@ -14,9 +14,9 @@ from generate.peers import MEDIA, FaultyLine, Medium, ObservedGateway, lose, rep
 from generate.programs import CPP, SANITIZED, C, compiled, generated, linked, output
 from support.spec_examples import FIGURE_1
 from unity_link.generate import generate
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.crc import Crc
-from unity_link.protocol.frames import Framing
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.crc import Crc
+from unity_link.protocol.wire.frames import Framing
 from unity_link.spec import KindName, compile_text
 
 if TYPE_CHECKING:

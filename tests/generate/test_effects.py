@@ -17,7 +17,7 @@ from generate.peers import FaultyLine, lose, serve
 from generate.programs import CPP, SANITIZED, C, compiled, generated, linked, output
 from support.effects import ALL, SPEC, effects_gateway, events
 from unity_link.generate import generate
-from unity_link.protocol.configuration import Feature
+from unity_link.protocol.wire.configuration import Feature
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

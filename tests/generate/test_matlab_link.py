@@ -30,9 +30,9 @@ from generate.peers import (
 )
 from support.recorded_bus import RecordedBus
 from support.spec_examples import FIGURE_1
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.crc import Crc
-from unity_link.protocol.frames import Framing
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.crc import Crc
+from unity_link.protocol.wire.frames import Framing
 from unity_link.spec import compile_file, compile_text
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Noise, NoisyLine

@@ -19,7 +19,7 @@ from unity_link import ArgumentError
 from unity_link.data import Group, read_interface
 from unity_link.generate import generate, write
 from unity_link.generate.python.model import model_text
-from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.wire.configuration import GatewayInfo
 from unity_link.quoting import python_docstring
 from unity_link.spec import Access, Spec, compile_file, compile_text
 from unity_link.virtual import VirtualGateway

@@ -13,7 +13,7 @@ import pytest_asyncio
 import unity_link
 from generate.programs import CPP, C, generated
 from unity_link.bridges.serve import serve
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.messages import ErrorCode
 from unity_link.spec import compile_text
 from unity_link.virtual.build import simulated
 from unity_link.virtual.bus import AccessError

@@ -10,8 +10,8 @@ import pytest
 
 from unity_link.errors import ArgumentError
 from unity_link.generate import generate
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.messages import Codec
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.messages import Codec
 from unity_link.spec import compile_text
 
 if TYPE_CHECKING:

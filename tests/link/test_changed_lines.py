@@ -15,11 +15,11 @@ from support.simulated_time import on_simulated_time
 from support.valve import Valve
 from unity_link import blocking
 from unity_link.bridges.serve import serve
-from unity_link.protocol.compact import START
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.handshake import NOT_CARRIED
-from unity_link.protocol.session import COMPACT_HINT
-from unity_link.protocol.trial import IDS
+from unity_link.protocol.host.handshake import NOT_CARRIED
+from unity_link.protocol.host.session import COMPACT_HINT
+from unity_link.protocol.host.trial import IDS
+from unity_link.protocol.wire.compact import START
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
 from unity_link.virtual.faults import Noise, NoisyLine
 
 FEATURES = int(GatewayInfo().features | Feature.COMPACT)

@@ -12,9 +12,9 @@ from support.simulated_time import on_simulated_time
 from support.valve import Valve
 from unity_link import blocking
 from unity_link.bridges.serve import serve
-from unity_link.protocol.compact import END, START, text_of
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.transcript import Transcript
+from unity_link.capture.transcript import Transcript
+from unity_link.protocol.wire.compact import END, START, text_of
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
 from unity_link.virtual.line import SlowLine
 
 if TYPE_CHECKING:

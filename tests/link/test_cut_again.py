@@ -13,8 +13,8 @@ from support.sharing import until
 from support.simulated_time import on_simulated_time
 from support.valve import Valve, as_gateway, cut, numbers_in
 from unity_link import LinkClosedError, LinkLostError, Reconnect
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.messages import ErrorCode
 from unity_link.virtual import VirtualGateway
 
 if TYPE_CHECKING:

@@ -18,7 +18,7 @@ import unity_link
 from support.makers import CRC_32, SHORT, Maker
 from support.recorded_bus import RecordedBus
 from support.simulated_time import run_simulated
-from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Noise, NoisyLine
 from unity_link.virtual.line import SlowLine

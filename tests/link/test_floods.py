@@ -18,13 +18,13 @@ import uvloop
 
 import unity_link
 from unity_link import blocking
-from unity_link.link.calling_thread import CallingThread
-from unity_link.protocol import session
-from unity_link.protocol.answers import Answers
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.frames import MOST_LINES
-from unity_link.protocol.handshake import Handshake
-from unity_link.protocol.messages import Codec
+from unity_link.link.runtimes.calling_thread import CallingThread
+from unity_link.protocol.host import session
+from unity_link.protocol.host.handshake import Handshake
+from unity_link.protocol.host.receiver import ResponseReceiver
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.frames import MOST_LINES
+from unity_link.protocol.wire.messages import Codec
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.serving import serve_udp
 
@@ -73,7 +73,7 @@ class Turns:
         self.lines = self.before = self.most = 0
         # On a busy machine, what comes takes long.
         monkeypatch.setattr(session, "FLOOD_PATIENCE", 60.0)
-        for kind, name in ((Answers, "_receive_next"), (Handshake, "_receive_line")):
+        for kind, name in ((ResponseReceiver, "_receive_next"), (Handshake, "_receive_line")):
             self._count(monkeypatch, kind, name)
 
     def _count(self, monkeypatch: pytest.MonkeyPatch, kind: type, name: str) -> None:

@@ -16,8 +16,9 @@ from hypothesis import strategies as st
 import unity_link
 from support.searching import examples
 from unity_link import GatewayInfo, Sample
-from unity_link.link.subscription import GatewayClock, LatestIntake, Publishing, Schedule
-from unity_link.protocol.messages import SAMPLE_HEAD, TIMESTAMP_DIGITS, GroupFlag
+from unity_link.link.gateway_clock import GatewayClock
+from unity_link.link.publishing import LatestSampleReceiver, Publishing, Schedule
+from unity_link.protocol.wire.messages import SAMPLE_HEAD, TIMESTAMP_DIGITS, GroupFlag
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.serving import serve_pty, serve_tcp
 
@@ -58,11 +59,11 @@ class Host:
         publishing = Publishing(cast("Any", SimpleNamespace(session=session)), cast("Any", runtime), "a gateway")
         publishing._clock = GatewayClock(CLOCK_HZ)
         flags |= GroupFlag.TIMESTAMP if stamped else GroupFlag(0)
-        self.intake = LatestIntake(publishing, Schedule((0,), divisor, flags), 1, "drop_oldest", callback)
-        self.intake.holder = self
-        self.intake.words_at = SAMPLE_HEAD + (TIMESTAMP_DIGITS if stamped else 0)
-        self.intake.length = self.intake.words_at + 8
-        self.intake.restart()
+        self.receiver = LatestSampleReceiver(publishing, Schedule((0,), divisor, flags), 1, "drop_oldest", callback)
+        self.receiver.holder = self
+        self.receiver.words_at = SAMPLE_HEAD + (TIMESTAMP_DIGITS if stamped else 0)
+        self.receiver.length = self.receiver.words_at + 8
+        self.receiver.restart()
         self._period, self._stamped = divisor / BASE_HZ, stamped
 
     def read(self, now: float, numbers: Sequence[int]) -> None:
@@ -70,13 +71,13 @@ class Host:
         self.now = now
         bodies = [self._body(number) for number in numbers]
         if len(bodies) == 1:
-            self.intake.receive(bodies[0], now)
+            self.receiver.receive(bodies[0], now)
         elif bodies:
-            self.intake.receive_rows(np.array([np.frombuffer(body, np.uint8) for body in bodies]), now)
+            self.receiver.receive_rows(np.array([np.frombuffer(body, np.uint8) for body in bodies]), now)
 
     def given(self) -> list[int]:
         """Return the numbers of the samples that a reader would get now."""
-        return [int(self.intake.next().values[0]) for _ in range(len(self.intake.buffer))]
+        return [int(self.receiver.next().values[0]) for _ in range(len(self.receiver.buffer))]
 
     def _body(self, number: int) -> bytes:
         ticks = round(number * self._period * CLOCK_HZ) % (1 << 32)
@@ -117,8 +118,8 @@ def test_what_waited_over_a_pause_is_not_given_and_what_follows_is(
     assert given == after[after.index(given[0]) :]
     assert after.index(given[0]) <= late
     if stamped:
-        assert host.intake.received == 50 + len(waited) + len(after)
-        assert host.intake.lost == after[-1] + 1 - 1 - len(given)
+        assert host.receiver.received == 50 + len(waited) + len(after)
+        assert host.receiver.lost == after[-1] + 1 - 1 - len(given)
 
 
 def test_lost_of_the_first_sample_behind_a_pause_counts_those_that_were_held_back() -> None:
@@ -130,7 +131,7 @@ def test_lost_of_the_first_sample_behind_a_pause_counts_those_that_were_held_bac
     host.read(10.001, range(600, 700))
     host.read(10.01 + ON_WAY, [1001])
     assert [(sample.sequence, sample.lost) for sample in given[-2:]] == [(9, 0), (1001, 991)]
-    assert host.intake.lost == 991
+    assert host.receiver.lost == 991
 
 
 @pytest.mark.asyncio
@@ -138,7 +139,7 @@ async def test_a_sample_that_waited_for_its_reader_over_a_pause_is_not_given() -
     host = Host(10)
     host.read(ON_WAY, [0])
     host.now = 30.0
-    waiting = asyncio.create_task(host.intake.wait())
+    waiting = asyncio.create_task(host.receiver.wait())
     await asyncio.sleep(0)
     host.read(30.0, range(1, 500))
     await asyncio.sleep(0)
@@ -146,7 +147,7 @@ async def test_a_sample_that_waited_for_its_reader_over_a_pause_is_not_given() -
     host.read(30.01 + ON_WAY, [3001])
     await waiting
     assert host.given() == [3001]
-    assert host.intake.lost == 3001
+    assert host.receiver.lost == 3001
 
 
 @pytest.mark.parametrize("stamped", [True, False])

@@ -36,11 +36,11 @@ from unity_link import (
     UnsupportedError,
 )
 from unity_link.link.connection import Reconnect
-from unity_link.protocol.configuration import PROTOCOL_VERSION, Feature
-from unity_link.protocol.constants import MOST_TRIES
-from unity_link.protocol.crc import USUAL_POLYNOMIALS
-from unity_link.protocol.handshake import LINE_ENDS
-from unity_link.protocol.messages import Codec
+from unity_link.protocol.host.handshake import LINE_ENDS
+from unity_link.protocol.window.constants import MOST_TRIES
+from unity_link.protocol.wire.configuration import PROTOCOL_VERSION, Feature
+from unity_link.protocol.wire.crc import USUAL_POLYNOMIALS
+from unity_link.protocol.wire.messages import Codec
 from unity_link.transport import parse_url
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing, Noise, NoisyLine
@@ -573,7 +573,7 @@ async def test_a_lost_connection_says_what_is_known_of_each_request(make_bare: M
         await asyncio.sleep(0)
         assert link._flow.stream is not None
         codec = link._session.codec
-        expected = numbers_in(gateway.heard, gateway.info)[0] + 1 & codec.ring - 1
+        expected = numbers_in(gateway.heard, gateway.info)[0] + 1 & codec.id_count - 1
         link._flow.stream.data_received(as_gateway(codec, codec.out_of_sequence(expected)))
         waiting = [asyncio.ensure_future(link.write(3, value)) for value in range(2 * in_flight(link.gateway))]
         await asyncio.sleep(0)
@@ -1041,7 +1041,7 @@ async def connected_with_ids(gateway: Valve) -> tuple[Link, list[bytes]]:
     await link.write(2, 0)
     codec = Codec(gateway.info)
     last = numbers_in(gateway.heard, gateway.info)[-1]
-    return link, [codec.id_text[last + ahead & codec.ring - 1] for ahead in range(1, codec.ring // 2)]
+    return link, [codec.id_text[last + ahead & codec.id_count - 1] for ahead in range(1, codec.id_count // 2)]
 
 
 @pytest.mark.parametrize("body", SOUND)

@@ -18,12 +18,12 @@ from support.simulated_time import on_simulated_time
 from support.valve import Valve, as_gateway, cut
 from unity_link import LinkClosedError, LinkLostError
 from unity_link.link.flow import Flow
-from unity_link.link.runtime import AsyncioRuntime, LoneFuture
-from unity_link.link.subscription import Intake
-from unity_link.protocol.answers import Answers
-from unity_link.protocol.requests import Request
-from unity_link.protocol.session import Session
-from unity_link.protocol.window import Window
+from unity_link.link.publishing import SampleReceiver
+from unity_link.link.runtimes.runtime import AsyncioRuntime, LoneFuture
+from unity_link.protocol.host.receiver import ResponseReceiver
+from unity_link.protocol.host.requests import Request
+from unity_link.protocol.host.session import Session
+from unity_link.protocol.window.window import Window
 from unity_link.transport.polling import SPIN
 from unity_link.transport.stream import Stream
 
@@ -152,7 +152,7 @@ def spinning(monkeypatch: pytest.MonkeyPatch, processors: int = 2) -> tuple[Asyn
         return AsyncioRuntime()
 
     monkeypatch.setattr("unity_link.transport.polling.count_processors", lambda: processors)
-    monkeypatch.setattr("unity_link.link.runtime._time_of", ModelledLoop.time)
+    monkeypatch.setattr("unity_link.link.runtimes.runtime._time_of", ModelledLoop.time)
     runtime, loop = asyncio.run(make()), ModelledLoop()
     runtime._loop = loop  # type: ignore[assignment]
     return runtime, loop
@@ -347,7 +347,7 @@ async def test_one_that_is_lost_beside_an_idle_group_is_sent_again_as_soon_as_wi
         assert asyncio.get_running_loop().time() - began < 0.1
 
 
-@pytest.mark.parametrize("hot", [Flow, Intake, Session, Answers, Window, Request, Stream, LoneFuture])
+@pytest.mark.parametrize("hot", [Flow, SampleReceiver, Session, ResponseReceiver, Window, Request, Stream, LoneFuture])
 def test_what_every_request_passes_has_attributes_that_python_finds_quickly(hot: type) -> None:
     assert not hasattr(hot, "__getattr__")
     assert "__slots__" in vars(hot) or hot not in (Window, Request, LoneFuture)

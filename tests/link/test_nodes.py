@@ -16,7 +16,7 @@ import unity_link
 from support.recorded_bus import RecordedBus
 from support.simulated_time import on_simulated_time
 from unity_link import BusError, ConnectError, LinkLostError, Reconnect, UnsupportedError
-from unity_link.protocol.constants import ANSWER_PATIENCE
+from unity_link.protocol.window.constants import ANSWER_PATIENCE
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.build import compiled_node
 from unity_link.virtual.rtl import RtlGateway, configurations

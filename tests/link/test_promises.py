@@ -22,8 +22,8 @@ from unity_link.data import Group
 from unity_link.errors import first_error
 from unity_link.link.connection import Reconnect
 from unity_link.modules import Memory
-from unity_link.protocol.configuration import Feature
-from unity_link.protocol.crc import Crc, seed_of
+from unity_link.protocol.wire.configuration import Feature
+from unity_link.protocol.wire.crc import Crc, seed_of
 from unity_link.spec import compile_text
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing

@@ -17,15 +17,15 @@ from support.scripted import Scripted
 from support.searching import examples
 from support.simulated_time import on_simulated_time, run_simulated
 from support.valve import as_gateway
-from unity_link.protocol.crc import Crc
-from unity_link.protocol.frames import MOST_LINES, Framing
+from unity_link.protocol.wire.crc import Crc
+from unity_link.protocol.wire.frames import MOST_LINES, Framing
 from unity_link.virtual.build import build_gateway
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from unity_link import Sample
-    from unity_link.protocol.host_codec import HostCodec
+    from unity_link.protocol.host.host_codec import HostCodec
 
 NODE, OTHER_NODE = 5, 6
 FOREIGN = 7

@@ -15,7 +15,7 @@ from support.valve import Valve
 from unity_link import LinkLostError, Outcome
 from unity_link.errors import GatewayResetError
 from unity_link.link import connection
-from unity_link.protocol.constants import KEEP_ALIVE, LONGEST_SILENCE, LONGEST_TIMEOUT
+from unity_link.protocol.window.constants import KEEP_ALIVE, LONGEST_SILENCE, LONGEST_TIMEOUT
 
 if TYPE_CHECKING:
     from support.makers import Maker

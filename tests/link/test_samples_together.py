@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 import unity_link
 from support.simulated_time import on_simulated_time, run_simulated
 from support.valve import Valve, as_gateway
-from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.wire.configuration import GatewayInfo
 from unity_link.virtual import VirtualGateway
 
 if TYPE_CHECKING:
@@ -73,7 +73,7 @@ async def received(arriving: list[Arriving], *, stamped: bool, together: bool, b
             await asyncio.sleep(0)
         seen = [
             (sample.sequence, sample.time, sample.values.tolist(), sample.values.dtype, sample.lost)
-            for sample in (await samples.take() if samples._intake.buffer else [])
+            for sample in (await samples.take() if samples._receiver.buffer else [])
         ]
         counted = link.statistics
         return seen, samples.received, samples.lost, counted.samples, counted.samples_lost, counted.damaged_frames

@@ -11,7 +11,7 @@ from support.recorded_bus import RecordedBus
 from support.simulated_time import on_simulated_time
 from support.valve import Valve, cut
 from unity_link import ConnectError, LinkLostError
-from unity_link.protocol.crc import Crc
+from unity_link.protocol.wire.crc import Crc
 from unity_link.transport import DriverUrl, register
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.shared_line import build_shared_line

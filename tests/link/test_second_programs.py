@@ -20,7 +20,7 @@ from support.recorded_bus import RecordedBus
 from support.searching import seeds
 from support.second_program import ADDRESSES, WORDS, Program, run_alone
 from unity_link import LinkLostError
-from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.serving import serve_pty
 from unity_link.virtual.transport import GatewayTransport

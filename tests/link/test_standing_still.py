@@ -17,10 +17,11 @@ from hypothesis import strategies as st
 from support.searching import examples
 from support.taken_samples import BASE_HZ, STORIES, Taken, are_decidable, arrivals_of, of_group
 from unity_link import GatewayInfo, Sample
+from unity_link.link.gateway_clock import GatewayClock
+from unity_link.link.publishing import Publishing, SampleReceiver, Schedule
 from unity_link.link.samples_together import SamplesTogether
-from unity_link.link.subscription import GatewayClock, Intake, Publishing, Schedule
-from unity_link.protocol.events import SampledTogether
-from unity_link.protocol.messages import SAMPLE_HEAD, TIMESTAMP_DIGITS, GroupFlag
+from unity_link.protocol.host.events import SampledTogether
+from unity_link.protocol.wire.messages import SAMPLE_HEAD, TIMESTAMP_DIGITS, GroupFlag
 
 
 class Host:
@@ -39,30 +40,30 @@ class Host:
         self.publishing._together = SamplesTogether
         flags = GroupFlag.PERIODIC | GroupFlag.TIMESTAMP
         self.samples: list[list[Sample]] = [[] for _ in divisors]
-        self.intakes = [
-            Intake(self.publishing, Schedule((0,), divisor, flags), 1 << 30, "fail", samples.append)
+        self.receivers = [
+            SampleReceiver(self.publishing, Schedule((0,), divisor, flags), 1 << 30, "fail", samples.append)
             for divisor, samples in zip(divisors, self.samples, strict=True)
         ]
-        for intake in self.intakes:
-            intake.words_at = SAMPLE_HEAD + TIMESTAMP_DIGITS
-            intake.length = intake.words_at + 8
-            intake.restart()
+        for receiver in self.receivers:
+            receiver.words_at = SAMPLE_HEAD + TIMESTAMP_DIGITS
+            receiver.length = receiver.words_at + 8
+            receiver.restart()
 
     def read(self, taken: list[Taken], now: float, way: str) -> None:
         """Take what has arrived, in one of the ways that the session chooses from."""
         bodies = np.array([np.frombuffer(one.body(), np.uint8) for one in taken])
         if way == "one by one" or len(taken) < 2:
             for one in taken:
-                self.intakes[one.group].receive(one.body(), now)
+                self.receivers[one.group].receive(one.body(), now)
         elif way == "together":
-            owners = [self.intakes[one.group] for one in taken]
+            owners = [self.receivers[one.group] for one in taken]
             parts = [(np.arange(len(taken)), bodies)]
             self.publishing._receive_together(SampledTogether(cast("Any", owners), parts, now))
         else:
             at = 0
             for group, run in itertools.groupby(taken, lambda one: one.group):
                 count = len(list(run))
-                self.intakes[group].receive_rows(bodies[at : at + count], now)
+                self.receivers[group].receive_rows(bodies[at : at + count], now)
                 at += count
 
 

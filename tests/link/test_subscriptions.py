@@ -16,7 +16,7 @@ from support.logged import told
 from support.makers import CRC_32, SLOW, Maker
 from support.simulated_time import on_simulated_time
 from unity_link import ArgumentError, Feature, LinkLostError, Sample, SamplesLostError, UnsupportedError
-from unity_link.link.subscription import GatewayClock
+from unity_link.link.gateway_clock import GatewayClock
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Noise, NoisyLine
 from unity_link.virtual.gateway import Gateway
@@ -439,9 +439,9 @@ async def test_samples_are_right_or_counted_as_lost_on_a_bad_line(make_bare: Mak
 @on_simulated_time
 async def test_what_is_no_sample_of_the_subscription_is_dropped(make_bare: Maker) -> None:
     async with unity_link.connect(make_bare(**SLOW)) as link, link.subscribe([0]) as samples:
-        samples._intake.receive(b"P0000", 0.0)
-        samples._intake.receive(b"P00000000000G00000000", 0.0)
-        samples._intake.receive(b"P00G00000000000000000", 0.0)
+        samples._receiver.receive(b"P0000", 0.0)
+        samples._receiver.receive(b"P00000000000G00000000", 0.0)
+        samples._receiver.receive(b"P00G00000000000000000", 0.0)
         assert samples.received == 0
 
 
@@ -524,7 +524,7 @@ async def test_a_reader_that_does_not_read_takes_bounded_memory(make_bare: Maker
         link.subscribe([0], rate_hz=1000, buffer=10) as samples,
     ):
         await asyncio.sleep(3)
-        assert len(samples._intake.buffer) == 10
+        assert len(samples._receiver.buffer) == 10
         assert samples.lost == samples.received - 10
 
 
@@ -576,7 +576,7 @@ async def test_what_had_come_when_a_reader_was_cancelled_is_given_to_the_next_or
                 assert sample.sequence == expected + sample.lost
                 expected = sample.sequence + 1
                 lost += sample.lost
-        assert samples.received == expected - lost + samples.lost + len(samples._intake.buffer)
+        assert samples.received == expected - lost + samples.lost + len(samples._receiver.buffer)
 
 
 @on_simulated_time

@@ -1,4 +1,4 @@
-"""Put wrongs into the protocol room, and count those that no test finds: ``python -m mutants``, from the tests' folder.
+"""Put mutants into `protocol` and `capture`, and count those that survive: ``python -m mutants``, from `tests`.
 
 What was found stands in a file, mutant by mutant: a run that was interrupted goes on where it was. The exit status is 1
 where fewer than nine of ten are killed.
@@ -16,7 +16,7 @@ from pathlib import Path
 
 import msgspec
 
-from mutants.choosing import ROOM, ROOT, Mutant, choose
+from mutants.choosing import FOLDERS, ROOT, Mutant, choose
 from mutants.killing import KILLED, SURVIVED, TESTS, file_of, observe, tests_for, verdict
 
 ENOUGH = 0.9
@@ -36,8 +36,8 @@ def main() -> int:
     options = _options()
     os.chdir(ROOT)
     folder = Path(options.folder)
-    seconds, reached = observe(folder / f"reached-{_hash(ROOM, *map(file_of, TESTS))}.json")
-    kept = folder / f"results-{_hash(ROOM)}-{options.seed}.json"
+    seconds, reached = observe(folder / f"reached-{_hash(*FOLDERS, *map(file_of, TESTS))}.json")
+    kept = folder / f"results-{_hash(*FOLDERS)}-{options.seed}.json"
     results = msgspec.json.decode(kept.read_bytes(), type=dict[str, Result]) if kept.exists() else {}
     chosen = choose(options.count, options.seed)
     todo = [mutant for mutant in chosen if _is_open(results.get(mutant.name), again=options.again)]

@@ -1,4 +1,4 @@
-"""Which wrongs are put into the protocol room: places drawn by chance, at each of them an operator of Cosmic Ray."""
+"""The mutants of `protocol` and `capture`: places drawn by chance, with an operator of Cosmic Ray for each."""
 
 from __future__ import annotations
 
@@ -17,7 +17,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 ROOT = Path(__file__).parents[2]
-ROOM = Path("unity_link", "protocol")
+PACKAGE = Path("unity_link")
+FOLDERS = (PACKAGE / "capture", PACKAGE / "protocol")
 Position = tuple[int, int]
 
 
@@ -25,6 +26,7 @@ class Mutant(msgspec.Struct, frozen=True):
     """One wrong: the occurrence of an operator in a module."""
 
     module: str
+    """Path of the module in the package, without its ending, as ``protocol/wire/crc``."""
     operator: str
     occurrence: int
     line: int
@@ -39,7 +41,7 @@ class Mutant(msgspec.Struct, frozen=True):
     @property
     def path(self) -> Path:
         """The module, seen from the top of the repository."""
-        return ROOM / f"{self.module}.py"
+        return PACKAGE / f"{self.module}.py"
 
     def source(self) -> str:
         """Return the module with the wrong in it."""
@@ -57,13 +59,18 @@ class Mutant(msgspec.Struct, frozen=True):
 def choose(count: int, seed: int) -> list[Mutant]:
     """Return so many mutants, of which no two are at one place; the first are the same for every count."""
     by_place: dict[tuple[str, Position, Position], list[Mutant]] = {}
-    for path in sorted((ROOT / ROOM).glob("*.py")):
+    for path in sorted(path for folder in FOLDERS for path in (ROOT / folder).rglob("*.py")):
         for start, end, mutant in _mutants_of(path):
-            by_place.setdefault((path.stem, start, end), []).append(mutant)
+            by_place.setdefault((mutant.module, start, end), []).append(mutant)
     chance = random.Random(seed)
     places = sorted(by_place)
     chance.shuffle(places)
     return [chance.choice(by_place[place]) for place in places][:count]
+
+
+def module_of(path: Path) -> str:
+    """Return the name by which mutants know a file of the package."""
+    return path.relative_to(ROOT / PACKAGE).with_suffix("").as_posix()
 
 
 def _mutants_of(path: Path) -> Iterator[tuple[Position, Position, Mutant]]:
@@ -79,7 +86,7 @@ def _mutants_of(path: Path) -> Iterator[tuple[Position, Position, Mutant]]:
         for occurrence, (start, end) in enumerate(places):
             if not any(first <= start and end <= last for first, last in left_alone):
                 inside = any(head[0] < start[0] and end <= last for head, last in bodies)
-                yield start, end, Mutant(path.stem, name, occurrence, start[0], end[0], inside)
+                yield start, end, Mutant(module_of(path), name, occurrence, start[0], end[0], inside)
 
 
 def _tells_nothing(name: str) -> bool:

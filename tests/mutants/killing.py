@@ -24,7 +24,7 @@ import coverage
 import pytest
 from hypothesis import Phase, settings
 
-from mutants.choosing import ROOM, ROOT, Mutant
+from mutants.choosing import FOLDERS, ROOT, Mutant, module_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -43,6 +43,7 @@ LIBRARIES = [
 WORLDS = "tests/mutants/worlds.py"
 """Run on each mutant that they reach, however many other tests do."""
 TESTS = [
+    "tests/capture",
     "tests/protocol",
     WORLDS,
     "tests/test_protocol_document.py",
@@ -144,7 +145,9 @@ def observe(kept: Path) -> tuple[Timed, Reached]:
 
 
 def _observe_here(kept: Path) -> None:
-    measured = coverage.Coverage(data_file=None, config_file=False, include=[str(ROOT / ROOM / "*")])
+    measured = coverage.Coverage(
+        data_file=None, config_file=False, include=[str(ROOT / folder / "*") for folder in FOLDERS]
+    )
     measured.start()
     observer = _Observer(measured)
     there = [test for test in TESTS if (ROOT / file_of(test)).exists()]
@@ -155,7 +158,7 @@ def _observe_here(kept: Path) -> None:
     measured.stop()
     if code == pytest.ExitCode.OK:
         data = measured.get_data()
-        reached = {Path(file).stem: data.contexts_by_lineno(file) for file in data.measured_files()}
+        reached = {module_of(Path(file)): data.contexts_by_lineno(file) for file in data.measured_files()}
         kept.write_text(json.dumps([observer.seconds, reached]))
     os._exit(int(code))
 

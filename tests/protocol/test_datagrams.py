@@ -10,10 +10,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from unity_link.errors import ConnectError
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.datagrams import NO_SESSION, Counts, GatewayDatagrams, HostDatagrams
-from unity_link.protocol.frames import LARGEST_DATAGRAM
-from unity_link.protocol.messages import Codec
+from unity_link.protocol.gateway.datagrams import GatewayDatagrams
+from unity_link.protocol.host.datagrams import HostDatagrams
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.datagrams import NO_SESSION, Counts
+from unity_link.protocol.wire.frames import LARGEST_DATAGRAM
+from unity_link.protocol.wire.messages import Codec
 from unity_link.virtual import VirtualGateway
 
 OFFER = 0x4F1C0A32

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import pytest
 
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.events import Unusable
-from unity_link.protocol.frames import LF
-from unity_link.protocol.path import HEADER_SIZE, HEADERS_6, LENGTHS, TRIES, Path
-from unity_link.protocol.requests import Request
-from unity_link.protocol.session import Session
+from unity_link.protocol.host.events import Unusable
+from unity_link.protocol.host.requests import Request
+from unity_link.protocol.host.session import Session
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.frames import LF
+from unity_link.protocol.wire.path import HEADER_SIZE, HEADERS_6, LENGTHS, TRIES, Path
 from unity_link.virtual import VirtualGateway
 
 LATER = 0.001

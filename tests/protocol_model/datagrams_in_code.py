@@ -1,4 +1,4 @@
-"""The exploration of `datagrams`, with the classes of `unity_link.protocol.datagrams` in the place of its headers.
+"""The exploration of `datagrams`, with the classes of `unity_link.protocol.wire.datagrams` in the place of its headers.
 
 What host and gateway do with frames is the model's, what becomes of datagrams is the code's: each state holds the
 fields of both sides, and each step sets them, has the code put or take one datagram, and reads them again.
@@ -14,9 +14,10 @@ from protocol_model import datagrams as model
 from protocol_model.datagrams import NO_SESSION, RING, Rules
 from protocol_model.exploration import Exploration, Fault, explore
 from unity_link.errors import ConnectError
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.datagrams import GatewayDatagrams, HostDatagrams, Requester
-from unity_link.protocol.messages import Codec
+from unity_link.protocol.gateway.datagrams import GatewayDatagrams, Requester
+from unity_link.protocol.host.datagrams import HostDatagrams
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.messages import Codec
 
 CODEC = Codec(GatewayInfo())
 QUESTION, OPENING = b"Q\r", b"K000\r"

@@ -15,12 +15,12 @@ from support.makers import COMPACT, CRC_32, RTL, compiled, simulated
 from support.sharing import call, settle, sharing
 from support.simulated_time import on_simulated_time
 from support.worked_examples import DOCUMENT, worked_examples
-from unity_link.protocol.compact import CompactForm, Unpacker
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.crc import Crc
-from unity_link.protocol.datagrams import GatewayDatagrams
-from unity_link.protocol.frames import Framing
-from unity_link.protocol.messages import Codec
+from unity_link.protocol.gateway.datagrams import GatewayDatagrams
+from unity_link.protocol.wire.compact import CompactForm, Unpacker
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.crc import Crc
+from unity_link.protocol.wire.frames import Framing
+from unity_link.protocol.wire.messages import Codec
 from unity_link.virtual import VirtualGateway
 
 if TYPE_CHECKING:

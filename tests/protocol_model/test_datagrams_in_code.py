@@ -4,7 +4,7 @@ import pytest
 
 from protocol_model import datagrams_in_code
 from protocol_model.datagrams import Rules
-from unity_link.protocol.datagrams import Counts
+from unity_link.protocol.wire.datagrams import Counts
 
 campaign = pytest.mark.campaign
 

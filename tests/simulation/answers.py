@@ -6,12 +6,12 @@ import re
 from typing import TYPE_CHECKING
 
 from simulation.oracle import WorldError
-from unity_link.protocol.compact import text_of
+from unity_link.protocol.wire.compact import text_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.wire.configuration import GatewayInfo
 
 _NOT_EXPECTED = b"n"
 

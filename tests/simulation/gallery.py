@@ -14,24 +14,17 @@ from unity_link.bridges.serve import client, shared
 from unity_link.bridges.serve import groups as served_groups
 from unity_link.bridges.serve import requests as served_requests
 from unity_link.errors import Outcome
-from unity_link.link import connection, flow, link, subscription
-from unity_link.protocol import (
-    answers,
-    arrays,
-    datagrams,
-    gateway_session,
-    group_table,
-    host_codec,
-    reception,
-    repetition,
-    requests,
-    session,
-    window,
-)
-from unity_link.protocol.events import SampledRows
-from unity_link.protocol.frames import FrameError
-from unity_link.protocol.messages import COMMANDS, Repeat
-from unity_link.protocol.reception import SequencePlace
+from unity_link.link import connection, flow, gateway_clock, link, publishing
+from unity_link.protocol.gateway import datagrams as gateway_datagrams
+from unity_link.protocol.gateway import reception
+from unity_link.protocol.gateway import session as gateway_session
+from unity_link.protocol.gateway.reception import SequencePlace
+from unity_link.protocol.host import batches, group_table, host_codec, receiver, requests, session
+from unity_link.protocol.host.events import SampledRows
+from unity_link.protocol.window import retransmission, window
+from unity_link.protocol.wire import arrays, datagrams
+from unity_link.protocol.wire.frames import FrameError
+from unity_link.protocol.wire.messages import COMMANDS, Repeat
 from unity_link.transport import stream
 from unity_link.virtual import bus, transport
 
@@ -102,16 +95,16 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
         after = len(framing.prefix) + 3
         group = self._groups.begun.get(data[start : start + after][-2:])
         size = 0 if group is None else group.length + framing.overhead
-        while size > framing.overhead and (count := (len(data) - start) // size) >= answers.FEWEST_SAMPLES:
+        while size > framing.overhead and (count := (len(data) - start) // size) >= receiver.FEWEST_SAMPLES:
             rows = arrays.rows_of(data, start, count, size)
             bodies = arrays.open_rows(framing, rows, data[start : start + after])
-            if len(bodies) < answers.FEWEST_SAMPLES:
+            if len(bodies) < receiver.FEWEST_SAMPLES:
                 break
             events.append(SampledRows(group.owner, bodies, now))
             start += len(bodies) * size
         return start
 
-    monkeypatch.setattr(answers.Answers, "_receive_samples", receive_samples)
+    monkeypatch.setattr(receiver.ResponseReceiver, "_receive_samples", receive_samples)
 
 
 @bug("a fence does not wait for batches")
@@ -152,30 +145,30 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("a group that is set up again counts samples by its old number")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    restart = subscription.Intake.restart
+    restart = publishing.SampleReceiver.restart
 
     def going_on(self: Any) -> None:
         before = self._sequence
         restart(self)
         self._sequence = before
 
-    monkeypatch.setattr(subscription.Intake, "restart", going_on)
+    monkeypatch.setattr(publishing.SampleReceiver, "restart", going_on)
 
 
 @bug("the time of samples goes back where the gateway was reset")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    start = subscription.Publishing.start
+    start = publishing.Publishing.start
 
     def anew(self: Any, codec: Any) -> None:
         start(self, codec)
-        self._clock = subscription.GatewayClock(codec.info.clock_hz)
+        self._clock = gateway_clock.GatewayClock(codec.info.clock_hz)
 
-    monkeypatch.setattr(subscription.Publishing, "start", anew)
+    monkeypatch.setattr(publishing.Publishing, "start", anew)
 
 
 @bug("a batch of reads ends at its first error")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    fail_part = requests.BatchRun.fail_part
+    fail_part = batches.BatchRun.fail_part
 
     def ending(self: Any, offset: int, count: int, error: Any, events: Any) -> None:
         if self.posted:
@@ -183,7 +176,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
         else:
             self._batch.fail(error, events)
 
-    monkeypatch.setattr(requests.BatchRun, "fail_part", ending)
+    monkeypatch.setattr(batches.BatchRun, "fail_part", ending)
 
 
 # Protocol 02: a gateway that was reset says so
@@ -213,12 +206,12 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("a request that was sent again before a reset is said not to be executed")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(repetition.Repetition, "never_arrived_from", lambda self, refused: refused)
+    monkeypatch.setattr(retransmission.Retransmission, "never_arrived_from", lambda self, refused: refused)
 
 
 @bug("a reset is told as an error of one request")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    receive_line = answers.Answers._receive_line
+    receive_line = receiver.ResponseReceiver._receive_line
 
     def taking(self: Any, line: bytes, now: float, events: Any) -> int:
         try:
@@ -226,12 +219,12 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
         except FrameError:
             body = b""
         after = 1 + self.codec.info.id_digits
-        if body[:1] != b"x" or body[after : after + 2] != answers._NO_SESSION:
+        if body[:1] != b"x" or body[after : after + 2] != receiver._NO_SESSION:
             return receive_line(self, line, now, events)
         self._receive_answer(body[: after + 2], now, events)
         return len(line) + 1
 
-    monkeypatch.setattr(answers.Answers, "_receive_line", taking)
+    monkeypatch.setattr(receiver.ResponseReceiver, "_receive_line", taking)
 
 
 @bug("groups are not set up again behind a reset")
@@ -285,7 +278,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("a reset is believed of a damaged request")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    has_no_session = answers.Answers._has_no_session
+    has_no_session = receiver.ResponseReceiver._has_no_session
 
     def believing(self: Any, line: bytes, now: float) -> bool:
         found = has_no_session(self, line, now)
@@ -295,7 +288,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
             self.refused = number if self.window.find(number) is not None else None
         return found
 
-    monkeypatch.setattr(answers.Answers, "_has_no_session", believing)
+    monkeypatch.setattr(receiver.ResponseReceiver, "_has_no_session", believing)
 
 
 @bug("a reset while the line was away is not noticed")
@@ -335,7 +328,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     told = window.Window.told
 
     def believing(self: Any, number: int, failed: int, now: float) -> bool:
-        return told(self, number, self.posts.failed, now)
+        return told(self, number, self.posted_writes.failed, now)
 
     monkeypatch.setattr(window.Window, "told", believing)
 
@@ -364,9 +357,9 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 @bug("a batch of reads goes on at another place in a new session")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     def again(self: Any, offset: int, count: int) -> Any:
-        return requests.BatchPart(self._batch, offset, count) if self.command == "R" else None
+        return batches.BatchPart(self._batch, offset, count) if self.command == "R" else None
 
-    monkeypatch.setattr(requests.BatchRun, "again", again)
+    monkeypatch.setattr(batches.BatchRun, "again", again)
 
 
 @bug("what was not sent when the connection was lost is forgotten")
@@ -390,7 +383,9 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
     def room(self: Any, size: int, *, posted: bool = False) -> int:
         return (
-            0 if self.repetition.is_due() else max(0, self.mask - self.in_flight - (posted or self.posts.unfenced > 0))
+            0
+            if self.retransmission.is_due()
+            else max(0, self.mask - self.in_flight - (posted or self.posted_writes.unfenced > 0))
         )
 
     monkeypatch.setattr(window.Window, "room", room)
@@ -411,7 +406,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     answered = window.Window.answered
 
     def going_back(self: Any, number: int, count: int, now: float) -> None:
-        again = self.repetition.is_any()
+        again = self.retransmission.is_any()
         answered(self, number, count, now)
         if self.oldest != self.next and again:
             self._repeat_from_oldest(now)
@@ -491,12 +486,12 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("answers to a batch are put in the opposite order")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    put = requests.WordBatch.put
+    put = batches.WordBatch.put
 
     def turned(self: Any, offset: int, count: int, words: Any, events: Any) -> None:
         put(self, offset, count, words if count == 1 else words[::-1], events)
 
-    monkeypatch.setattr(requests.WordBatch, "put", turned)
+    monkeypatch.setattr(batches.WordBatch, "put", turned)
 
 
 @bug("what is sent while the transport is full is dropped")
@@ -527,13 +522,13 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("lost samples are counted one too few where the number goes round")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    count_lost = subscription.Intake._count_lost
+    count_lost = publishing.SampleReceiver._count_lost
 
     def counted(self: Any, sequence: int, at: float | None, now: float) -> int:
         lost: int = count_lost(self, sequence, at, now)
         return max(0, lost - 1)
 
-    monkeypatch.setattr(subscription.Intake, "_count_lost", counted)
+    monkeypatch.setattr(publishing.SampleReceiver, "_count_lost", counted)
 
 
 @bug("samples that a full buffer drops are not counted")
@@ -542,12 +537,12 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
         self._dropped = 0
         return self.buffer.popleft()
 
-    monkeypatch.setattr(subscription.Intake, "next", following)
+    monkeypatch.setattr(publishing.SampleReceiver, "next", following)
 
 
 @bug("the newest sample is dropped instead of the oldest")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    keep = subscription.Intake.keep
+    keep = publishing.SampleReceiver.keep
 
     def kept(self: Any, sample: Any) -> None:
         if self._callback is None and len(self.buffer) == self._buffer_size:
@@ -555,7 +550,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
             return
         keep(self, sample)
 
-    monkeypatch.setattr(subscription.Intake, "keep", kept)
+    monkeypatch.setattr(publishing.SampleReceiver, "keep", kept)
 
 
 # The gateway's side
@@ -629,7 +624,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("a datagram of a former session is executed")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    take = datagrams.GatewayDatagrams.take
+    take = gateway_datagrams.GatewayDatagrams.take
 
     def careless(self: Any, datagram: bytes, source: Any) -> None:
         try:
@@ -641,7 +636,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
         else:
             take(self, datagram, source)
 
-    monkeypatch.setattr(datagrams.GatewayDatagrams, "take", careless)
+    monkeypatch.setattr(gateway_datagrams.GatewayDatagrams, "take", careless)
 
 
 # The server

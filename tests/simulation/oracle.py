@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Any
 from simulation.plan import ADDRESS_SHIFT, BURST, BURSTS, FAILING, LIVE, QUEUE_OUT
 from unity_link import BusError, BusTimeoutError
 from unity_link.errors import Outcome, UnansweredError
-from unity_link.protocol.compact import text_of
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.compact import text_of
+from unity_link.protocol.wire.messages import ErrorCode
 from unity_link.virtual.bus import AccessError
 from unity_link.virtual.gateway import Gateway
 

@@ -10,7 +10,7 @@ import random
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 from simulation.medium import HIGH, TEXTS, Fault, Line
-from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
 from unity_link.virtual.rtl import configurations
 
 if TYPE_CHECKING:

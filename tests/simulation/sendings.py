@@ -7,12 +7,12 @@ from collections import Counter
 from typing import TYPE_CHECKING, Any
 from unittest.mock import patch
 
-from unity_link.protocol.window import Window
+from unity_link.protocol.window.window import Window
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from unity_link.protocol.ring import Part
+    from unity_link.protocol.window.sequence_space import Part
 
 _repeat = Window.repeat
 
@@ -38,7 +38,7 @@ class Sendings:
 
     def repeat(self, window: Window[Any]) -> list[Part[Any]]:
         """Return what a window repeats, and count it."""
-        counted = self._by_time if window.signs.timed_out else self._by_signs
+        counted = self._by_time if window.loss.timed_out else self._by_signs
         parts = _repeat(window)
         for _, run, offset, count in parts:
             self._runs[id(run)] = run

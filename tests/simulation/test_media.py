@@ -7,7 +7,7 @@ import asyncio
 import pytest
 
 from simulation.media import Media, run_medium
-from unity_link.virtual import pump
+from unity_link.virtual import model_clock
 
 # asyncio leaves a connection to the garbage collector that it accepts in the moment in which its server closes.
 pytestmark = pytest.mark.filterwarnings("ignore:.*socket.socket:pytest.PytestUnraisableExceptionWarning")
@@ -25,7 +25,7 @@ def test_programs_on_a_real_medium_that_is_spoiled_and_cut_break_no_rule(medium:
 
 
 def test_a_gateway_that_runs_late_is_judged_by_the_clock_of_the_programs(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(pump, "MOST_STEPS", 1)
+    monkeypatch.setattr(model_clock, "MOST_STEPS", 1)
     assert asyncio.run(run_medium("unix", LATE_REQUESTS)).requests
 
 

@@ -22,8 +22,8 @@ from simulation.programs import Program
 from simulation.sendings import watched
 from unity_link.bridges.serve import Server, serve
 from unity_link.errors import UnityLinkError
-from unity_link.protocol import datagrams
-from unity_link.protocol.messages import Codec
+from unity_link.protocol.gateway import datagrams
+from unity_link.protocol.wire.messages import Codec
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.line import SlowLine
 from unity_link.virtual.modelled_time import DeadlockError

@@ -13,7 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from unity_link.protocol.description import PAGE_WORDS, description_of, length_of, pages_of, words_of
+from unity_link.protocol.wire.description import PAGE_WORDS, description_of, length_of, pages_of, words_of
 from unity_link.spec import SpecError, compile_description, compile_file, compile_text
 from unity_link.spec.description import MOST_BYTES
 

@@ -19,8 +19,8 @@ from unity_link import (
     Outcome,
     UnsupportedError,
 )
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.messages import ErrorCode
 from unity_link.virtual.faults import Failing, Noise, NoisyLine
 
 if TYPE_CHECKING:

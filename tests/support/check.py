@@ -96,13 +96,14 @@ def _tests_of_package(inside: list[str]) -> list[str]:
 
 
 def _of_part(room: str, part: str, name: str) -> list[str]:
-    """Return the tests of a part of a room, which have its name or import it; all of the room where there are none."""
+    """Return the tests of a part of a room: its folder, and all that name or import it; if there are none, its room."""
     found = [
         path
         for path in _test_files(f"tests/{room}")
         if f"_{part}" in Path(path).stem or re.search(rf"\b{re.escape(name)}\b", (ROOT / path).read_text())
     ]
-    return found or [f"tests/{room}"]
+    folder = f"tests/{room}/{part}"
+    return [folder, *found] if (ROOT / folder).is_dir() else found or [f"tests/{room}"]
 
 
 def _users(pattern: str) -> list[str]:

@@ -13,7 +13,7 @@ from unity_link.virtual.simulated import SimulatedRobot
 from unity_link.virtual.simulating import SimulatedGateway, make_robot
 
 if TYPE_CHECKING:
-    from unity_link.protocol.configuration import Feature
+    from unity_link.protocol.wire.configuration import Feature
 
 TEXT = """\
 group flags(RATE=100);

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from unity_link.protocol.crc import Crc
-from unity_link.protocol.frames import Framing
+from unity_link.protocol.wire.crc import Crc
+from unity_link.protocol.wire.frames import Framing
 
 FLOODS = {
     "damaged lines": b"a\n" * 200,

@@ -9,8 +9,8 @@ import asyncio
 import os
 import sys
 
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.messages import ErrorCode
 from unity_link.virtual import AccessError, VirtualGateway
 from unity_link.virtual.serving import serve_unix
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, cast
 
-from unity_link.protocol.constants import SHORTEST_TIMEOUT
-from unity_link.protocol.host_codec import HostCodec
+from unity_link.protocol.host.host_codec import HostCodec
+from unity_link.protocol.window.constants import SHORTEST_TIMEOUT
 
 if TYPE_CHECKING:
-    from unity_link.protocol.answers import Answers
-    from unity_link.protocol.configuration import GatewayInfo
-    from unity_link.protocol.session import Session
+    from unity_link.protocol.host.receiver import ResponseReceiver
+    from unity_link.protocol.host.session import Session
+    from unity_link.protocol.wire.configuration import GatewayInfo
 
 
 def open_at_once(
@@ -22,7 +22,7 @@ def open_at_once(
     *,
     first: int = 0,
     round_trip: float | None = None,
-) -> Answers:
+) -> ResponseReceiver:
     """Open a session as a handshake would, with group 1 set up for samples of one word; return what reads in it."""
     known = {"session": number, "first": first, "round_trip": round_trip}
     handshake = SimpleNamespace(
@@ -31,5 +31,5 @@ def open_at_once(
     session._shortest_timeout = SHORTEST_TIMEOUT
     session._open(cast("Any", handshake), 0.0, [])
     session.groups.begun[b"01"] = session.groups.hold(b"", 5 + info.data_digits, None)
-    assert session._answers is not None
-    return session._answers
+    assert session._receiver is not None
+    return session._receiver

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.messages import ErrorCode
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.bus import AccessError
 

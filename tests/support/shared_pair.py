@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from support.valve import Valve
-from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
 from unity_link.virtual.line import SlowLine
 
 if TYPE_CHECKING:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import contextlib
 from typing import TYPE_CHECKING, Any
 
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.path import HEADERS
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.path import HEADERS
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Straying
 from unity_link.virtual.serving import serve_udp

@@ -9,16 +9,16 @@ from collections import deque
 from typing import TYPE_CHECKING, Any
 
 from unity_link.errors import Outcome, UnansweredError
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.requests import Request
-from unity_link.protocol.session import Session
-from unity_link.protocol.trial import FIRST_IDS
+from unity_link.protocol.host.requests import Request
+from unity_link.protocol.host.session import Session
+from unity_link.protocol.host.trial import FIRST_IDS
+from unity_link.protocol.wire.configuration import GatewayInfo
 from unity_link.virtual.faults import Noise, NoisyLine
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.protocol.events import Events
+    from unity_link.protocol.host.events import Events
     from unity_link.virtual import Gateway
 
 PATIENCE = 600.0

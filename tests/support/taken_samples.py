@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from hypothesis import strategies as st
 
-from unity_link.link.subscription import tolerance_of
+from unity_link.link.gateway_clock import tolerance_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

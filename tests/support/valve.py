@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING, Any
 
-from unity_link.protocol.frames import in_session
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.frames import in_session
+from unity_link.protocol.wire.messages import ErrorCode
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.gateway import Gateway
 
@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
     from unity_link import GatewayInfo
     from unity_link.link.connection import Connection
-    from unity_link.protocol.host_codec import HostCodec
-    from unity_link.protocol.messages import DecodedRequest
+    from unity_link.protocol.host.host_codec import HostCodec
+    from unity_link.protocol.wire.messages import DecodedRequest
 
 
 class Valve(Gateway):

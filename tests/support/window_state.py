@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from unity_link.protocol.ring import Run
+from unity_link.protocol.window.sequence_space import Run
 
 if TYPE_CHECKING:
-    from unity_link.protocol.window import Window
+    from unity_link.protocol.window.window import Window
 
 
 def window_state(window: Window[Any]) -> object:

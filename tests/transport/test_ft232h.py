@@ -13,8 +13,8 @@ from msgspec import structs
 
 import unity_link
 from unity_link.errors import ArgumentError, ConnectError, LinkLostError
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.messages import Codec
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.messages import Codec
 from unity_link.transport import load_driver, parse_url
 from unity_link.transport.ft232h import with_libusb
 from unity_link.transport.ft232h.chip import list_chips, made_of, open_chip, open_in_thread, settings_of

@@ -20,7 +20,7 @@ import pytest
 
 import unity_link
 from unity_link import ArgumentError, ConnectError, LinkLostError, blocking
-from unity_link.protocol.constants import QUICK_TIMEOUT
+from unity_link.protocol.window.constants import QUICK_TIMEOUT
 from unity_link.transport import load_driver, parse_url
 from unity_link.transport.serial import _transport_class
 from unity_link.transport.stream import Stream

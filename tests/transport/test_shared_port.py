@@ -49,7 +49,7 @@ def served(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> I
     """Serve a line of four nodes from a thread, and check that no request was sent while an answer was outstanding."""
     # A board answers in time; a thread of a machine that has other things to do may not.
     for name in ("session.ANSWER_PATIENCE", "session._UNKNOWN_PATIENCE", "handshake.FIRST_TRY"):
-        monkeypatch.setattr(f"unity_link.protocol.{name}", 10.0)
+        monkeypatch.setattr(f"unity_link.protocol.host.{name}", 10.0)
     with serving(request.param) as (line, url):
         yield line, url
     assert line.collisions == []

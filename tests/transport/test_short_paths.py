@@ -13,7 +13,7 @@ from support.short_paths import short_path
 from unity_link import ArgumentError, UnsupportedError, blocking
 from unity_link.bridges.serve.shared import SharedLink
 from unity_link.link.asked import Asked, most_words
-from unity_link.protocol.path import HEADERS, LENGTHS
+from unity_link.protocol.wire.path import HEADERS, LENGTHS
 from unity_link.transport import parse_url
 
 WORDS = [*range(500)]

@@ -14,10 +14,11 @@ import pytest
 import unity_link
 from support.simulated_time import on_simulated_time, run_simulated
 from unity_link.bridges.serve import serve
+from unity_link.capture import pcapng
 from unity_link.errors import ArgumentError
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.crc import Crc, seed_of
-from unity_link.transport import SNOOP_VARIABLE, pcapng
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.crc import Crc, seed_of
+from unity_link.transport import SNOOP_VARIABLE
 from unity_link.transport.snoop import Connected, Disconnected, Passed, Snoop, read
 from unity_link.transport.tap import Tap
 from unity_link.virtual import VirtualGateway
@@ -266,7 +267,7 @@ def test_what_another_program_joined_is_read_as_the_snoops_in_it(tmp_path: Path)
     path.write_bytes(path.read_bytes() + block(1, struct.pack("<HHI", 1, 0, 0)))
     said: list[str] = []
     assert list(read(path, said.append)) == expected
-    assert "what is captured is no connection to a gateway" in said[0]
+    assert "an interface that is no connection to a gateway" in said[0]
 
 
 def test_a_full_disk_ends_the_snoop_and_not_the_link(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:

@@ -17,9 +17,9 @@ import unity_link
 from support.recorded_bus import WRITTEN, gateway_of_short_laps
 from unity_link import ArgumentError, ConnectError, LinkLostError, blocking
 from unity_link.errors import Outcome, UnsupportedError
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.crc import Crc
-from unity_link.protocol.frames import LARGEST_DATAGRAM, Framing
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.crc import Crc
+from unity_link.protocol.wire.frames import LARGEST_DATAGRAM, Framing
 from unity_link.transport import open_medium, parse_url
 from unity_link.transport.stream import Stream
 from unity_link.transport.udp import LARGE, MOST_TOGETHER, RECEIVE_BUFFER, DatagramAdapter

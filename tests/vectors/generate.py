@@ -16,10 +16,10 @@ import msgspec
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
-from unity_link.protocol.compact import END, ESCAPE, START, STUFFED, CompactForm, Packer, cut, is_sample
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.crc import seed_of
-from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode
+from unity_link.protocol.wire.compact import END, ESCAPE, START, STUFFED, CompactForm, Packer, cut, is_sample
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.crc import seed_of
+from unity_link.protocol.wire.messages import COMMANDS, Codec, ErrorCode
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
 
@@ -140,7 +140,7 @@ class Script:
         self.sessions = self.sessions * 5 % self.info.last_session + 1
         # Not in every fourth session.
         asked = self.sessions | self.asks_compact * (self.sessions % 4 > 0)
-        (self.checked if program else self.plain)(about, self.codec.opening(first % self.codec.ring, asked))
+        (self.checked if program else self.plain)(about, self.codec.opening(first % self.codec.id_count, asked))
 
     def plain(self, about: str, *bodies: bytes) -> None:
         """Send bodies in plain frames, one after the other."""
@@ -157,7 +157,7 @@ class Script:
         fields = self.codec.fields(command, *values)
         if number is None:
             return b"%b%b" % (command.encode(), fields)
-        return b"%b%b%b" % (command.lower().encode(), self.codec.id_text[number % self.codec.ring], fields)
+        return b"%b%b%b" % (command.lower().encode(), self.codec.id_text[number % self.codec.id_count], fields)
 
 
 def examples(info: GatewayInfo) -> dict[str, tuple[Any, ...]]:
@@ -183,7 +183,7 @@ def examples(info: GatewayInfo) -> dict[str, tuple[Any, ...]]:
 
 def no_session(script: Script) -> None:
     """Send what has an ID before the first session, which nothing is executed of, and errors that go before that."""
-    middle = script.codec.ring // 2
+    middle = script.codec.id_count // 2
     for command, values in examples(script.info).items():
         for number in (0, middle):
             script.both(f"{command} with ID and no session", script.body(command, *values, number=number))
@@ -350,7 +350,7 @@ def bus(script: Script) -> None:
 
 def sequence(script: Script) -> None:
     """Repeat, skip, wrap around."""
-    ring = script.codec.ring
+    ring = script.codec.id_count
     script.begin(ring - 3)
     number = ring - 3
     for command, values in examples(script.info).items():
@@ -458,8 +458,8 @@ def programs(script: Script) -> None:
 
 def fates(script: Script) -> None:
     """Repeat what failed, what took something, and ask how posted writes ended."""
-    script.begin(script.codec.ring - 2, program=True)
-    number = script.codec.ring - 2
+    script.begin(script.codec.id_count - 2, program=True)
+    number = script.codec.id_count - 2
     failing: list[tuple[Any, ...]] = [
         ("W", BUS_ERROR_AT, 1),
         ("WM", BUS_TIMEOUT_AT - 1, [1, 2]),
@@ -480,7 +480,7 @@ def fates(script: Script) -> None:
         script.checked("how did it end?", script.body("H", number=first + place))
     script.checked("how many failed, again", script.body("H", number=number - 1))
     number = _destructive(script, number)
-    half = script.codec.ring // 2
+    half = script.codec.id_count // 2
     if half <= 128:
         for _ in range(half):
             script.checked("until the fates come round", script.body("H", number=number))

@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from unity_link.errors import ArgumentError
-from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
 from unity_link.transport.buffered import HIGH_WATER
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Noise, NoisyLine

@@ -15,14 +15,14 @@ from hypothesis import strategies as st
 import unity_link
 from support.simulated_time import on_simulated_time
 from unity_link.errors import ArgumentError, BusError, UnsupportedError
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.crc import seed_of
-from unity_link.protocol.messages import LOOKING, Codec, ErrorCode
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.crc import seed_of
+from unity_link.protocol.wire.messages import LOOKING, Codec, ErrorCode
 from unity_link.virtual import AccessError, VirtualGateway
 from unity_link.virtual.faults import Failing
 
 CODEC = Codec(GatewayInfo())
-RING = CODEC.ring
+RING = CODEC.id_count
 SESSION = 0x1234
 
 

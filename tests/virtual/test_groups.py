@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.crc import Crc, seed_of
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.crc import Crc, seed_of
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
 

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 from support.makers import BUS_ERROR, COMPACT, Maker, compiled, simulated, with_failing
-from unity_link.protocol.crc import seed_of
-from unity_link.protocol.messages import Codec, ErrorCode
+from unity_link.protocol.wire.crc import seed_of
+from unity_link.protocol.wire.messages import Codec, ErrorCode
 from unity_link.virtual.faults import Failing
 
 if TYPE_CHECKING:

@@ -17,13 +17,13 @@ import unity_link
 from support import makers
 from support.simulated_time import run_simulated
 from support.waveform import Waveform, bytes_at_pins
+from unity_link.capture import pcapng
+from unity_link.capture.pcapng import Packet
 from unity_link.errors import ArgumentError, GatewayError
-from unity_link.protocol.compact import END, ESCAPE, START, CompactForm, Packer
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.crc import Crc, seed_of
-from unity_link.protocol.messages import Codec, ErrorCode
-from unity_link.transport import pcapng
-from unity_link.transport.pcapng import Packet
+from unity_link.protocol.wire.compact import END, ESCAPE, START, CompactForm, Packer
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.crc import Crc, seed_of
+from unity_link.protocol.wire.messages import Codec, ErrorCode
 from unity_link.transport.snoop import read
 from unity_link.virtual import AccessError, VirtualGateway
 from unity_link.virtual.rtl import choose

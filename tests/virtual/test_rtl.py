@@ -21,8 +21,8 @@ from hypothesis import strategies as st
 
 from support.makers import build_params
 from unity_link.errors import ArgumentError, ConnectError
-from unity_link.protocol.crc import Crc
-from unity_link.protocol.messages import Codec, ErrorCode
+from unity_link.protocol.wire.crc import Crc
+from unity_link.protocol.wire.messages import Codec, ErrorCode
 from unity_link.virtual import AccessError, VirtualGateway
 from unity_link.virtual.rtl import RtlGateway, archive, choose, compiling, configurations, library
 

@@ -18,8 +18,8 @@ import unity_link
 from support.bridge_programs import PROGRAM
 from support.simulated_time import on_simulated_time
 from unity_link.errors import ArgumentError
-from unity_link.protocol.configuration import Feature
-from unity_link.protocol.messages import GroupFlag
+from unity_link.protocol.wire.configuration import Feature
+from unity_link.protocol.wire.messages import GroupFlag
 from unity_link.spec import compile_file, compile_text
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.build import simulate
@@ -190,7 +190,7 @@ async def test_a_gateway_that_is_late_publishes_less_often_and_loses_nothing() -
     async with unity_link.connect("rtl:walker") as link, Walker(link).groups["state"].subscribe() as samples:
         await asyncio.sleep(0.02)
         loop: Any = asyncio.get_running_loop()
-        # Longer than a pump makes up for.
+        # Longer than a model clock makes up for.
         loop.jump(2.0)
         await asyncio.sleep(0.02)
         assert samples.received > 15

@@ -23,7 +23,7 @@ from unity_link.virtual.simulated import SimulatedRobot
 from unity_link.virtual.simulating import SimulatedGateway, make_robot
 
 if TYPE_CHECKING:
-    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.wire.configuration import GatewayInfo
     from unity_link.spec import Interface, ModuleSpec
     from unity_link.spec.syntax import File
     from unity_link.virtual.registers import Cell

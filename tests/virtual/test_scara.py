@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from unity_link.errors import ArgumentError
-from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.wire.configuration import GatewayInfo
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.scara import JOINTS, Scara
 from unity_link.virtual.servo import ServoJoint, plan

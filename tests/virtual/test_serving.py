@@ -15,8 +15,8 @@ import pytest
 
 import unity_link
 from unity_link.errors import ConnectError
-from unity_link.protocol.crc import Crc
-from unity_link.protocol.frames import Framing
+from unity_link.protocol.wire.crc import Crc
+from unity_link.protocol.wire.frames import Framing
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.line import SlowLine
 from unity_link.virtual.serving import BUSY, serve_pty, serve_tcp, serve_udp, serve_unix

@@ -11,7 +11,7 @@ from support.simulated_time import ModelledTimeLoop, on_simulated_time
 from unity_link.transport.buffered import HIGH_WATER
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.line import SlowLine
-from unity_link.virtual.pump import MOST_LAG
+from unity_link.virtual.model_clock import MOST_LAG
 from unity_link.virtual.transport import (
     MOST_DELIVERED,
     MOST_TAKEN,

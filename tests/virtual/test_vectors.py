@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 
 from support.by_path import imported
 from support.searching import examples
-from unity_link.protocol.compact import cut, is_sample
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.compact import cut, is_sample
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.messages import ErrorCode
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
 

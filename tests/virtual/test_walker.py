@@ -7,7 +7,7 @@ import math
 import pytest
 
 from unity_link.errors import ArgumentError
-from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.wire.configuration import GatewayInfo
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.bus import AccessError
 from unity_link.virtual.walker import COUNTS_PER_RADIAN, Walker

@@ -6,7 +6,7 @@ from typing import Literal, NamedTuple
 
 import msgspec
 
-from unity_link.protocol.finding import parse_ip, parse_mac
+from unity_link.protocol.wire.discovery import parse_ip, parse_mac
 
 _DATA_PINS = tuple(f"ft_data[{bit}]" for bit in range(8))
 CHAIN = {"chain_clk": "output", "chain_load_n": "output", "chain_out": "output", "chain_in": "input"}

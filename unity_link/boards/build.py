@@ -27,7 +27,7 @@ from unity_link.gateware.yowasp import EndlessError, RefusedError, place, run, s
 from unity_link.generate import Templates, vhdl, write
 from unity_link.generate.vhdl.bank import Bank
 from unity_link.generate.vhdl.names import identifier
-from unity_link.protocol.finding import DEFAULT_PORT
+from unity_link.protocol.wire.discovery import DEFAULT_PORT
 from unity_link.quoting import markdown
 
 if TYPE_CHECKING:

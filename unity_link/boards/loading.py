@@ -12,7 +12,7 @@ from unity_link.boards.board import CHAIN, PINS, Board
 from unity_link.boards.checking import io_fault, misuse, name_fault, shown, spelling_fault
 from unity_link.errors import ArgumentError, did_you_mean
 from unity_link.gateware.limits import ETHERNET
-from unity_link.protocol.finding import parse_ip, parse_mac
+from unity_link.protocol.wire.discovery import parse_ip, parse_mac
 
 _DATA = Path(__file__).with_name("data")
 _LEAST_HZ, _STEP_HZ = 25_000_000, 50_000_000

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from unity_link.data import Batch
-    from unity_link.protocol.arrays import Words
+    from unity_link.protocol.wire.arrays import Words
     from unity_link.spec import Signal
 
 _STEP = re.compile(r"([^.\[\]]+)|\[(\d+)\]")

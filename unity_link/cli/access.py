@@ -10,10 +10,10 @@ from unity_link.cli.arguments import DEFAULT_TIMEOUT, Address, Json, Timeout, Ur
 from unity_link.cli.output import print_json, print_line, print_parts
 from unity_link.cli.running import run
 from unity_link.cli.words import to_word
-from unity_link.protocol.numbers import Format, address_text, as_decimal, in_form, to_signed
+from unity_link.protocol.wire.numbers import Format, address_text, as_decimal, in_form, to_signed
 
 if TYPE_CHECKING:
-    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.wire.configuration import GatewayInfo
 
 
 def add_to(app: typer.Typer) -> None:

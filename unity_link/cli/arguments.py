@@ -10,7 +10,7 @@ import typer
 from unity_link.cli.completion import complete_url, note
 from unity_link.cli.words import parse_number
 from unity_link.errors import ArgumentError
-from unity_link.protocol.numbers import MOST_SECONDS
+from unity_link.protocol.wire.numbers import MOST_SECONDS
 
 
 def number(text: str) -> int:

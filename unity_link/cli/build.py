@@ -115,7 +115,7 @@ def build(  # noqa: PLR0913  (each is an option)
 def _addressed(name: str, board: Board, mac: str | None, ip: str | None) -> Board:
     """Return a board with the addresses that its Ethernet port is to have."""
     from unity_link.gateware.limits import ETHERNET
-    from unity_link.protocol.finding import parse_ip, parse_mac
+    from unity_link.protocol.wire.discovery import parse_ip, parse_mac
 
     given = {"mac": mac, "ip": ip}
     for key, parse in (("mac", parse_mac), ("ip", parse_ip)):

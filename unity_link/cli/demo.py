@@ -16,7 +16,7 @@ from unity_link.cli.output import is_live, out, print_json, print_line
 from unity_link.cli.running import run
 from unity_link.cli.words import signed_words
 from unity_link.errors import ArgumentError, GatewayError, UnsupportedError
-from unity_link.protocol.numbers import MOST_SECONDS
+from unity_link.protocol.wire.numbers import MOST_SECONDS
 
 if TYPE_CHECKING:
     from unity_link.link.link import Link

@@ -189,7 +189,7 @@ class Demo:
                         helper.cancel()
 
     def _take(self, sample: object) -> None:
-        from unity_link.link.subscription import Sample
+        from unity_link.link.publishing import Sample
 
         assert isinstance(sample, Sample)
         self.history.append((self.elapsed, signed_words(sample.values, self.gateway.data_bits)))

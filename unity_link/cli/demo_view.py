@@ -12,9 +12,9 @@ from rich.progress_bar import ProgressBar
 from rich.table import Table
 from rich.text import Text
 
+from unity_link.capture.decoder import summary as describe_gateway
 from unity_link.cli.demo_run import HISTORY, Demo, Summary
 from unity_link.cli.plots import DOTS_ACROSS, Curve, Rgb, draw
-from unity_link.protocol.interpreter import summary as describe_gateway
 from unity_link.virtual.scara import JOINTS
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ from unity_link.cli.arguments import Json  # noqa: TC001  (typer reads it)
 from unity_link.cli.output import print_json, print_note, print_parts
 from unity_link.cli.running import run
 from unity_link.errors import ArgumentError, ConnectError
-from unity_link.protocol.finding import DEFAULT_PORT, parse_ip, parse_mac
+from unity_link.protocol.wire.discovery import DEFAULT_PORT, parse_ip, parse_mac
 
 if TYPE_CHECKING:
     from unity_link.transport.finding import FoundBoard

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     import typer
 
     from unity_link.link.link import Link
-    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.wire.configuration import GatewayInfo
 
 ROUND_TRIPS = 25
 """Fences that are measured: enough for a median, and quick on a slow serial line."""
@@ -77,7 +77,7 @@ def _print(url: str, rows: list[tuple[str, str]], round_trip: float) -> None:
 
 def describe(gateway: GatewayInfo) -> list[tuple[str, str]]:
     """Return the description of a gateway, as pairs of a name and a text with units."""
-    from unity_link.protocol.configuration import Feature
+    from unity_link.protocol.wire.configuration import Feature
 
     base = gateway.base_frequency_hz
     return [

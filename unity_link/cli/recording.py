@@ -16,7 +16,7 @@ from unity_link.cli.output import console_on, may_overwrite, print_json, print_n
 from unity_link.cli.running import run
 from unity_link.cli.spec import Given, Name, SpecOrBoard, compile_or_exit, spec_behind
 from unity_link.errors import ArgumentError
-from unity_link.protocol.numbers import MOST_SECONDS
+from unity_link.protocol.wire.numbers import MOST_SECONDS
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

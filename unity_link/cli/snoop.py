@@ -18,7 +18,7 @@ from unity_link.errors import ArgumentError
 from unity_link.quoting import terminal
 
 if TYPE_CHECKING:
-    from unity_link.protocol.transcript import TimedFrame, Transcript
+    from unity_link.capture.transcript import TimedFrame, Transcript
     from unity_link.virtual.rtl.retrace import Report
 
 SnoopPath = Annotated[
@@ -150,7 +150,7 @@ class _SnoopPrinter:
 
     def read(self, path: Path) -> bool:
         """Print a file; return whether it is whole."""
-        from unity_link.protocol.transcript import Transcript
+        from unity_link.capture.transcript import Transcript
         from unity_link.transport.snoop import Connected, Disconnected, Passed, read
 
         time = 0.0
@@ -240,7 +240,7 @@ class _SnoopPrinter:
             print_error(self._trouble)
 
     def _summary(self) -> dict[str, Any]:
-        from unity_link.protocol.interpreter import FrameKind
+        from unity_link.capture.decoder import FrameKind
 
         times = sorted(self._round_trips)
         found = {f"{kind}s" if kind in _COUNTED else str(kind): self._kinds[kind] for kind in FrameKind}

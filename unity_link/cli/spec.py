@@ -343,7 +343,7 @@ async def _carried(url: str) -> Spec:
     from unity_link.data.describing import read_spec
     from unity_link.errors import ArgumentError
     from unity_link.link.connecting import connect
-    from unity_link.protocol.configuration import Feature
+    from unity_link.protocol.wire.configuration import Feature
 
     async with connect(url, timeout=DEFAULT_TIMEOUT) as link:
         if Feature.DESCRIPTION not in link.gateway.features:

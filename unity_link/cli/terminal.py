@@ -20,14 +20,14 @@ from unity_link.cli.arguments import DEFAULT_TIMEOUT, Url
 from unity_link.cli.output import out, print_note
 from unity_link.cli.running import INTERRUPTED, run
 from unity_link.errors import ConnectError, UnsupportedError
-from unity_link.protocol.crc import NO_SESSION, seed_of
-from unity_link.protocol.frames import LONGEST_FRAME
-from unity_link.protocol.numbers import MOST_SECONDS
+from unity_link.protocol.wire.crc import NO_SESSION, seed_of
+from unity_link.protocol.wire.frames import LONGEST_FRAME
+from unity_link.protocol.wire.numbers import MOST_SECONDS
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable, Coroutine
 
-    from unity_link.protocol.host_codec import HostCodec
+    from unity_link.protocol.host.host_codec import HostCodec
     from unity_link.transport import DriverUrl
     from unity_link.transport.stream import Stream
 
@@ -98,8 +98,8 @@ async def _terminal(url: str, *, plain: bool, timeout: float) -> None:  # noqa: 
 
 
 async def _connect(target: DriverUrl, stream: Stream) -> HostCodec:
-    from unity_link.protocol.configuration import GatewayInfo
-    from unity_link.protocol.host_codec import HostCodec
+    from unity_link.protocol.host.host_codec import HostCodec
+    from unity_link.protocol.wire.configuration import GatewayInfo
     from unity_link.transport import open_medium
 
     try:
@@ -142,7 +142,7 @@ class _Greeting(_Receiver):
     """Asks what the gateway is, and has it begin a person's session with ID 0."""
 
     def __init__(self, stream: Stream, node: int | None) -> None:
-        from unity_link.protocol.handshake import Handshake, SessionNumbers
+        from unity_link.protocol.host.handshake import Handshake, SessionNumbers
 
         super().__init__()
         self._stream = stream
@@ -195,7 +195,7 @@ class _Session(_Receiver):
     """Sends what is typed and shows what comes."""
 
     def __init__(self, stream: Stream, codec: HostCodec, *, plain: bool) -> None:
-        from unity_link.protocol.interpreter import Interpreter
+        from unity_link.capture.decoder import Decoder
 
         super().__init__()
         self.codec = codec
@@ -204,8 +204,8 @@ class _Session(_Receiver):
         self.show: Callable[[Any], None] = out().print
         self._stream = stream
         self._plain = plain
-        self._interpreter = Interpreter(codec)
-        self._interpreter.session.number = codec.session
+        self._decoder = Decoder(codec)
+        self._decoder.session.number = codec.session
         self._error: Exception | None = None
         self._patience: asyncio.TimerHandle | None = None
         stream.receiver = self
@@ -220,13 +220,13 @@ class _Session(_Receiver):
             self._stream.send(_encoded(line[1:]) + b"\n")
             return None
         body = _encoded(line)
-        request = self._interpreter.listen(body)
+        request = self._decoder.listen(body)
         if request is not None and request.id is None and request.command in ("W", "WS"):
             # Only plain frames may leave zeros out; who types thinks of neither.
             body = request.command.encode() + self.codec.fields(request.command, *request.values)
         # A checked one would begin a program's session, which shuts out most of what is typed.
         begins = request is not None and request.command == "K" and bool(request.values)
-        session = NO_SESSION if request is None or request.id is None else self._interpreter.session.number
+        session = NO_SESSION if request is None or request.id is None else self._decoder.session.number
         self._stream.send(
             framing.plain_request(body)
             if self._plain or begins
@@ -261,11 +261,11 @@ class _Session(_Receiver):
     def _show(self, line: bytes) -> None:
         from rich.text import Text
 
-        body = self._interpreter.body(line)
+        body = self._decoder.body(line)
         # Noise may well be what tells a terminal to clear its screen.
         visible = repr(bytes(body))[2:-1]
         try:
-            self.show(Text.assemble((visible, "bold"), "  ", (self._interpreter.explain(line).words, "cyan")))
+            self.show(Text.assemble((visible, "bold"), "  ", (self._decoder.explain(line).words, "cyan")))
         except OSError as error:
             self._end(error)
         if not body.startswith(b"P"):
@@ -360,7 +360,7 @@ async def _converse(url: str, session: _Session, timeout: float) -> None:  # noq
     from prompt_toolkit.input import create_input
     from prompt_toolkit.patch_stdout import patch_stdout
 
-    from unity_link.protocol.interpreter import summary
+    from unity_link.capture.decoder import summary
 
     keyboard = create_input()
     # While something is printed above the prompt, the terminal would edit lines itself, and take keys such as Ctrl-D.

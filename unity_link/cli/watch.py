@@ -22,7 +22,7 @@ from unity_link.cli.signals import is_spec, robot_of, split
 from unity_link.cli.spec import Name  # noqa: TC001  (typer reads it)
 from unity_link.cli.watched import WatchedSignals, Words
 from unity_link.errors import ArgumentError, UnityLinkError, first_error
-from unity_link.protocol.numbers import MOST_SECONDS, Format
+from unity_link.protocol.wire.numbers import MOST_SECONDS, Format
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable

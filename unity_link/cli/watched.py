@@ -6,7 +6,7 @@ from contextlib import asynccontextmanager
 from typing import TYPE_CHECKING, Any, Protocol
 
 from unity_link.cli.signals import choose, plain, text
-from unity_link.protocol.numbers import Format, address_text, in_form, to_signed
+from unity_link.protocol.wire.numbers import Format, address_text, in_form, to_signed
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Sequence
@@ -17,7 +17,8 @@ if TYPE_CHECKING:
     from unity_link.data.loading import LoadedRobot
     from unity_link.data.sampling import GroupSubscription
     from unity_link.link.link import Link
-    from unity_link.link.subscription import Sample, Subscription
+    from unity_link.link.publishing import Sample
+    from unity_link.link.subscription import Subscription
 
     Stream = Subscription | GroupSubscription
     Taken = Sample | GroupSample

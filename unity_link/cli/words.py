@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError
-from unity_link.protocol.numbers import to_signed
+from unity_link.protocol.wire.numbers import to_signed
 from unity_link.transport import is_url
 
 if TYPE_CHECKING:
-    from unity_link.protocol.arrays import Words
+    from unity_link.protocol.wire.arrays import Words
 
 
 def parse_number(text: str) -> int:

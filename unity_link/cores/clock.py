@@ -9,8 +9,8 @@ import msgspec
 
 from unity_link.errors import ArgumentError, shown
 from unity_link.link.freshness import MOST_DRIFT
-from unity_link.link.synchronisation import running
-from unity_link.protocol.numbers import real_number, seconds_from, whole_number
+from unity_link.link.runtimes.synchronisation import running
+from unity_link.protocol.wire.numbers import real_number, seconds_from, whole_number
 
 if TYPE_CHECKING:
     from collections.abc import Callable

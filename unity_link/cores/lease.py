@@ -30,8 +30,8 @@ from unity_link.errors import (
 from unity_link.link.asked import Asked, post_in_session
 from unity_link.link.guards import guard, guard_of, release
 from unity_link.link.interrupts import whole_exit
-from unity_link.link.synchronisation import running
-from unity_link.protocol.numbers import real_number
+from unity_link.link.runtimes.synchronisation import running
+from unity_link.protocol.wire.numbers import real_number
 from unity_link.spec.kinds import name_of
 
 if TYPE_CHECKING:

@@ -15,7 +15,7 @@ from unity_link.cores.clock import ticks_after
 from unity_link.cores.timeline import ScheduleRegisters, Timeline, feed_of
 from unity_link.errors import ArgumentError, shown
 from unity_link.modules import caller_on
-from unity_link.protocol.numbers import seconds_from
+from unity_link.protocol.wire.numbers import seconds_from
 from unity_link.spec.model import STAGE_BITS
 
 if TYPE_CHECKING:

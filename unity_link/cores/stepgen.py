@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from unity_link.cores import AtPins, CoreRegisters, Model, Verbs
 from unity_link.cores.lease import LeaseRegisters
 from unity_link.errors import ArgumentError, UnityLinkError
-from unity_link.link.synchronisation import gather, running
+from unity_link.link.runtimes.synchronisation import gather, running
 
 if TYPE_CHECKING:
     from unity_link.cores import Pins

@@ -31,8 +31,8 @@ from unity_link.errors import (
 from unity_link.link.asked import Asked, most_words, post_in_session
 from unity_link.link.calls import returns_coroutine
 from unity_link.link.interrupts import whole_exit
-from unity_link.link.runtime import told_now
-from unity_link.link.synchronisation import Lock, running
+from unity_link.link.runtimes.runtime import told_now
+from unity_link.link.runtimes.synchronisation import Lock, running
 from unity_link.modules import caller_on
 from unity_link.spec.model import STAGE_BITS
 

@@ -29,8 +29,8 @@ if TYPE_CHECKING:
     from unity_link.data.layout import GroupLayout
     from unity_link.data.proxies import Proxy
     from unity_link.data.tables import Clock
-    from unity_link.link.subscription import Sample
-    from unity_link.protocol.arrays import Words
+    from unity_link.link.publishing import Sample
+    from unity_link.protocol.wire.arrays import Words
 
 T = TypeVar("T")
 _TOGETHER = 1e-4

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Generic, Self, TypeVar
 
 from unity_link.errors import ANY_ERROR, ArgumentError
 from unity_link.link.calls import is_asynchronous
-from unity_link.link.runtime import report
-from unity_link.link.synchronisation import call_back
+from unity_link.link.runtimes.runtime import report
+from unity_link.link.runtimes.synchronisation import call_back
 
 if TYPE_CHECKING:
     from collections.abc import Callable

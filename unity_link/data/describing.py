@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Protocol, TypeVar, overload
 from unity_link.data.loading import load
 from unity_link.data.robot import Robot, check_link
 from unity_link.errors import SpecMismatchError, UnsupportedError
-from unity_link.protocol.configuration import Feature
-from unity_link.protocol.description import PAGE_WORDS, description_of, length_of, page_address, pages_of
+from unity_link.protocol.wire.configuration import Feature
+from unity_link.protocol.wire.description import PAGE_WORDS, description_of, length_of, page_address, pages_of
 from unity_link.spec.comparing import compare, source_name
 
 if TYPE_CHECKING:
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from unity_link.data.loading import LoadedRobot
     from unity_link.link.link import Link
-    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.wire.configuration import GatewayInfo
     from unity_link.spec.model import Interface, Spec
 
 ATTEMPTS = 5

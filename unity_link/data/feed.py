@@ -21,8 +21,8 @@ from unity_link.errors import (
     SamplesLostError,
     UnityLinkError,
 )
-from unity_link.link.runtime import report
-from unity_link.link.synchronisation import running
+from unity_link.link.runtimes.runtime import report
+from unity_link.link.runtimes.synchronisation import running
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Collection
@@ -31,8 +31,8 @@ if TYPE_CHECKING:
     from unity_link.data.batch import Batch
     from unity_link.data.layout import GroupLayout
     from unity_link.data.sampling import GroupSubscription
-    from unity_link.link.runtime import Job, Waiter
-    from unity_link.link.subscription import Overflow
+    from unity_link.link.publishing import Overflow
+    from unity_link.link.runtimes.runtime import Job, Waiter
 
 log = logging.getLogger("unity_link.data")
 LOOK_EVERY = 1.0

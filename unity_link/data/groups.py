@@ -18,11 +18,11 @@ from unity_link.data.sampling import GroupSubscription, Poll
 from unity_link.data.writing import write_values
 from unity_link.errors import ArgumentError, Sealed, UnsupportedError, shown
 from unity_link.link.calls import returns_coroutine
+from unity_link.link.runtimes.synchronisation import gather
 from unity_link.link.subscription import LARGEST_DIVISOR, asked_rate, check_buffer
-from unity_link.link.synchronisation import gather
 from unity_link.modules import caller_on
-from unity_link.protocol.configuration import Feature
-from unity_link.protocol.numbers import RATE, real_number
+from unity_link.protocol.wire.configuration import Feature
+from unity_link.protocol.wire.numbers import RATE, real_number
 
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator, Callable, Coroutine, Sequence
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from unity_link.data.batch import Batch, GroupSample
     from unity_link.data.sampling import SampleSource
     from unity_link.link.link import Link
-    from unity_link.link.subscription import Overflow
+    from unity_link.link.publishing import Overflow
     from unity_link.spec import model
 
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-    from unity_link.protocol.arrays import Words
+    from unity_link.protocol.wire.arrays import Words
     from unity_link.spec.model import Signal
 
 

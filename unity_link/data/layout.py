@@ -8,7 +8,7 @@ import numpy as np
 
 from unity_link.data.laps import ColumnLaps
 from unity_link.errors import ArgumentError
-from unity_link.link.synchronisation import gather
+from unity_link.link.runtimes.synchronisation import gather
 from unity_link.spec import Effect
 from unity_link.spec.columns import Columns
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from unity_link.data.laps import Laps
     from unity_link.data.proxies import Proxy
     from unity_link.link.link import Link
-    from unity_link.protocol.arrays import Words
+    from unity_link.protocol.wire.arrays import Words
 
 
 class GroupLayout:

@@ -9,7 +9,7 @@ import numpy as np
 from unity_link.data.proxies import Proxy, S, T
 from unity_link.data.signals import SampledSignal
 from unity_link.errors import ArgumentError
-from unity_link.protocol.numbers import whole_number
+from unity_link.protocol.wire.numbers import whole_number
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray

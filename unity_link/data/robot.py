@@ -31,7 +31,7 @@ from unity_link.errors import (
 from unity_link.link.link import NOT_CONNECTED, Link
 from unity_link.modules import Fifo, Memory, Module
 from unity_link.network import TosnetNetwork, TosnetNode
-from unity_link.protocol.configuration import Feature
+from unity_link.protocol.wire.configuration import Feature
 from unity_link.spec.model import Access, ComponentArray, ParameterReference
 
 if TYPE_CHECKING:

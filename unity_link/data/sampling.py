@@ -25,10 +25,11 @@ from unity_link.errors import (
     refusing,
 )
 from unity_link.link.interrupts import whole_exit
-from unity_link.link.runtime import AsyncioRuntime
-from unity_link.link.subscription import INSTEAD, NOT_OPEN, Sample, so_many
-from unity_link.link.synchronisation import Event, gather, running
-from unity_link.protocol.numbers import RATE
+from unity_link.link.publishing import NOT_OPEN, Sample
+from unity_link.link.runtimes.runtime import AsyncioRuntime
+from unity_link.link.runtimes.synchronisation import Event, gather, running
+from unity_link.link.subscription import INSTEAD, so_many
+from unity_link.protocol.wire.numbers import RATE
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -36,8 +37,8 @@ if TYPE_CHECKING:
 
     from unity_link.data.batch import GroupSample
     from unity_link.data.layout import GroupLayout
-    from unity_link.link.subscription import Overflow
-    from unity_link.protocol.arrays import Words
+    from unity_link.link.publishing import Overflow
+    from unity_link.protocol.wire.arrays import Words
 
 
 class SampleSource(Protocol):

@@ -9,7 +9,7 @@ from unity_link.errors import BusError, UnsupportedError, refusing
 from unity_link.link.calls import returns_coroutine
 from unity_link.link.subscription import check_buffer
 from unity_link.modules import caller_on, post_for
-from unity_link.protocol.configuration import Feature
+from unity_link.protocol.wire.configuration import Feature
 from unity_link.spec import Effect
 
 if TYPE_CHECKING:
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from unity_link.cores.timeline import Done
     from unity_link.data.feed import Feed
     from unity_link.data.groups import Group
-    from unity_link.link.subscription import Overflow
+    from unity_link.link.publishing import Overflow
 
 
 class SamplingOwner(Owner, Protocol):

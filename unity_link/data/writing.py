@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from unity_link.data.proxies import refusal
 from unity_link.errors import ArgumentError, BusError
-from unity_link.link.synchronisation import gather
+from unity_link.link.runtimes.synchronisation import gather
 from unity_link.modules import post_many_for
 
 if TYPE_CHECKING:

@@ -13,9 +13,9 @@ from unity_link.doctor import garbage
 from unity_link.doctor.findings import FaultName, Finding
 from unity_link.doctor.media import explain_failure
 from unity_link.errors import ConnectError
-from unity_link.protocol.crc import Crc
-from unity_link.protocol.frames import LF, Framing
-from unity_link.protocol.handshake import LINE_ENDS
+from unity_link.protocol.host.handshake import LINE_ENDS
+from unity_link.protocol.wire.crc import Crc
+from unity_link.protocol.wire.frames import LF, Framing
 from unity_link.transport import load_driver, open_medium
 from unity_link.transport.ft232h.chip import asked_baud
 

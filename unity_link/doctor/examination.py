@@ -17,7 +17,7 @@ from unity_link.transport.ft232h.chip import SCHEMES, asked_baud
 if TYPE_CHECKING:
     from collections.abc import AsyncIterator
 
-    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.wire.configuration import GatewayInfo
     from unity_link.spec.model import Interface
     from unity_link.transport import DriverUrl
 

@@ -16,8 +16,8 @@ from unity_link.data.describing import read_spec, shown_differences
 from unity_link.doctor.findings import FaultName, Finding
 from unity_link.errors import UnsupportedError
 from unity_link.link.connecting import connect
-from unity_link.protocol.configuration import PROTOCOL_VERSION, Feature
-from unity_link.protocol.frames import COMPACT_END, LF
+from unity_link.protocol.wire.configuration import PROTOCOL_VERSION, Feature
+from unity_link.protocol.wire.frames import COMPACT_END, LF
 from unity_link.spec.comparing import compare
 from unity_link.transport.ft232h.chip import SCHEMES, asked_baud, made_of
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from collections.abc import AsyncIterator
 
     from unity_link.link.link import Link
-    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.wire.configuration import GatewayInfo
     from unity_link.spec.model import Interface
     from unity_link.transport import DriverUrl
 

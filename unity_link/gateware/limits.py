@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError
-from unity_link.protocol.crc import USUAL_POLYNOMIALS
+from unity_link.protocol.wire.crc import USUAL_POLYNOMIALS
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

@@ -9,16 +9,16 @@ from unity_link.errors import ArgumentError, refusing
 from unity_link.link.connection import CONNECT_TIMEOUT, Reconnect
 from unity_link.link.interrupts import whole_exit
 from unity_link.link.link import NOT_CONNECTED, Link
-from unity_link.link.runtime import AsyncioRuntime
-from unity_link.protocol.numbers import seconds_from
+from unity_link.link.runtimes.runtime import AsyncioRuntime
+from unity_link.protocol.wire.numbers import seconds_from
 from unity_link.transport import DriverUrl, check_target, has_bus, parse_url
 
 if TYPE_CHECKING:
     from collections.abc import Generator
     from types import TracebackType
 
-    from unity_link.link.runtime import Runtime
-    from unity_link.link.trio_runtime import Structured
+    from unity_link.link.runtimes.runtime import Runtime
+    from unity_link.link.runtimes.trio_runtime import Structured
     from unity_link.transport import Medium
 
 
@@ -80,7 +80,7 @@ class Connecting:
                 await self._structured.aclose()
 
     async def _open_structured(self) -> Link:
-        from unity_link.link.trio_runtime import Structured
+        from unity_link.link.runtimes.trio_runtime import Structured
 
         self._structured = Structured()
         try:

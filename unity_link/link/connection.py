@@ -28,19 +28,19 @@ from unity_link.errors import (
 )
 from unity_link.link.flow import Flow
 from unity_link.link.living import Living
-from unity_link.link.runtime import AsyncioRuntime, report
-from unity_link.protocol.configuration import Feature
-from unity_link.protocol.events import GroupsRestored, Interrupted, Opened, Taken, Unusable
-from unity_link.protocol.numbers import seconds_from
-from unity_link.protocol.session import Session
+from unity_link.link.runtimes.runtime import AsyncioRuntime, report
+from unity_link.protocol.host.events import GroupsRestored, Interrupted, Opened, Taken, Unusable
+from unity_link.protocol.host.session import Session
+from unity_link.protocol.wire.configuration import Feature
+from unity_link.protocol.wire.numbers import seconds_from
 from unity_link.transport import DriverUrl, has_echo, name_of, node_of, takes_compact_form
 from unity_link.transport.stream import Stream
 
 if TYPE_CHECKING:
-    from unity_link.link.runtime import Job, Runtime, Waiter
-    from unity_link.protocol.configuration import GatewayInfo
-    from unity_link.protocol.events import Happening, SessionEvent
-    from unity_link.protocol.host_codec import HostCodec
+    from unity_link.link.runtimes.runtime import Job, Runtime, Waiter
+    from unity_link.protocol.host.events import SessionEvent, UnsolicitedEvent
+    from unity_link.protocol.host.host_codec import HostCodec
+    from unity_link.protocol.wire.configuration import GatewayInfo
     from unity_link.transport import Medium
 
 log = logging.getLogger("unity_link.link")
@@ -152,7 +152,7 @@ class Connection:
 
     # What builds on this says
 
-    def _happened(self, event: Happening) -> None:
+    def _happened(self, event: UnsolicitedEvent) -> None:
         """Take an event that is nothing a call awaits; `_take_change` takes those of sessions."""
         raise NotImplementedError
 
@@ -198,7 +198,7 @@ class Connection:
 
     def _retransmitted(self, count: int) -> None:
         """Log a retransmission."""
-        why = "no answer came in time" if self._session.window.signs.timed_out else "a frame was lost or damaged"
+        why = "no answer came in time" if self._session.window.loss.timed_out else "a frame was lost or damaged"
         log.debug("%s: requests retransmitted: %d, because %s", self._name, count, why)
 
     # Events

@@ -14,17 +14,18 @@ import contextlib
 import math
 from typing import TYPE_CHECKING, Any
 
-from unity_link.protocol.events import Awaited
-from unity_link.protocol.requests import Request
+from unity_link.protocol.host.events import Awaited
+from unity_link.protocol.host.requests import Request
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.link.runtime import Runtime, Timer, Waiter
-    from unity_link.protocol.events import Events, Happening
-    from unity_link.protocol.path import Path
-    from unity_link.protocol.requests import Source, WordBatch
-    from unity_link.protocol.session import Session
+    from unity_link.link.runtimes.runtime import Runtime, Timer, Waiter
+    from unity_link.protocol.host.batches import WordBatch
+    from unity_link.protocol.host.events import Events, UnsolicitedEvent
+    from unity_link.protocol.host.requests import Source
+    from unity_link.protocol.host.session import Session
+    from unity_link.protocol.wire.path import Path
     from unity_link.transport.stream import Stream
     from unity_link.transport.turns import Seat
 
@@ -46,7 +47,7 @@ class Flow:
         self,
         session: Session,
         runtime: Runtime,
-        happened: Callable[[Happening], None],
+        happened: Callable[[UnsolicitedEvent], None],
         disconnected: Callable[[Exception | None], None],
     ) -> None:
         self.session = session
@@ -103,7 +104,7 @@ class Flow:
             # First of all, so that the gateway has it while the rest is done.
             self.stream.send(frame)
         request.waiter = waiter = self._create_lone_future()
-        if self._timer_at - now > _LATE or self.session.window.allowance.loses:
+        if self._timer_at - now > _LATE or self.session.window.send_limit.loses:
             self._set_timer()
         if request.done:
             # A medium within the program may answer at once.
@@ -219,7 +220,7 @@ class Flow:
         else:
             request.settle()
             # With nothing in flight the deadline is never earlier than a timer that exists, which sets itself again.
-            if self._timer is None and self.session.window.allowance.loses:
+            if self._timer is None and self.session.window.send_limit.loses:
                 self._set_timer()
         if self._ended:
             # When all else is done: who goes on may ask for more at once, or close the link.
@@ -244,7 +245,7 @@ class Flow:
             else:
                 # No call goes on for what has arrived, so nothing follows in this turn.
                 self._flush()
-        elif self._timer_at - now > _LATE or session.window.allowance.loses:
+        elif self._timer_at - now > _LATE or session.window.send_limit.loses:
             self._set_timer()
 
     def _read_on(self) -> None:

@@ -6,12 +6,12 @@ import enum
 from html import escape
 from typing import TYPE_CHECKING, Any, ClassVar, Protocol
 
-from unity_link.protocol.interpreter import summary
+from unity_link.capture.decoder import summary
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
-    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.wire.configuration import GatewayInfo
 
 LONGEST = 200
 """Characters of a cell that are shown."""

@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any, Literal, Self
 
 import msgspec
 
-from unity_link import protocol
 from unity_link.errors import (
     ArgumentError,
     BusError,
@@ -31,30 +30,16 @@ from unity_link.link.calls import returns_coroutine
 from unity_link.link.connection import Connection, Reconnect
 from unity_link.link.interrupts import whole_exit
 from unity_link.link.living import LeftOpen
-from unity_link.link.runtime import told_now
-from unity_link.link.subscription import (
-    LARGEST_DIVISOR,
-    Overflow,
-    Publishing,
-    Sample,
-    Schedule,
-    Subscription,
-    asked_rate,
-    check_addresses,
-)
-from unity_link.protocol.configuration import Feature
-from unity_link.protocol.events import GroupEvent, Happening, PostedFailure
-from unity_link.protocol.messages import GroupFlag
-from unity_link.protocol.numbers import seconds_from, whole_number
-from unity_link.protocol.requests import (
-    Confirmation,
-    DestructiveRead,
-    Fence,
-    Request,
-    RequestBlock,
-    WordBatch,
-    common_outcome,
-)
+from unity_link.link.publishing import Overflow, Publishing, Sample, Schedule
+from unity_link.link.runtimes.runtime import told_now
+from unity_link.link.subscription import LARGEST_DIVISOR, Subscription, asked_rate, check_addresses
+from unity_link.protocol import wire
+from unity_link.protocol.host.batches import RequestBlock, WordBatch, common_outcome
+from unity_link.protocol.host.events import GroupEvent, PostedFailure, UnsolicitedEvent
+from unity_link.protocol.host.requests import Confirmation, DestructiveRead, Fence, Request
+from unity_link.protocol.wire.configuration import Feature
+from unity_link.protocol.wire.messages import GroupFlag
+from unity_link.protocol.wire.numbers import seconds_from, whole_number
 
 if TYPE_CHECKING:
     from collections.abc import Awaitable, Callable, Coroutine, Iterable, Mapping, Sequence
@@ -63,9 +48,9 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     from unity_link.link.guards import Guard
-    from unity_link.link.runtime import Runtime, Waiter
-    from unity_link.protocol.arrays import Words
-    from unity_link.protocol.host_codec import HostCodec
+    from unity_link.link.runtimes.runtime import Runtime, Waiter
+    from unity_link.protocol.host.host_codec import HostCodec
+    from unity_link.protocol.wire.arrays import Words
     from unity_link.transport import DriverUrl, Medium
 
 NOT_CONNECTED = "write `async with unity_link.connect(...) as link:`, or `link = await unity_link.connect(...)`"
@@ -155,7 +140,7 @@ class Link(OfLink, Connection):
 
     # Life
 
-    def _happened(self, event: Happening) -> None:
+    def _happened(self, event: UnsolicitedEvent) -> None:
         if isinstance(event, GroupEvent):
             self._publishing.take(event)
         elif isinstance(event, PostedFailure):
@@ -661,7 +646,7 @@ class Link(OfLink, Connection):
 
     async def _read_words(self, command: str, address: int, count: int, step: int) -> Words:
         # Imported here, not in the callback that takes the answer.
-        arrays = protocol.arrays
+        arrays = wire.arrays
         codec, info = self._session.codec, self.gateway
         requests: list[Request] = []
         most = self._flow.block_words
@@ -690,7 +675,7 @@ class Link(OfLink, Connection):
             self._bind(request, (address,) if to_queue else range(address, address + len(write)))
         else:
             # Imported here, not in the callback that takes the answer.
-            _ = protocol.arrays
+            _ = wire.arrays
             digits = count * self.gateway.data_digits
             request = Request(codec, "RM", codec.fields("RM", address, count), digits)
         request.waiter = waiter = self._flow.create_future()
@@ -797,10 +782,10 @@ class Link(OfLink, Connection):
         return where, size
 
     def _addresses(self, addresses: ArrayLike) -> NDArray[Any]:
-        return protocol.arrays.in_range(addresses, self._session.codec.highest_address, "address")
+        return wire.arrays.in_range(addresses, self._session.codec.highest_address, "address")
 
     def _words(self, values: ArrayLike) -> Words:
-        arrays = protocol.arrays
+        arrays = wire.arrays
         words = arrays.in_range(values, self._session.codec.highest_word, "value")
         return words.astype(arrays.word_type(self._session.codec.info.data_digits))
 

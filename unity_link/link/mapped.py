@@ -9,12 +9,12 @@ from __future__ import annotations
 import time
 from typing import TYPE_CHECKING, Any
 
-from unity_link import protocol
 from unity_link.errors import ConnectError, LinkClosedError, LinkLostError, Outcome, UnsupportedError
 from unity_link.link.link import Link, SendImmediate, check_mode
-from unity_link.link.subscription import Intake, Publishing, Sample
-from unity_link.protocol.host_codec import HostCodec
-from unity_link.protocol.messages import GroupFlag
+from unity_link.link.publishing import Publishing, Sample, SampleReceiver
+from unity_link.protocol import wire
+from unity_link.protocol.host.host_codec import HostCodec
+from unity_link.protocol.wire.messages import GroupFlag
 from unity_link.transport import name_of, open_bus
 
 if TYPE_CHECKING:
@@ -22,9 +22,9 @@ if TYPE_CHECKING:
 
     from numpy.typing import ArrayLike
 
-    from unity_link.link.runtime import Runtime, Timer, Waiter
-    from unity_link.protocol.arrays import Words
-    from unity_link.protocol.configuration import Feature, GatewayInfo
+    from unity_link.link.runtimes.runtime import Runtime, Timer, Waiter
+    from unity_link.protocol.wire.arrays import Words
+    from unity_link.protocol.wire.configuration import Feature, GatewayInfo
     from unity_link.transport import DriverUrl, MemoryBus, WordsByAddress
 
 TURN = 256
@@ -279,13 +279,13 @@ class Polling(Publishing):
         for group in tuple(self._polled):
             self._polled.discard(group)
             group.end()
-            group.intake.fail(error)
+            group.receiver.fail(error)
 
-    async def hold(self, intake: Intake) -> _PolledGroup:
+    async def hold(self, receiver: SampleReceiver) -> _PolledGroup:
         """Begin to read the words of a subscription."""
         if self._words is _CLOSED:
             raise _closed()
-        group = _PolledGroup(self, intake)
+        group = _PolledGroup(self, receiver)
         self._polled.add(group)
         group.begin()
         return group
@@ -306,16 +306,16 @@ class Polling(Publishing):
 
     def array(self, words: list[int]) -> Words:
         """Return words as users get them."""
-        return protocol.arrays.of_words(words, self._bus.info.data_digits)
+        return wire.arrays.of_words(words, self._bus.info.data_digits)
 
 
 class _PolledGroup:
     """Words that are read again and again; what the host is too late for counts as lost."""
 
-    def __init__(self, polling: Polling, intake: Intake) -> None:
-        self.intake = intake
+    def __init__(self, polling: Polling, receiver: SampleReceiver) -> None:
+        self.receiver = receiver
         self._polling = polling
-        self._schedule = intake.schedule
+        self._schedule = receiver.schedule
         self._period = self._schedule.divisor / polling.info.base_frequency_hz
         self._now = polling.runtime.time
         self._began = 0.0
@@ -364,4 +364,4 @@ class _PolledGroup:
         self._sequence += 1 + lost
         instant = self._now() if GroupFlag.TIMESTAMP in self._schedule.flags else None
         array, epoch = self._polling.array(words), self._polling.epoch
-        self.intake.keep(Sample(self._sequence, instant, time.time(), array, lost, epoch))
+        self.receiver.keep(Sample(self._sequence, instant, time.time(), array, lost, epoch))

@@ -6,15 +6,15 @@ from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 
-from unity_link.protocol import arrays
-from unity_link.protocol.messages import SAMPLE_HEAD
+from unity_link.protocol.wire import arrays
+from unity_link.protocol.wire.messages import SAMPLE_HEAD
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from numpy.typing import NDArray
 
-    from unity_link.protocol.arrays import Words
+    from unity_link.protocol.wire.arrays import Words
 
 _NO_WORDS: Words = np.zeros(0, np.uint8)
 

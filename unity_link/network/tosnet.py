@@ -39,16 +39,16 @@ import msgspec
 import numpy as np
 
 from unity_link.errors import ArgumentError, UnityLinkError
-from unity_link.link.synchronisation import Lock
+from unity_link.link.runtimes.synchronisation import Lock
 from unity_link.modules import Module, link_under
-from unity_link.protocol.numbers import whole_number
+from unity_link.protocol.wire.numbers import whole_number
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from unity_link.link.link import Link
     from unity_link.modules import Bus
-    from unity_link.protocol.arrays import Words
+    from unity_link.protocol.wire.arrays import Words
 
 NODES = 16
 NODE_WORDS = 64

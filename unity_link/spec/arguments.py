@@ -9,7 +9,7 @@ from __future__ import annotations
 import enum
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
-from unity_link.protocol.numbers import RATE
+from unity_link.protocol.wire.numbers import RATE
 from unity_link.spec.diagnostics import did_you_mean, listed
 from unity_link.spec.expressions import (
     LEFT_OUT,

@@ -22,7 +22,7 @@ from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Se
 import msgspec
 
 from unity_link.errors import ArgumentError, shown
-from unity_link.protocol.description import MOST_PAGES, page_address, pages_of
+from unity_link.protocol.wire.description import MOST_PAGES, page_address, pages_of
 from unity_link.spec.diagnostics import NOWHERE, Diagnostic, Span
 from unity_link.spec.kinds import Enumeration, Kind, Value  # noqa: TC001
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError
-from unity_link.protocol.numbers import RATE
+from unity_link.protocol.wire.numbers import RATE
 from unity_link.spec.arguments import ADDRESS_BITS, DATA_BITS, DIVISOR
 from unity_link.spec.kinds import FLOAT_BITS, MOST_BITS, MOST_WRAPPED, WITHOUT_SCALE, KindName
 

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from importlib.metadata import EntryPoints
 
-    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.wire.configuration import GatewayInfo
     from unity_link.transport.channel import Channel
 
 __all__ = ["ENTRY_POINTS", "Driver", "DriverUrl", "Medium", "MemoryBus", "WordsByAddress", "register"]

@@ -13,7 +13,7 @@ import select
 from typing import TYPE_CHECKING, Protocol
 
 from unity_link.errors import ConnectError
-from unity_link.protocol.constants import QUICK_TIMEOUT
+from unity_link.protocol.window.constants import QUICK_TIMEOUT
 
 if TYPE_CHECKING:
     import socket

@@ -11,7 +11,7 @@ from collections import Counter
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from unity_link.errors import ConnectError
-from unity_link.protocol.finding import EVERYBODY, NOWHERE, Found, ask, read_answer
+from unity_link.protocol.wire.discovery import EVERYBODY, NOWHERE, Found, ask, read_answer
 from unity_link.transport.listening import LOOPBACK
 
 if TYPE_CHECKING:

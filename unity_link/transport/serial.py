@@ -26,7 +26,7 @@ from typing import TYPE_CHECKING, Any
 import serial
 
 from unity_link.errors import ArgumentError, ConnectError
-from unity_link.protocol.constants import QUICK_TIMEOUT, SHORTEST_TIMEOUT
+from unity_link.protocol.window.constants import QUICK_TIMEOUT, SHORTEST_TIMEOUT
 from unity_link.transport.channel import LARGEST_READ, has_ended
 
 if TYPE_CHECKING:

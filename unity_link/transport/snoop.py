@@ -15,10 +15,10 @@ import time
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
+from unity_link.capture import pcapng
+from unity_link.capture.pcapng import DamagedFileError, Packet
 from unity_link.errors import ArgumentError, UnityLinkError
-from unity_link.transport import pcapng
 from unity_link.transport.locking import lock_file
-from unity_link.transport.pcapng import DamagedFileError, Packet
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

@@ -11,12 +11,12 @@ import math
 from collections.abc import Awaitable
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
-from unity_link.protocol.constants import QUICK_TIMEOUT, SHORTEST_TIMEOUT
+from unity_link.protocol.window.constants import QUICK_TIMEOUT, SHORTEST_TIMEOUT
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.protocol.path import Path
+    from unity_link.protocol.wire.path import Path
     from unity_link.transport.turns import Seat
 
 

@@ -10,16 +10,16 @@ import logging
 import time
 from typing import TYPE_CHECKING, Any, Protocol, cast
 
-from unity_link.protocol.interpreter import FrameKind
-from unity_link.protocol.transcript import Transcript
+from unity_link.capture.decoder import FrameKind
+from unity_link.capture.pcapng import Packet
+from unity_link.capture.transcript import Transcript
 from unity_link.transport.frame_log import RECEIVED, SAMPLES, SENT
-from unity_link.transport.pcapng import Packet
 from unity_link.transport.snoop import Snoop, now_ns
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
-    from unity_link.protocol.transcript import TimedFrame
+    from unity_link.capture.transcript import TimedFrame
 
 
 class Observer(Protocol):

@@ -10,7 +10,7 @@ import socket
 from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError
-from unity_link.protocol.frames import LF, TOKEN_LINE
+from unity_link.protocol.wire.frames import LF, TOKEN_LINE
 from unity_link.transport.channel import SocketChannel, refused_as
 
 if TYPE_CHECKING:

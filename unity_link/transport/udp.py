@@ -15,9 +15,9 @@ import sys
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from unity_link.errors import ArgumentError, ConnectError
-from unity_link.protocol.constants import QUICK_TIMEOUT
-from unity_link.protocol.datagrams import HostDatagrams
-from unity_link.protocol.path import HEADERS, HEADERS_6, LONGEST_MTU, SHORTEST_MTU, Path
+from unity_link.protocol.host.datagrams import HostDatagrams
+from unity_link.protocol.window.constants import QUICK_TIMEOUT
+from unity_link.protocol.wire.path import HEADERS, HEADERS_6, LONGEST_MTU, SHORTEST_MTU, Path
 from unity_link.transport.channel import refused_as
 from unity_link.transport.tcp import NAMELESS, address
 

@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import msgspec
 
 from unity_link.errors import ArgumentError, ConnectError
-from unity_link.protocol.datagrams import Counts
+from unity_link.protocol.wire.datagrams import Counts
 from unity_link.transport.buffered import BufferedTransport
 from unity_link.transport.inbox import Inbox
 

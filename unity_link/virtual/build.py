@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, TypeVar, overload
 import msgspec
 
 from unity_link.errors import ArgumentError, UnsupportedError
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.crc import USUAL_POLYNOMIALS
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.crc import USUAL_POLYNOMIALS
 from unity_link.virtual.faults import Noise, NoisyLine
 from unity_link.virtual.gateway import BareGateway, Gateway, VirtualGateway
 from unity_link.virtual.line import SlowLine

@@ -11,12 +11,12 @@ import operator
 from typing import TYPE_CHECKING, Protocol
 
 from unity_link.errors import ANY_ERROR, ArgumentError
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.messages import ErrorCode
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.wire.configuration import GatewayInfo
 
 _LOG = logging.getLogger("unity_link.virtual")
 

@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, TypeAlias
 
-from unity_link.protocol.messages import ErrorCode
-from unity_link.protocol.reception import group_fits
+from unity_link.protocol.gateway.reception import group_fits
+from unity_link.protocol.wire.messages import ErrorCode
 
 if TYPE_CHECKING:
-    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.wire.configuration import GatewayInfo
     from unity_link.virtual.bus import ModelBus
     from unity_link.virtual.groups import PublishGroups
 

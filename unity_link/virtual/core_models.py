@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Protocol
 
 from unity_link.cores import AtPins, Model, classes_of
-from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.wire.configuration import GatewayInfo
 from unity_link.spec import Way
 
 if TYPE_CHECKING:

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any, Generic
 from typing_extensions import TypeVar
 
 from unity_link.errors import ArgumentError
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.messages import ErrorCode
 from unity_link.transport.buffered import HIGH_WATER
 from unity_link.virtual.bus import AccessError
 from unity_link.virtual.gateway import Gateway

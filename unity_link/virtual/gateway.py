@@ -4,7 +4,7 @@ Bytes and the time go in, bytes come out; the gateware answers the same bytes. E
 happens inside `receive` and `advance`, so a test can stop the world between any two bytes. The order of the checks is
 that of docs/protocol.md, "Errors": each step below either answers or hands on to the next.
 
-`receive` -> `_answer` (node) -> `_body` (overflow to sequence: `unity_link.protocol.gateway_session`) -> `_execute`
+`receive` -> `_answer` (node) -> `_body` (overflow to sequence: `unity_link.protocol.gateway.session`) -> `_execute`
 (range, bus). Reads, and writes with the expected ID, of one word are most of the traffic and take a short way,
 `_quick_read` and `_quick_write`, which gives exactly what the long way would, or gives up before anything changes.
 
@@ -23,22 +23,22 @@ from typing import TYPE_CHECKING, Protocol, runtime_checkable
 import msgspec
 
 from unity_link.errors import ArgumentError
-from unity_link.protocol.compact import CompactForm, Packer, text_of
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.frames import in_session
-from unity_link.protocol.gateway_session import Answer, GatewaySession
-from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode, Repeat, RequestError
+from unity_link.protocol.gateway.session import Answer, GatewaySession
+from unity_link.protocol.wire.compact import CompactForm, Packer, text_of
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.frames import in_session
+from unity_link.protocol.wire.messages import COMMANDS, Codec, ErrorCode, Repeat, RequestError
 from unity_link.virtual.bus import AccessError, Device, ModelBus
 from unity_link.virtual.commands import CommandSet, FieldRangeError
 from unity_link.virtual.groups import PublishGroups
-from unity_link.virtual.pump import PumpedGateway
+from unity_link.virtual.model_clock import ClockedGateway
 from unity_link.virtual.transport import GatewayTransport
 
 if TYPE_CHECKING:
     import asyncio
     from collections.abc import Callable, Iterable, MutableMapping
 
-    from unity_link.protocol.messages import DecodedRequest
+    from unity_link.protocol.wire.messages import DecodedRequest
 
 _ENDS = re.compile(rb"([\r\n])")
 _BROADCAST = 0xFF
@@ -50,7 +50,7 @@ _DEFAULT_INFO = GatewayInfo()
 
 
 @runtime_checkable
-class Gateway(PumpedGateway, Protocol):
+class Gateway(ClockedGateway, Protocol):
     """Anything that behaves like a gateway: this model, the gateware in a simulator, a bad line before either.
 
     What subclasses it is a `unity_link.transport.Medium`: `unity_link.connect` opens it in place of a URL.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
 
 if TYPE_CHECKING:
     from collections.abc import Mapping

@@ -13,14 +13,14 @@ from collections import deque
 from heapq import heapify, heapreplace
 from typing import TYPE_CHECKING
 
-from unity_link.protocol.messages import GroupFlag
+from unity_link.protocol.wire.messages import GroupFlag
 from unity_link.virtual.bus import AccessError, ModelBus
 from unity_link.virtual.sample_ring import SampleRing
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.wire.configuration import GatewayInfo
 
 _TIMESTAMP_MASK = 0xFFFFFFFF
 _SEQUENCE_MASK = 0xFF

@@ -14,8 +14,8 @@ from collections import deque
 from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError
-from unity_link.protocol.configuration import Feature
-from unity_link.protocol.frames import end_of_first
+from unity_link.protocol.wire.configuration import Feature
+from unity_link.protocol.wire.frames import end_of_first
 from unity_link.virtual.gateway import Gateway
 
 if TYPE_CHECKING:

@@ -15,8 +15,8 @@ from collections import deque
 from typing import TYPE_CHECKING, Literal, Protocol, get_args
 
 from unity_link.errors import ArgumentError
-from unity_link.protocol.description import PAGE_WORDS, page_address, words_of
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.description import PAGE_WORDS, page_address, words_of
+from unity_link.protocol.wire.messages import ErrorCode
 from unity_link.spec import STAGE_BITS, Effect
 from unity_link.virtual.bus import AccessError
 

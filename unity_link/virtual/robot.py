@@ -6,7 +6,7 @@ from abc import ABC, abstractmethod
 from typing import TYPE_CHECKING, ClassVar, Self
 
 from unity_link.errors import ArgumentError
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.messages import ErrorCode
 from unity_link.virtual.bus import AccessError
 from unity_link.virtual.servo import JointType, ServoJoint
 

@@ -22,11 +22,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
 from unity_link.errors import ConnectError
-from unity_link.protocol import finding
-from unity_link.protocol.configuration import Feature
-from unity_link.protocol.datagrams import NO_SESSION, GatewayDatagrams
-from unity_link.protocol.frames import end_of_last
-from unity_link.protocol.messages import Codec
+from unity_link.protocol.gateway.datagrams import GatewayDatagrams
+from unity_link.protocol.wire import discovery
+from unity_link.protocol.wire.configuration import Feature
+from unity_link.protocol.wire.datagrams import NO_SESSION
+from unity_link.protocol.wire.frames import end_of_last
+from unity_link.protocol.wire.messages import Codec
 from unity_link.transport.listening import LOOPBACK, checked_host, listen_tcp, listen_unix, port_error, serving, url_of
 from unity_link.virtual.transport import GatewayTransport
 from unity_link.virtual.uart import UartLine
@@ -221,17 +222,17 @@ class _DatagramClients(asyncio.DatagramProtocol, asyncio.Transport):
         self._socket = transport
 
     def datagram_received(self, data: bytes, addr: Any) -> None:
-        if finding.asked(data, self._mac):
-            self._send(finding.answer(self._found()), addr)
+        if discovery.asked(data, self._mac):
+            self._send(discovery.answer(self._found()), addr)
         elif self._reading:
             self._datagrams.take(data, addr)
 
-    def _found(self) -> finding.Found:
+    def _found(self) -> discovery.Found:
         info = self._info
-        return finding.Found(
+        return discovery.Found(
             self._mac,
             # A socket is reached under the addresses of its machine, and takes no other.
-            finding.NOWHERE,
+            discovery.NOWHERE,
             info.build_id,
             Feature.FINGERPRINT in info.features,
             self._datagrams.session != NO_SESSION,

@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from unity_link.errors import ArgumentError
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.constants import QUICK_TIMEOUT
+from unity_link.protocol.window.constants import QUICK_TIMEOUT
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
 from unity_link.transport.buffered import BufferedTransport
 from unity_link.transport.turns import Line
 from unity_link.virtual.gateway import Gateway, VirtualGateway

@@ -26,7 +26,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from unity_link.errors import ANY_ERROR, ArgumentError
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.messages import ErrorCode
 from unity_link.spec import ComponentArray
 from unity_link.spec.diagnostics import did_you_mean
 from unity_link.virtual.bus import AccessError

@@ -11,20 +11,20 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from unity_link.protocol.constants import QUICK_TIMEOUT
+from unity_link.protocol.window.constants import QUICK_TIMEOUT
 from unity_link.transport.buffered import HIGH_WATER, LOW_WATER, BufferedTransport
-from unity_link.virtual.pump import MOST_BYTES, Pump
+from unity_link.virtual.model_clock import MOST_BYTES, ModelClock
 
 if TYPE_CHECKING:
     import asyncio
 
-    from unity_link.virtual.pump import PumpedGateway
+    from unity_link.virtual.model_clock import ClockedGateway
 
 MOST_TAKEN = 16384
 PIECE = 2048
 MOST_DELIVERED = 65536
 MOST_UNDELIVERED = 4 * MOST_BYTES
-"""Bytes for the protocol beyond which samples are lost; a pump that is late gives `MOST_BYTES` in one turn."""
+"""Bytes for the protocol beyond which samples are lost; a clock that is late gives `MOST_BYTES` in one turn."""
 
 
 class GatewayTransport(BufferedTransport):
@@ -37,10 +37,10 @@ class GatewayTransport(BufferedTransport):
             the loop; only for a protocol that expects `data_received` at that time.
     """
 
-    def __init__(self, gateway: PumpedGateway, protocol: asyncio.Protocol, *, at_once: bool = False) -> None:
+    def __init__(self, gateway: ClockedGateway, protocol: asyncio.Protocol, *, at_once: bool = False) -> None:
         refusal = lambda: gateway.refusal  # noqa: E731  (it is asked when an access is refused)
         super().__init__(protocol, {"gateway": gateway, "shortest_timeout": QUICK_TIMEOUT, "refusal": refusal})
-        self._pump = Pump(gateway, self._collect, self._loop)
+        self._clock = ModelClock(gateway, self._collect, self._loop)
         self._to_gateway = bytearray()
         self._to_protocol = bytearray()
         self._turn_planned = False
@@ -71,14 +71,14 @@ class GatewayTransport(BufferedTransport):
     def close(self) -> None:
         """Pass what was written to the gateway, and end."""
         if not self._closing:
-            self._pump.feed(bytes(self._to_gateway))
+            self._clock.feed(bytes(self._to_gateway))
             self.abort()
 
     def abort(self) -> None:
         """End at once."""
         if not self._closing:
             self._closing = True
-            self._pump.close()
+            self._clock.close()
             self._to_gateway.clear()
             self._to_protocol.clear()
             self._loop.call_soon(self._protocol.connection_lost, None)
@@ -88,7 +88,7 @@ class GatewayTransport(BufferedTransport):
     def _collect(self, data: bytes) -> None:
         self._to_protocol += data
         if len(self._to_protocol) > MOST_UNDELIVERED:
-            self._pump.block()
+            self._clock.block()
         if self._to_protocol or self._to_gateway:
             self._plan_turn()
 
@@ -119,15 +119,15 @@ class GatewayTransport(BufferedTransport):
                 break
             piece = bytes(self._to_gateway[:PIECE])
             del self._to_gateway[:PIECE]
-            self._pump.feed(piece)
+            self._clock.feed(piece)
         self._resume_writing_if_calm()
         if not self._reading:
             return b""
         delivered = bytes(self._to_protocol[:MOST_DELIVERED])
         del self._to_protocol[:MOST_DELIVERED]
         if len(self._to_protocol) <= LOW_WATER:
-            self._pump.unblock()
+            self._clock.unblock()
         return delivered
 
     def _can_take(self) -> bool:
-        return bool(self._to_gateway) and not self._pump.blocked and self._pump.gateway.waiting < HIGH_WATER
+        return bool(self._to_gateway) and not self._clock.blocked and self._clock.gateway.waiting < HIGH_WATER

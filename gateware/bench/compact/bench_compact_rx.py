@@ -9,7 +9,7 @@ import cocotb
 
 from gateware.bench.compact.cases import damaged, form_of, frames, text_of
 from gateware.bench.streams import Sink, Source, start
-from unity_link.protocol.compact import Packer
+from unity_link.protocol.wire.compact import Packer
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase

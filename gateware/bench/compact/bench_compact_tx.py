@@ -9,7 +9,7 @@ import cocotb
 
 from gateware.bench.compact.cases import form_of, frames
 from gateware.bench.streams import Sink, Source, start
-from unity_link.protocol.compact import Unpacker
+from unity_link.protocol.wire.compact import Unpacker
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase

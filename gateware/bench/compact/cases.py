@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from unity_link.protocol.compact import COMMANDS, END, RESERVED, CompactForm, Unpacker
+from unity_link.protocol.wire.compact import COMMANDS, END, RESERVED, CompactForm, Unpacker
 
 if TYPE_CHECKING:
     import random

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import cocotb
 
 from gateware.bench.streams import Joined, Sink, Source, start
-from unity_link.protocol.crc import Crc, seed_of
+from unity_link.protocol.wire.crc import Crc, seed_of
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase

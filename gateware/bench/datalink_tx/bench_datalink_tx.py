@@ -9,8 +9,8 @@ import cocotb
 from cocotb.triggers import RisingEdge
 
 from gateware.bench.streams import Joined, Sink, Source, start
-from unity_link.protocol.crc import Crc, seed_of
-from unity_link.protocol.frames import in_session
+from unity_link.protocol.wire.crc import Crc, seed_of
+from unity_link.protocol.wire.frames import in_session
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase

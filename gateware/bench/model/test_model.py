@@ -15,7 +15,7 @@ import pytest
 from gateware.bench.runner import run_bench
 from gateware.tools.model import CONFIGURATIONS, is_current
 from support.makers import build_params
-from unity_link.protocol.crc import Crc
+from unity_link.protocol.wire.crc import Crc
 from unity_link.virtual.rtl import RtlGateway
 
 if TYPE_CHECKING:

@@ -7,8 +7,8 @@ import struct
 from typing import TYPE_CHECKING
 
 from gateware.bench.network.wire import GATEWAY_IP, GATEWAY_MAC, GATEWAY_PORT, Taken, Wire
-from unity_link.protocol.crc import Crc, seed_of
-from unity_link.protocol.frames import Framing, in_session
+from unity_link.protocol.wire.crc import Crc, seed_of
+from unity_link.protocol.wire.frames import Framing, in_session
 
 if TYPE_CHECKING:
     import random

@@ -27,8 +27,8 @@ from gateware.bench.network.host import (
     write_over_a_bad_line,
 )
 from gateware.bench.network.wire import CLOCK_HZ, GATEWAY_IP, GATEWAY_MAC, GATEWAY_PORT, Wire, line_of
-from unity_link.protocol.crc import Crc, seed_of
-from unity_link.protocol.finding import Found, ask, read_answer
+from unity_link.protocol.wire.crc import Crc, seed_of
+from unity_link.protocol.wire.discovery import Found, ask, read_answer
 
 if TYPE_CHECKING:
     from collections.abc import Callable

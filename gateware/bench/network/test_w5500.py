@@ -18,7 +18,7 @@ from gateware.bench.network.host import (
     write_over_a_bad_line,
 )
 from gateware.bench.network.wire import CLOCK_HZ, Wire
-from unity_link.protocol.finding import ask, read_answer
+from unity_link.protocol.wire.discovery import ask, read_answer
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING
 import cocotb
 
 from gateware.bench.unity_link.gateway import IDS, Gateway, with_id
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.crc import Crc, seed_of
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.crc import Crc, seed_of
+from unity_link.protocol.wire.messages import ErrorCode
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import cocotb
 
 from gateware.bench.unity_link.gateway import Gateway, checked
-from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase

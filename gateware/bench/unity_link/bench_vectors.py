@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import cocotb
 
 from gateware.bench.unity_link.gateway import Gateway
-from unity_link.protocol.compact import cut, is_sample
+from unity_link.protocol.wire.compact import cut, is_sample
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase

@@ -15,9 +15,9 @@ import cocotb
 from cocotb.triggers import ClockCycles, RisingEdge
 
 from gateware.bench.streams import start
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.crc import Crc, seed_of
-from unity_link.protocol.frames import in_session
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.crc import Crc, seed_of
+from unity_link.protocol.wire.frames import in_session
 
 if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from gateware.bench.runner import GATEWARE, run_bench
-from unity_link.protocol.configuration import Feature
+from unity_link.protocol.wire.configuration import Feature
 from unity_link.virtual.generics import FEATURES
 
 pytestmark = pytest.mark.slow

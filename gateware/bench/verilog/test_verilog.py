@@ -36,8 +36,8 @@ from unity_link.gateware.ghdl import ToolMissingError
 from unity_link.gateware.release import release, released
 from unity_link.gateware.words import SYSTEMVERILOG
 from unity_link.generate.vhdl.names import RESERVED
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.messages import ErrorCode
 from unity_link.virtual import VirtualGateway
 from unity_link.virtual.faults import Failing
 

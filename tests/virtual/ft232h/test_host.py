@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.wire.configuration import GatewayInfo
 from unity_link.transport.ft232h.eeprom_image import build_eeprom
 from unity_link.transport.ft232h.kinds import FT2232H
 from unity_link.virtual import VirtualGateway

@@ -10,7 +10,7 @@ import pytest
 import unity_link
 from support.compilers import needs_cxx
 from support.simulated_time import on_simulated_time
-from unity_link.protocol.crc import Crc
+from unity_link.protocol.wire.crc import Crc
 from unity_link.transport.ft232h.eeprom_image import build_eeprom
 from unity_link.virtual.ft232h.bus import LoopClock, SimulatedClock, VirtualBus, VirtualFt232h
 from unity_link.virtual.ft232h.host import Transfer

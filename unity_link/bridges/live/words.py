@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from unity_link.bridges.sampled import SampledGroup
 from unity_link.data import Group, load
 from unity_link.errors import ArgumentError
-from unity_link.protocol.configuration import Feature
+from unity_link.protocol.wire.configuration import Feature
 from unity_link.spec import Access, ComponentSpec, Interface, Kind, KindName, Signal, Spec
 
 if TYPE_CHECKING:

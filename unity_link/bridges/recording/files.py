@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
     from unity_link.bridges.sampled import SampledGroup
     from unity_link.data import Batch
-    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.wire.configuration import GatewayInfo
     from unity_link.spec import Interface
 
 FORMATS = ("parquet", "csv")

@@ -18,7 +18,7 @@ from unity_link.bridges.recording.files import GATEWAY, INTERFACE, RecordingErro
 from unity_link.data import Table
 from unity_link.data.laps import ColumnLaps
 from unity_link.errors import ArgumentError, UnknownNameError, UnsupportedError, did_you_mean
-from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.wire.configuration import GatewayInfo
 from unity_link.spec import Interface
 from unity_link.spec.columns import Columns
 from unity_link.spec.ranges import check_ranges
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from mcap.records import Chunk, McapRecord
     from numpy.typing import NDArray
 
-    from unity_link.protocol.arrays import Words
+    from unity_link.protocol.wire.arrays import Words
     from unity_link.spec import Signal
 
 MOST_UNPACKED = 64 << 20

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.messages import ErrorCode
 from unity_link.virtual.bus import AccessError
 from unity_link.virtual.gateway import VirtualGateway
 

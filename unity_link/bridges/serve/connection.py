@@ -18,14 +18,14 @@ from typing import TYPE_CHECKING, cast
 
 from unity_link.bridges.serve.requests import Relayed, RelayedRows, Said
 from unity_link.bridges.serve.turns import ClientQueue
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.messages import ErrorCode
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from unity_link.bridges.serve.groups import ClientGroup
     from unity_link.bridges.serve.shared import SharedLink
-    from unity_link.protocol.gateway_session import SessionState
+    from unity_link.protocol.gateway.session import SessionState
 
 MOST_UNDER_WAY = 65_536
 """Bytes of requests and answers under way for one client, beyond which it is not listened to."""

@@ -1,7 +1,7 @@
 """The requests of one client, decoded: frames, sequence, groups, send-immediate.
 
 To its client, a `Conversation` is a gateway that has just been reset. It keeps a session as every gateway does
-(`unity_link.protocol.gateway_session`), hands on what is the next to be executed, and answers everything else itself.
+(`unity_link.protocol.gateway.session`), hands on what is the next to be executed, and answers everything else itself.
 Reads and writes of single words are most of the traffic: those that stand side by side are checked and handed on
 together, and a lone one takes a short way that does what the long one would, or gives up before anything changes.
 """
@@ -15,12 +15,12 @@ import numpy as np
 from unity_link.bridges.serve.groups import ClientGroup, GroupSettings
 from unity_link.bridges.serve.leases import ArmRequest
 from unity_link.bridges.serve.requests import Relayed, RelayedRows, answer_digits
-from unity_link.protocol.arrays import matching_rows
-from unity_link.protocol.configuration import Feature
-from unity_link.protocol.frames import LF, in_session
-from unity_link.protocol.gateway_session import UNDER_WAY, Answer, GatewaySession
-from unity_link.protocol.messages import Codec, DecodedRequest, ErrorCode
-from unity_link.protocol.reception import group_fits
+from unity_link.protocol.gateway.reception import group_fits
+from unity_link.protocol.gateway.session import UNDER_WAY, Answer, GatewaySession
+from unity_link.protocol.wire.arrays import matching_rows
+from unity_link.protocol.wire.configuration import Feature
+from unity_link.protocol.wire.frames import LF, in_session
+from unity_link.protocol.wire.messages import Codec, DecodedRequest, ErrorCode
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -246,7 +246,7 @@ class Conversation:
         if data[last : last + 1 + self._id_digits] != letter + number or self._shared.away:
             return start
         room = self._client.room // (2 * size) + FEWEST_ROWS
-        count = min((len(data) - start) // size, room, codec.ring // 2)
+        count = min((len(data) - start) // size, room, codec.id_count // 2)
         head = 1 + self._id_digits
         width = size - head - self._crc_digits - 1
         rows = data[start : start + count * size]

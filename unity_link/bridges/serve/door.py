@@ -16,7 +16,7 @@ import socket
 from typing import TYPE_CHECKING, cast
 
 from unity_link.bridges.serve.client import Client
-from unity_link.protocol.frames import TOKEN_LINE
+from unity_link.protocol.wire.frames import TOKEN_LINE
 
 if TYPE_CHECKING:
     from unity_link.bridges.serve.shared import SharedLink

@@ -20,13 +20,13 @@ from collections import deque
 from functools import partial
 from typing import TYPE_CHECKING, Protocol
 
-from unity_link.protocol.messages import SAMPLE_HEAD, TIMESTAMP_DIGITS, GroupFlag
+from unity_link.protocol.wire.messages import SAMPLE_HEAD, TIMESTAMP_DIGITS, GroupFlag
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from unity_link.protocol.group_table import GroupTable
-    from unity_link.protocol.messages import Codec
+    from unity_link.protocol.host.group_table import GroupTable
+    from unity_link.protocol.wire.messages import Codec
 
 _SEQUENCE = slice(3, 5)
 

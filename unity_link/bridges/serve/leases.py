@@ -12,13 +12,13 @@ import contextlib
 from typing import TYPE_CHECKING, Any, NamedTuple, Protocol
 
 from unity_link.errors import UnityLinkError
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.messages import ErrorCode
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine, Iterator
 
     from unity_link.bridges.serve.turns import ClientQueue
-    from unity_link.protocol.messages import Codec, DecodedRequest
+    from unity_link.protocol.wire.messages import Codec, DecodedRequest
     from unity_link.spec.model import Interface
 
 NOBODY = object()

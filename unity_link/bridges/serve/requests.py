@@ -9,10 +9,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Protocol
 
 from unity_link.errors import GatewayError, Outcome, UnansweredError, UnityLinkError, UnsupportedError
-from unity_link.protocol.arrays import matching_rows, request_rows
-from unity_link.protocol.events import Awaited
-from unity_link.protocol.messages import COMMANDS, Codec, ErrorCode, Repeat, parse_numbers
-from unity_link.protocol.requests import BatchRun, Request, WordBatch
+from unity_link.protocol.host.batches import BatchRun, WordBatch
+from unity_link.protocol.host.events import Awaited
+from unity_link.protocol.host.requests import Request
+from unity_link.protocol.wire.arrays import matching_rows, request_rows
+from unity_link.protocol.wire.messages import COMMANDS, Codec, ErrorCode, Repeat, parse_numbers
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -20,9 +21,9 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from unity_link.protocol.events import Events
-    from unity_link.protocol.gateway_session import SessionState
-    from unity_link.protocol.host_codec import HostCodec
+    from unity_link.protocol.gateway.session import SessionState
+    from unity_link.protocol.host.events import Events
+    from unity_link.protocol.host.host_codec import HostCodec
 
 FATES = {ErrorCode.BUS_ERROR, ErrorCode.BUS_TIMEOUT, ErrorCode.OUT_OF_RANGE}
 """Errors of a request that was executed."""
@@ -303,7 +304,7 @@ class RelayedRows(WordBatch):
         return request_rows(self._to_client, self.command, self._number(offset), data, self.state.seeds[1])
 
     def _number(self, offset: int) -> int:
-        return self.number + offset & self.codec.ring - 1
+        return self.number + offset & self.codec.id_count - 1
 
 
 class RowsAnswered(Awaited):
@@ -348,7 +349,7 @@ class RelayedRun(BatchRun):
 
     def accept_rows(self, offset: int, frames: bytes, events: Events) -> int:
         """Hand on the answers to requests from `offset` on, as far as the frames are that."""
-        number, place = self.first + offset & self.codec.ring - 1, self._start + offset
+        number, place = self.first + offset & self.codec.id_count - 1, self._start + offset
         codec, digits = self.codec, self._rows.reply_digits or 0
         data = matching_rows(codec, self.command, number, frames, digits, codec.seed_back)
         if len(data):

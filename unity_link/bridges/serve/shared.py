@@ -20,18 +20,18 @@ from unity_link.data.describing import read_spec
 from unity_link.data.robot import check_gateway
 from unity_link.errors import ArgumentError, ConnectError, LinkLostError, UnityLinkError, UnsupportedError, reason_of
 from unity_link.link.connection import Connection, Reconnect
-from unity_link.protocol.configuration import Feature
-from unity_link.protocol.events import GroupEvent, PostedFailure, Sampled
-from unity_link.protocol.messages import Codec
-from unity_link.protocol.requests import Request
+from unity_link.protocol.host.events import GroupEvent, PostedFailure, Sampled
+from unity_link.protocol.host.requests import Request
+from unity_link.protocol.wire.configuration import Feature
+from unity_link.protocol.wire.messages import Codec
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine
 
     from unity_link.bridges.serve.groups import ClientGroup, GroupSettings, Slot
     from unity_link.bridges.serve.turns import ClientQueue
-    from unity_link.protocol.events import Happening, Interrupted
-    from unity_link.protocol.host_codec import HostCodec
+    from unity_link.protocol.host.events import Interrupted, UnsolicitedEvent
+    from unity_link.protocol.host.host_codec import HostCodec
     from unity_link.spec.model import Interface
     from unity_link.transport import DriverUrl, Medium
 
@@ -98,7 +98,7 @@ class SharedLink(Connection):
         self._patience: asyncio.TimerHandle | None = None
         self._errands: set[asyncio.Task[None]] = set()
 
-    def _happened(self, event: Happening) -> None:
+    def _happened(self, event: UnsolicitedEvent) -> None:
         if isinstance(event, Sampled):
             event.owner.receive(event.body)
         elif isinstance(event, GroupEvent | PostedFailure):

@@ -19,15 +19,15 @@ import asyncio
 from collections import deque
 from typing import TYPE_CHECKING
 
-from unity_link.protocol.requests import REPEATABLE
+from unity_link.protocol.host.requests import REPEATABLE
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
     from unity_link.bridges.serve.requests import Relayed, RelayedRows
     from unity_link.errors import UnityLinkError
-    from unity_link.protocol.events import Events
-    from unity_link.protocol.requests import Message, Source
+    from unity_link.protocol.host.events import Events
+    from unity_link.protocol.host.requests import Message, Source
 
 LONGEST_WAIT = 0.005
 """Seconds that a request waits behind those that are under way."""

@@ -15,7 +15,7 @@ from unity_link.bridges.zenoh.signals import ZenohSignals
 from unity_link.bridges.zenoh.streams import Streams
 from unity_link.data.describing import robot_behind
 from unity_link.errors import ConnectError, LinkLostError, first_error
-from unity_link.protocol.numbers import seconds_from
+from unity_link.protocol.wire.numbers import seconds_from
 from unity_link.transport import DriverUrl, parse_url, prepare
 from unity_link.transport.zenoh_session import (
     Declaration,

@@ -16,11 +16,12 @@ from unity_link.generate import GeneratedFile
 from unity_link.generate.c.layout import Layout
 from unity_link.generate.c.names import number
 from unity_link.generate.c.signals import decoding, describe, examples, initializer, schedule
-from unity_link.protocol import compact, path, trial
-from unity_link.protocol.configuration import Feature
-from unity_link.protocol.constants import TABLE
-from unity_link.protocol.frames import LARGEST_DATAGRAM
-from unity_link.protocol.numbers import MOST_SECONDS
+from unity_link.protocol.host import trial
+from unity_link.protocol.window.constants import TABLE
+from unity_link.protocol.wire import compact, path
+from unity_link.protocol.wire.configuration import Feature
+from unity_link.protocol.wire.frames import LARGEST_DATAGRAM
+from unity_link.protocol.wire.numbers import MOST_SECONDS
 from unity_link.transport.polling import REMEMBERED_WAITS, SPIN
 from unity_link.transport.udp import RECEIVE_BUFFER
 

@@ -14,7 +14,7 @@ from unity_link.generate.vhdl.names import Scope, identifier
 from unity_link.generate.vhdl.records import Pins, Records
 from unity_link.generate.vhdl.types import bit_literal, enumeration_type, from_bits, to_bits
 from unity_link.generate.vhdl.wiring import STAGE_PORTS, Wiring
-from unity_link.protocol.description import PAGE_WORDS, page_address, words_of
+from unity_link.protocol.wire.description import PAGE_WORDS, page_address, words_of
 from unity_link.spec import STAGE_BITS, Access, Effect, KindName
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections import deque
 from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
-from unity_link.protocol.frames import end_of_first
+from unity_link.protocol.wire.frames import end_of_first
 from unity_link.virtual.ft232h.port import Mode
 from unity_link.virtual.gateway import VirtualGateway
 from unity_link.virtual.simulating import SimulatedGateway

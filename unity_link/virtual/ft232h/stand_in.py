@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from unity_link.protocol.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
 from unity_link.transport.ft232h.eeprom_image import build_eeprom
 from unity_link.virtual.build import CHANCES, CONFIGURATION, ROBOT_OPTIONS, Wanted, build_gateway
 

@@ -17,7 +17,7 @@ from unity_link.files import write_files
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from unity_link.protocol.configuration import GatewayInfo
+    from unity_link.protocol.wire.configuration import GatewayInfo
 
 GENERATED = Path(__file__).parent / "generated"
 _INDEX = "models.json"

@@ -14,7 +14,7 @@ import msgspec
 
 from unity_link.errors import ArgumentError
 from unity_link.gateware.own_circuits import OwnInstance  # noqa: TC001  (msgspec reads the annotations)
-from unity_link.protocol.configuration import GatewayInfo
+from unity_link.protocol.wire.configuration import GatewayInfo
 from unity_link.virtual.rtl import archive
 
 if TYPE_CHECKING:

@@ -20,8 +20,8 @@ from collections.abc import Iterable, Iterator, Mapping, MutableMapping
 from typing import TYPE_CHECKING, NamedTuple
 
 from unity_link.errors import ArgumentError, ConnectError
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.messages import ErrorCode
 from unity_link.virtual.bus import AccessError, Device, Devices, DevicesEverywhere
 from unity_link.virtual.gateway import BareGateway
 from unity_link.virtual.rtl.configurations import Configuration, find

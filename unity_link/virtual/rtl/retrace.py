@@ -15,13 +15,13 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import msgspec
 
+from unity_link.capture.observed_session import ObservedSession
+from unity_link.capture.transcript import FrameCutter
 from unity_link.errors import ArgumentError, ConnectError
 from unity_link.files import Writing, head_of, is_device
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.crc import seed_of
-from unity_link.protocol.messages import Codec, ErrorCode, GroupFlag
-from unity_link.protocol.overheard_session import OverheardSession
-from unity_link.protocol.transcript import FrameCutter
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.crc import seed_of
+from unity_link.protocol.wire.messages import Codec, ErrorCode, GroupFlag
 from unity_link.virtual.bus import AccessError
 from unity_link.virtual.rtl.configurations import configurations
 from unity_link.virtual.rtl.gateway import MOST_WHILE_TICKING, RtlGateway
@@ -124,7 +124,7 @@ class Retrace(RtlGateway):
         self._library.ul_set_only_device(self._handle)
         self._snooped = snooped
         self._codec = Codec(self.info, build.node)
-        self._overheard = OverheardSession(self._codec.framing)
+        self._overheard = ObservedSession(self._codec.framing)
         self._same = not differing(self.info, snooped.info)
         # In step with the groups: where the clocks differ, a base tick takes as long as it did.
         self._cycle_ns = 1e12 / (snooped.info.base_frequency_millihertz or 1) / self._base_tick

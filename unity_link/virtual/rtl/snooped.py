@@ -14,12 +14,14 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import msgspec
 
+from unity_link.capture.observed_session import ObservedSession
+from unity_link.capture.transcript import CONFIGURATION, QUESTION, FrameCutter
 from unity_link.errors import ArgumentError, UnsupportedError
-from unity_link.protocol.compact import text_of
-from unity_link.protocol.configuration import GatewayInfo
-from unity_link.protocol.frames import CR, LF
-from unity_link.protocol.gateway_session import Answer, GatewaySession
-from unity_link.protocol.messages import (
+from unity_link.protocol.gateway.session import Answer, GatewaySession
+from unity_link.protocol.wire.compact import text_of
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.frames import CR, LF
+from unity_link.protocol.wire.messages import (
     TIMESTAMP_DIGITS,
     Codec,
     DecodedRequest,
@@ -28,8 +30,6 @@ from unity_link.protocol.messages import (
     GroupFlag,
     parse_numbers,
 )
-from unity_link.protocol.overheard_session import OverheardSession
-from unity_link.protocol.transcript import CONFIGURATION, QUESTION, FrameCutter
 from unity_link.transport.snoop import Connected, Passed
 
 if TYPE_CHECKING:
@@ -194,7 +194,7 @@ class _Reader:
         self._prefix = codec.framing.prefix
         self.node = int(self._prefix[1:], 16) if self._prefix else None
         self._session = GatewaySession(codec)
-        self._overheard = OverheardSession(codec.framing)
+        self._overheard = ObservedSession(codec.framing)
         self.begin()
 
     def begin(self) -> None:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from unity_link.errors import ArgumentError
 from unity_link.generate.vhdl.bank import Bank
-from unity_link.protocol.messages import ErrorCode
+from unity_link.protocol.wire.messages import ErrorCode
 from unity_link.spec import Way
 from unity_link.virtual.bus import AccessError
 from unity_link.virtual.faults import Failing

@@ -28,8 +28,8 @@ from unity_link.generate.verilog import flat_design
 from unity_link.generate.verilog.flat import FIFO, flat_ports, triggers
 from unity_link.generate.vhdl.bank import Bank
 from unity_link.generate.vhdl.folder import read_vhdl
-from unity_link.protocol.configuration import Feature, GatewayInfo
-from unity_link.protocol.crc import USUAL_POLYNOMIALS
+from unity_link.protocol.wire.configuration import Feature, GatewayInfo
+from unity_link.protocol.wire.crc import USUAL_POLYNOMIALS
 from unity_link.spec.model import Way
 from unity_link.spec.rates import base_millihertz
 from unity_link.virtual.generics import FEATURES, generics_of, info_of

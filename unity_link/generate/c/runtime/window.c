@@ -31,7 +31,7 @@
  * The time out is RFC 6298's, but never less than twice the round trip. What was sent twice is not timed. The doubling is
  * undone by the answer to what was sent once, and by progress after a sign.
  *
- * It does what `unity_link/protocol/window.py` does, for the host in Python, and its tests compare the two.
+ * It does what `unity_link/protocol/window/window.py` does, for the host in Python, and its tests compare the two.
  */
 
 static const ul_request FENCE = {.command = "h"};

@@ -1,0 +1,41 @@
+"""The gateway's side of a session, where no test of a gateway says it."""
+
+from __future__ import annotations
+
+import pytest
+
+from unity_link.protocol.gateway.session import GatewaySession
+from unity_link.protocol.wire.configuration import GatewayInfo
+from unity_link.protocol.wire.messages import Codec, ErrorCode
+
+
+def test_there_is_a_session_from_its_first_id_on_whatever_that_is_until_a_reset() -> None:
+    session = GatewaySession(Codec(GatewayInfo()))
+    found = [session.begun]
+    session.begin(0x1234, 0)
+    found.append(session.begun)
+    session.reset()
+    assert [*found, session.begun] == [False, True, False]
+
+
+@pytest.mark.parametrize(("crc_bits", "last"), [(8, 0x7F), (16, 0x7FFF), (32, 0x7FFF)])
+def test_a_session_has_a_number_that_fits_in_the_check_beside_the_direction(crc_bits: int, last: int) -> None:
+    codec = Codec(GatewayInfo(crc_bits=crc_bits, crc_polynomial=0x07))
+    session = GatewaySession(codec)
+    for number in (0, last + 1, 2 * last + 1):
+        session.take(codec.opening(0, number), plain=True)
+        assert not session.begun
+    session.take(codec.opening(0, last), plain=True)
+    assert session.state.number == last
+    assert max(session.state.seeds) < 1 << crc_bits
+
+
+def test_what_ends_behind_its_session_changes_nothing_of_the_next() -> None:
+    session = GatewaySession(Codec(GatewayInfo()))
+    session.begin(1, 0)
+    late = session.state
+    session.begin(2, 0)
+    late.fail(0, ErrorCode.BUS_ERROR, posted=True)
+    late.keep(0, [5])
+    session.sequence.expected = 1
+    assert (session.sequence.fate(0), session.state.failed, session.state.kept[0]) == (0, 0, 0)

@@ -1,0 +1,236 @@
+"""A medium in an event loop of its own, in a thread of its own, for a link that runs elsewhere.
+
+Media of other programs, virtual gateways, UDP, Zenoh and the FT232H have asyncio transports. What a transport delivers
+is passed on to the stream in the link's own thread, piece by piece, and what the stream writes the other way.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import threading
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar, cast
+
+from unity_link.transport import open_medium
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Coroutine
+
+    from unity_link.link.runtimes.runtime import Waiter
+    from unity_link.transport import DriverUrl, Medium
+    from unity_link.transport.stream import Stream
+
+T = TypeVar("T")
+
+
+class Home(Protocol):
+    """Event loop and thread that run the link."""
+
+    def create_future(self) -> Waiter:
+        """Return what a call can await."""
+
+    def call_soon_threadsafe(self, function: Callable[[], object], /) -> None:
+        """Call a function where the link runs."""
+
+
+def run_in_loop(function: Callable[[], Coroutine[Any, Any, T]]) -> T:
+    """Run a coroutine in an event loop of another thread, and return its result; this thread may have a loop."""
+    results: list[T] = []
+    errors: list[BaseException] = []
+
+    def run() -> None:
+        try:
+            results.append(asyncio.run(function()))
+        except BaseException as error:  # noqa: BLE001  (it is raised below)
+            errors.append(error)
+
+    thread = threading.Thread(target=run, daemon=True)
+    thread.start()
+    thread.join()
+    if errors:
+        raise errors[0]
+    return results[0]
+
+
+def complete(waiter: Waiter, error: BaseException | None = None) -> None:
+    """Complete a waiter, if it has not been given up."""
+    if waiter.done():
+        return
+    if error is None:
+        waiter.set_result(None)
+    else:
+        waiter.set_exception(error)
+
+
+class Relay(asyncio.Transport):
+    """A transport for a stream elsewhere, of a medium in a loop of its own.
+
+    Args:
+        home: runs the stream.
+        target: the medium.
+        stream: takes what arrives.
+    """
+
+    def __init__(self, home: Home, target: DriverUrl | Medium, stream: Stream) -> None:
+        super().__init__()
+        self._home = home
+        self._target = target
+        self._stream = stream
+        self._opened = home.create_future()
+        self._loop = asyncio.new_event_loop()
+        self._far: asyncio.Transport | None = None
+        self._closing = False
+        self._ended = asyncio.Event()
+        self._task: asyncio.Task[None] | None = None
+        self._thread = threading.Thread(target=self._run, name="unity_link.relay", daemon=True)
+
+    async def open(self) -> None:
+        """Open the medium; raises what its driver raises."""
+        self._thread.start()
+        try:
+            await self._opened
+        except BaseException:
+            self._post(self._give_up)
+            raise
+
+    def join(self, patience: float | None) -> None:
+        """Wait until the thread has ended, at most so many seconds."""
+        if self._thread.ident is not None:
+            self._thread.join(patience)
+
+    @property
+    def has_ended(self) -> bool:
+        """Return whether its thread has ended."""
+        return self._thread.ident is not None and not self._thread.is_alive()
+
+    # In the thread of the link
+
+    def write(self, data: bytes | bytearray | memoryview) -> None:
+        """Send bytes."""
+        far = self._far
+        if far is not None and not self._closing:
+            self._post(lambda: far.write(data))
+
+    def pause_reading(self) -> None:
+        """Pass nothing more on; what is on its way comes."""
+        if self._far is not None:
+            self._post(self._far.pause_reading)
+
+    def resume_reading(self) -> None:
+        """Pass on again what arrives."""
+        if self._far is not None:
+            self._post(self._far.resume_reading)
+
+    def is_closing(self) -> bool:
+        """Return whether the end was asked for."""
+        return self._closing
+
+    def abort(self) -> None:
+        """End the connection at once."""
+        self._closing = True
+        if self._far is not None:
+            self._post(self._far.abort)
+
+    close = abort
+
+    def get_extra_info(self, name: str, default: Any = None) -> Any:
+        """Return what the medium's own transport tells."""
+        if self._far is None:
+            return default
+        told = self._far.get_extra_info(name, default)
+        return self._choosing(told) if name == "send_immediate" and told is not None else told
+
+    def _choosing(self, choose: Callable[[str], Coroutine[Any, Any, None]]) -> Callable[[str], Any]:
+        async def choose_there(mode: str) -> None:
+            done = self._home.create_future()
+
+            async def chosen() -> None:
+                try:
+                    await choose(mode)
+                except Exception as error:  # noqa: BLE001  (the call raises it)
+                    failure = error
+                    self.tell(lambda: complete(done, failure))
+                else:
+                    self.tell(lambda: complete(done))
+
+            self._post(lambda: self._loop.create_task(chosen()))
+            await done
+
+        return choose_there
+
+    def _post(self, function: Callable[[], object]) -> None:
+        # The thread may have ended by itself.
+        if not self._loop.is_closed():
+            self._loop.call_soon_threadsafe(function)
+
+    # In the thread of the medium
+
+    def _run(self) -> None:
+        with asyncio.Runner(loop_factory=lambda: self._loop) as runner:
+            try:
+                runner.run(self._serve())
+            except asyncio.CancelledError:
+                return
+
+    async def _serve(self) -> None:
+        self._task = asyncio.current_task()
+        try:
+            await open_medium(self._target, FarProtocol(self))
+        except BaseException as error:  # noqa: BLE001  (the link raises it)
+            failure = error
+            self.tell(lambda: complete(self._opened, failure))
+            return
+        self.tell(lambda: complete(self._opened))
+        await self._ended.wait()
+
+    def _give_up(self) -> None:
+        if self._far is not None:
+            self._far.abort()
+        elif self._task is not None:
+            self._task.cancel()
+
+    def begin(self, far: asyncio.Transport) -> None:
+        """Record that the medium is open."""
+        self._far = far
+        self.tell(lambda: self._stream.connection_made(self))
+
+    def end(self, reason: Exception | None) -> None:
+        """Record that the medium has ended."""
+        self._ended.set()
+        self.tell(lambda: self._stream.connection_lost(reason))
+
+    def tell(self, function: Callable[[], object]) -> None:
+        """Call a function where the link runs."""
+        self._home.call_soon_threadsafe(function)
+
+    @property
+    def stream(self) -> Stream:
+        """Receiver of what arrives."""
+        return self._stream
+
+
+class FarProtocol(asyncio.Protocol):
+    """Passes on what the medium's own transport calls."""
+
+    def __init__(self, relay: Relay) -> None:
+        self._relay = relay
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        """Pass on the beginning."""
+        self._relay.begin(cast("asyncio.Transport", transport))
+
+    def data_received(self, data: bytes) -> None:
+        """Pass on what has arrived."""
+        stream = self._relay.stream
+        self._relay.tell(lambda: stream.data_received(data))
+
+    def pause_writing(self) -> None:
+        """Pass on."""
+        self._relay.tell(self._relay.stream.pause_writing)
+
+    def resume_writing(self) -> None:
+        """Pass on."""
+        self._relay.tell(self._relay.stream.resume_writing)
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        """Pass on the end."""
+        self._relay.end(exc)
