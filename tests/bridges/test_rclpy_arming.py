@@ -101,7 +101,7 @@ def test_a_program_arms_moves_and_is_disarmed_by_anybody(ros: Ros, transport: st
         # Its answer comes after those to the copies of the first message.
         it.arm(it.node, "drive is disarmed", armed=False, often=False)
         it.node.publish_often(LEFT, "std_msgs/Float64", [{"data": 0.5}])
-        wait_for(it.bridge, "left.speed is not written, because nothing on ROS has armed drive")
+        wait_for(it.bridge, "left.speed is not written, because drive was disarmed")
         assert it.robot.left.speed.get() == 0
         wait_until(lambda: it.moves(it.node, 0.5))
         assert it.node.heard_last(ARMED, values=[True])
