@@ -43,8 +43,9 @@ def plain(value: Any) -> Any:
         return {name: plain(getattr(value, name)) for name in value.get_fields_and_field_types()}
     if isinstance(value, bytes):
         return value[0]
-    is_row = isinstance(value, (list, tuple)) or hasattr(value, "typecode") or hasattr(value, "dtype")
-    return [plain(item) for item in value] if is_row else value
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    return [plain(item) for item in value] if isinstance(value, (list, tuple)) else value
 
 
 def made(kind: Any, fields: dict[str, Any]) -> Any:

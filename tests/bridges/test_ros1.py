@@ -36,7 +36,8 @@ from support.bridge_programs import (
 from support.own_robots import OWN
 from unity_link import ConnectError, blocking, load
 from unity_link.bridges.ros1 import environment
-from unity_link.bridges.ros_rows import joint_rows, number_rows
+from unity_link.bridges.ros_rows import number_rows, stamped_rows
+from unity_link.bridges.topics import joint_fields
 from unity_link.data.blocking import put
 
 if TYPE_CHECKING:
@@ -229,7 +230,8 @@ def test_the_states_of_joints_are_the_bytes_that_rospy_gives_them(
         message.header.frame_id = frame_id
         theirs += with_length(message)
 
-    assert joint_rows(names, np.array([12.5, 12.75]), parts, frame_id, 7).tobytes() == theirs
+    ours = stamped_rows(np.array([12.5, 12.75]), joint_fields(names, parts), frame_id, 7)
+    assert ours.tobytes() == theirs
 
 
 @pytest.mark.slow

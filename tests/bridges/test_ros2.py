@@ -38,8 +38,9 @@ from unity_link import ArgumentError, blocking, load
 from unity_link.bridges.ros2.arguments import NodeNames, read_arguments
 from unity_link.bridges.ros2.domain import domain_number, open_participant
 from unity_link.bridges.ros2.messages import TYPES
-from unity_link.bridges.ros_rows import joint_rows, number_rows
+from unity_link.bridges.ros_rows import number_rows, stamped_rows
 from unity_link.bridges.ros_settings import BridgeSettings, Quality, read_parameters, settings_of
+from unity_link.bridges.topics import joint_fields
 from unity_link.data.blocking import put
 
 if TYPE_CHECKING:
@@ -110,7 +111,7 @@ def test_the_states_of_joints_are_the_bytes_that_ros_2_gives_them(
     types = ROS.types
     stamps = [types["builtin_interfaces/msg/Time"](sec=12, nanosec=nanosec) for nanosec in (500_000_000, 750_000_000)]
 
-    ours = joint_rows(names, np.array([12.5, 12.75]), parts, frame_id)
+    ours = stamped_rows(np.array([12.5, 12.75]), joint_fields(names, parts), frame_id)
 
     for number, (row, stamp) in enumerate(zip(ours, stamps, strict=True)):
         header = types["std_msgs/msg/Header"](stamp=stamp, frame_id=frame_id)
@@ -263,7 +264,8 @@ def test_diagnostics_tell_of_each_lease(tmp_path: Path) -> None:
 
 
 def test_the_types_of_ros_2_have_its_hashes() -> None:
-    known = {"Float64MultiArray": "std_msgs", "JointState": "sensor_msgs", "DiagnosticArray": "diagnostic_msgs"}
+    known = {"Float64MultiArray": "std_msgs", "DiagnosticArray": "diagnostic_msgs"}
+    known |= dict.fromkeys(("JointState", "Imu", "BatteryState", "Range"), "sensor_msgs")
     for name, package in {**known, "JointTrajectory": "trajectory_msgs"}.items():
         assert TYPES[name].hash == ROS.hash_rihs01(f"{package}/msg/{name}")
 

@@ -333,6 +333,11 @@ CASES = [
     ("public x() { GATEWAY(ADDRESS_BITS=9); a[256]: c() @(i); }\nc(): @(v) { @v: READ(PUBLISH(1, 1)); }", "group-size", "the group group_1 has 256 words, and a gateway publishes at most 255", "v", "divide it"),
     ("public x() { @a = 1: READ(PUBLISH(g)); }\ngroup g(1, 1, JOINTS(POSITION=b));", "joints", "no signal of the group g is called 'b'", "g", ""),
     ("public x() { @a = 1: READ(PUBLISH(g)); @b = 2: READ(); }\ngroup g(1, 1, JOINTS(POSITION=a, SET_POSITION=b));", "joints", "no signal of its joints that can be written is called 'b'", "g", ""),
+    ("public x() { @a = 1: READ(PUBLISH(g)); }\ngroup g(1, 1, IMU(ORIENTATION=b));", "sensors", "no signal of the group g is called 'b'", "g", ""),
+    ("public x() { @a = 1: READ(PUBLISH(g)); }\ngroup g(1, 1, IMU(ORIENTATION=a));", "sensors", "a is a row of 1, and ORIENTATION of IMU needs 4", "g", "declare a row, as in @a[4] = base + i: ..."),
+    ("public x() { @a[2] = 1 + i: READ(PUBLISH(g)); }\ngroup g(1, 1, BATTERY(VOLTAGE=a));", "sensors", "a is a row of 2, and VOLTAGE of BATTERY needs 1", "g", ""),
+    ("public x() { @a = 1: READ(PUBLISH(g)); }\ngroup g(1, 1, RANGEFINDER(INFRARED));", "sensors", "RANGEFINDER needs the name of a signal", "g", "as in RANGEFINDER(DISTANCE=name)"),
+    ("public x() { @a = 1: READ(PUBLISH(g)); }\ngroup g(1, 1, RANGEFINDER(DISTANCE=a, FIELD_OF_VIEW=7));", "out-of-range", "FIELD_OF_VIEW is 7, and 0 to 6.28318530718 is expected", "7", ""),
     ("public x() { @a = 1: READ(PUBLISH(g)); }\ngroup g(1, 1, JOINTS);", "joints", "JOINTS needs the name of a signal", "g", "JOINTS(POSITION=cpos"),
     # The whole.
     ('public x() { @a = 1: READ(ID="b"); @b = 2: READ(); }', "id-twice", "the ID 'b' is that of a and of b", "b", ""),

@@ -16,6 +16,7 @@ from unity_link.spec import (
     Joint,
     Parameter,
     ParameterReference,
+    Sensor,
     Signal,
     SpecError,
     compile_file,
@@ -413,6 +414,20 @@ def test_the_set_points_of_joints_are_the_signals_beside_them_that_can_be_writte
     assert interface.groups[0].joints == (
         Joint(name="a", position="a.p", set_position="a.p", set_effort="a.e"), Joint(name="b", position="b.p"),
     )  # fmt: skip
+
+
+def test_sensors_of_a_group_are_components_with_the_named_signals() -> None:
+    interface = interface_of(
+        "a: chip() @(0);", "b: chip() @(8);", "@far = 16: READ(PUBLISH(s));",
+        outside="group s(1, 2, IMU(ANGULAR_VELOCITY=gyro), RANGEFINDER(DISTANCE=far, FIELD_OF_VIEW=0.5, INFRARED));\n"
+        "chip(): @(p) { @gyro[3] = p + i: READ(PUBLISH(s)); }",
+    )  # fmt: skip
+    gyros = [{"ANGULAR_VELOCITY": tuple(f"{name}.gyro[{axis}]" for axis in range(3))} for name in "ab"]
+    assert interface.groups[0].sensors == (
+        Sensor(word="IMU", name="a", signals=gyros[0]),
+        Sensor(word="IMU", name="b", signals=gyros[1]),
+        Sensor(word="RANGEFINDER", name="", signals={"DISTANCE": ("far",)}, field_of_view=0.5, infrared=True),
+    )
 
 
 # The model

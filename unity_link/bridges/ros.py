@@ -16,7 +16,7 @@ from unity_link.bridges.gateway_time import GatewayTime
 from unity_link.bridges.log_once import Faults
 from unity_link.bridges.presence import Presence
 from unity_link.bridges.ros_leases import RosLease
-from unity_link.bridges.ros_rows import joint_rows, number_rows
+from unity_link.bridges.ros_rows import number_rows, stamped_rows
 from unity_link.bridges.ros_trajectories import RosTrajectory, schedule_of
 from unity_link.bridges.thread_queue import Carrier
 from unity_link.bridges.topic_names import topic_names
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from unity_link.bridges.merged_writes import Value
     from unity_link.bridges.ros_rows import Rows
     from unity_link.bridges.ros_settings import BridgeSettings
-    from unity_link.bridges.topics import JointCommandTopic, JointTopic
+    from unity_link.bridges.topics import JointCommandTopic
     from unity_link.data import Batch, Robot, Writable
 
 BUFFER = 1 << 16
@@ -265,9 +265,8 @@ class RosBridge(abc.ABC):
         for published in self._groups:
             for topic in published.topics:
                 self._outlets[topic.name] = self._open_outlet(topic.name, "std_msgs", topic.type)
-            if published.joints is not None:
-                name = published.joints.name
-                self._outlets[name] = self._open_outlet(name, "sensor_msgs", "JointState")
+            for stamped in published.stamped:
+                self._outlets[stamped.name] = self._open_outlet(stamped.name, "sensor_msgs", stamped.kind)
 
     async def _limit_end_if_cancelled(self) -> None:
         """Limit the time in which the samples that have come are published after the bridge is cancelled."""
@@ -297,12 +296,11 @@ class RosBridge(abc.ABC):
             outlet = self._outlets[topic.name]
             if outlet.is_wanted:
                 outlet.send(number_rows(topic.type, batch[topic.proxy], cdr=self._has_cdr))
-        if published.joints is not None:
-            self._publish_joints(published.joints, number, batch)
-
-    def _publish_joints(self, joints: JointTopic, number: int, batch: Batch) -> None:
-        outlet = self._outlets[joints.name]
-        if outlet.is_wanted:
-            instants = self._time.instants(number, batch)
+        wanted = [stamped for stamped in published.stamped if self._outlets[stamped.name].is_wanted]
+        instants = self._time.instants(number, batch) if wanted else batch.arrived
+        for stamped in wanted:
+            outlet = self._outlets[stamped.name]
             first = None if self._has_cdr else outlet.sent + 1
-            outlet.send(joint_rows(joints.names, instants, joints.columns(batch), self._settings.frame_id, first))
+            frame = self._settings.frame_id if stamped.frame is None else stamped.frame
+            fields = stamped.fields(batch, has_variance=self._has_cdr)
+            outlet.send(stamped_rows(instants, fields, frame, first))

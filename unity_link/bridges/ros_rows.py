@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Sequence
 
     from numpy.typing import NDArray
 
+    from unity_link.bridges.sensor_topics import Field
 
 Rows = np.ndarray[Any, np.dtype[np.void]]
 """Shape (messages,)."""
@@ -28,38 +29,25 @@ def number_rows(kind: str, values: NDArray[Any], *, cdr: bool) -> Rows:
     return _rows(len(values), [(np.dtype(kind.lower()).newbyteorder("<"), values)], cdr=cdr)
 
 
-def joint_rows(
-    names: Sequence[str],
-    instants: NDArray[np.float64],
-    parts: Mapping[str, NDArray[np.float64]],
-    frame_id: str = "",
-    first: int | None = None,
+def stamped_rows(
+    instants: NDArray[np.float64], fields: Sequence[Field], frame_id: str = "", first: int | None = None
 ) -> Rows:
-    """Return messages of ``sensor_msgs/JointState``.
+    """Return messages that begin with a ``std_msgs/Header``.
 
     Args:
-        names: of the joints.
         instants: times of the samples, in seconds since 1970, shape (samples,).
-        parts: position, velocity and effort, in this order, of shape (samples, joints), or (samples, 0) for none.
+        fields: what follows the header.
         frame_id: of the header.
         first: number of the first message, in ROS 1; None for ROS 2, whose messages have no numbers.
     """
-    fields: list[tuple[Any, Any]] = []
-    if first is not None:
-        fields.append(("<u4", np.arange(first, first + len(instants)) & 0xFFFF_FFFF))
-    seconds, nanoseconds = np.divmod(np.rint(instants * 1e9).astype(np.int64), 1_000_000_000)
     end = b"\0" if first is None else b""
-    frame, *texts = ((text.encode() + end) for text in (frame_id, *names))
-    fields += [("<u4", seconds), ("<u4", nanoseconds), *_text(frame), ("<u4", len(names))]
-    for text in texts:
-        fields += _text(text)
-    for columns in parts.values():
-        fields += [("<u4", columns.shape[1]), (("<f8", columns.shape[1:]), columns)]
-    return _rows(len(instants), fields, cdr=first is None)
-
-
-def _text(text: bytes) -> list[tuple[Any, Any]]:
-    return [("<u4", len(text)), (f"V{len(text)}", np.void(text))]
+    number = [] if first is None else [("<u4", np.arange(first, first + len(instants)) & 0xFFFF_FFFF)]
+    seconds, nanoseconds = np.divmod(np.rint(instants * 1e9).astype(np.int64), 1_000_000_000)
+    placed: list[tuple[Any, Any]] = []
+    for field in (*number, ("<u4", seconds), ("<u4", nanoseconds), frame_id, *fields):
+        text = field.encode() + end if isinstance(field, str) else b""
+        placed += [("<u4", len(text)), (f"V{len(text)}", np.void(text))] if isinstance(field, str) else [field]
+    return _rows(len(instants), placed, cdr=first is None)
 
 
 def _rows(count: int, fields: Sequence[tuple[Any, Any]], *, cdr: bool) -> Rows:

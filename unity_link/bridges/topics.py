@@ -16,6 +16,7 @@ import numpy as np
 
 from unity_link.bridges.commands import check_number
 from unity_link.bridges.sampled import sampled_groups
+from unity_link.bridges.sensor_topics import sensor_topics
 from unity_link.bridges.topic_names import SI, message_type, topic_names
 from unity_link.data import Writable
 from unity_link.errors import ArgumentError
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from unity_link.bridges.commands import Command
+    from unity_link.bridges.sensor_topics import Field, SensorTopic
     from unity_link.data import Batch, Group, Proxy, Robot
     from unity_link.spec import Joint
 
@@ -83,6 +85,10 @@ class JointTopic(NamedTuple):
     """A group as the states of joints."""
 
     name: str
+    kind: str
+    """Type of ``sensor_msgs``."""
+    frame: str | None
+    """Frame of the messages; None for that of the bridge's settings."""
     names: list[str]
     positions: list[Any]
     velocities: list[Any]
@@ -100,6 +106,25 @@ class JointTopic(NamedTuple):
         columns = {name: _in_si(proxies, batch) for name, proxies in parts.items()}
         columns["velocity"] = self.direction.signed(columns["position"], columns["velocity"])
         return columns
+
+    def fields(self, batch: Batch, **_: bool) -> list[Field]:
+        """Return the fields of ``sensor_msgs/JointState`` messages after their header."""
+        return joint_fields(self.names, self.columns(batch))
+
+
+def joint_fields(names: Sequence[str], parts: Mapping[str, NDArray[np.float64]]) -> list[Field]:
+    """Return the fields of ``sensor_msgs/JointState`` messages after their header.
+
+    Args:
+        names: of the joints.
+        parts: position, velocity and effort, in this order, of shape (samples, joints), or (samples, 0) for none.
+    """
+    arrays = (
+        field
+        for columns in parts.values()
+        for field in (("<u4", columns.shape[1]), (("<f8", columns.shape[1:]), columns))
+    )
+    return [("<u4", len(names)), *names, *arrays]
 
 
 class JointCommands(NamedTuple):
@@ -165,6 +190,12 @@ class PublishedGroup(NamedTuple):
     group: Group
     topics: list[Topic]
     joints: JointTopic | None
+    sensors: list[SensorTopic]
+
+    @property
+    def stamped(self) -> list[JointTopic | SensorTopic]:
+        """Topics whose messages have a header with the instant of sampling."""
+        return [*([] if self.joints is None else [self.joints]), *self.sensors]
 
 
 def published_groups(robot: Robot, poll_hz: float | None = None) -> list[PublishedGroup]:
@@ -180,6 +211,7 @@ def published_groups(robot: Robot, poll_hz: float | None = None) -> list[Publish
     # The bridge has a topic of this name itself.
     armed = {f"{lease}.armed" for lease in robot.interface.leases}
     found = []
+    taken = {"joint_states", *names.values()}
     for name, group in sampled:
         topics = [
             Topic(names[proxy.path], message_type(proxy.signal.kind), proxy)
@@ -188,7 +220,9 @@ def published_groups(robot: Robot, poll_hz: float | None = None) -> list[Publish
         ]
         joints = group.model.joints if group.model is not None else ()
         topic = f"{name}/joint_states" if several else "joint_states"
-        found.append(PublishedGroup(group, topics, _joint_topic(topic, joints, robot, names) if joints else None))
+        states = _joint_topic(topic, joints, robot, names) if joints else None
+        sensors = sensor_topics(() if group.model is None else group.model.sensors, robot, names, taken)
+        found.append(PublishedGroup(group, topics, states, sensors))
     return found
 
 
@@ -269,6 +303,8 @@ def _joint_topic(topic: str, joints: tuple[Joint, ...], robot: Robot, names: Map
     ]
     return JointTopic(
         topic,
+        "JointState",
+        None,
         [names[joint.name] for joint in joints],
         positions,
         velocities,

@@ -7,6 +7,7 @@
 from __future__ import annotations
 
 import enum
+import math
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from unity_link.protocol.wire.numbers import RATE
@@ -98,6 +99,13 @@ ACCESS = (
 )
 PIN = (ArgumentSlot("WAY", Shape.WORD, required=True), ArgumentSlot("UNWIRED", Shape.WHOLE, 0, 1))
 TRIGGER = (ArgumentSlot("GROUP", Shape.GROUP, *GROUP_NUMBER),)
+SENSORS = {
+    "IMU": {"ORIENTATION": 4, "ANGULAR_VELOCITY": 3, "LINEAR_ACCELERATION": 3},
+    "BATTERY": dict.fromkeys(("VOLTAGE", "CURRENT", "CHARGE", "CAPACITY", "PERCENTAGE", "TEMPERATURE"), 1),
+    "RANGEFINDER": {"DISTANCE": 1},
+}
+"""Words of a group for sensors, with their parts and the number of signals of each part."""
+_OF_RANGEFINDERS = (ArgumentSlot("FIELD_OF_VIEW", Shape.NUMBER, 0, 2 * math.pi), ArgumentSlot("INFRARED", Shape.FLAG))
 GROUP = (
     ArgumentSlot("NUMBER", Shape.WHOLE, *GROUP_NUMBER),
     ArgumentSlot("DIVISOR", Shape.WHOLE, *DIVISOR),
@@ -114,6 +122,17 @@ GROUP = (
             for prefix in ("", "SET_")
             for name in ("POSITION", "VELOCITY", "EFFORT")
         ),
+    ),
+    *(
+        ArgumentSlot(
+            word,
+            Shape.CLAUSE,
+            clause=(
+                *(ArgumentSlot(part, Shape.SIGNAL) for part in parts),
+                *(_OF_RANGEFINDERS if word == "RANGEFINDER" else ()),
+            ),
+        )
+        for word, parts in SENSORS.items()
     ),
 )
 GATEWAY = (
@@ -295,8 +314,8 @@ class Binder:
             )
             return None
         given = value.arguments if isinstance(value, Call) else []
-        # The joints' signals are told apart only by their names.
-        by_place = 0 if slot.name == "JOINTS" else len(slot.clause)
+        # Signals of joints and sensors are distinguished only by the names of the arguments.
+        by_place = 0 if slot.name == "JOINTS" or slot.name in SENSORS else len(slot.clause)
         prefix = f"{slot.name}."
         bound = self._bind(slot.name, value.place, given, slot.clause, by_place, prefix)
         # A register that no lease guards begins with its safe value all the same.

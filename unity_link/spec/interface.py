@@ -7,15 +7,16 @@ whether signals or modules lie over each other, whether an ID is used twice, and
 from __future__ import annotations
 
 import functools
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import msgspec
 
-from unity_link.spec.model import Effect, GroupSpec, Joint, ModuleSpec, Signal, gathered
+from unity_link.spec.arguments import SENSORS
+from unity_link.spec.model import Effect, GroupSpec, Joint, ModuleSpec, Sensor, Signal, gathered
 from unity_link.spec.rates import base_millihertz, out_of_reach, published_hz
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable, Iterable, Iterator
 
     from unity_link.spec.arguments import Bound
     from unity_link.spec.diagnostics import Placing, Reporter, SourceText, Span
@@ -456,6 +457,7 @@ class InterfaceDraft:
             signals=tuple(signal.path for signal, _ in draft.signals),
             addresses=tuple(addresses),
             joints=self._joints(draft),
+            sensors=tuple(sensor for word in SENSORS for sensor in self._sensors(draft, word)),
             doc=draft.doc,
             span=draft.place.span,
         )
@@ -534,6 +536,39 @@ class InterfaceDraft:
                 )
                 self._error(draft.place, "joints", f"no {one} is called '{name}'")
         return tuple(Joint(name=name, **signals) for name, signals in found.items())
+
+    def _sensors(self, draft: GroupDraft, word: str) -> Iterator[Sensor]:
+        """Return the sensors of a group by a word: the components with signals of the names that the word gives."""
+        clause: dict[str, Any] | None = draft.bound.get(word)
+        if clause is None:
+            return
+        sizes = SENSORS[word]
+        parts = {name: part for part, name in clause.items() if part in sizes}
+        if not parts:
+            advice = f"as in {word}({next(iter(sizes))}=name)"
+            self._error(draft.place, "sensors", f"{word} needs the name of a signal", advice)
+        found: dict[str, dict[str, list[str]]] = {}
+        for signal, _ in draft.signals:
+            if signal.name in parts:
+                signals = found.setdefault(signal.path.rpartition(".")[0], {})
+                signals.setdefault(parts[signal.name], []).append(signal.path)
+        for name, part in parts.items():
+            if not any(part in signals for signals in found.values()):
+                self._error(draft.place, "sensors", f"no signal of the group {draft.name} is called '{name}'")
+        for component, signals in found.items():
+            for part, paths in signals.items():
+                if len(paths) != sizes[part]:
+                    first = paths[0].removesuffix("[0]")
+                    message = f"{first} is a row of {len(paths)}, and {part} of {word} needs {sizes[part]}"
+                    advice = f"declare a row, as in @{first.rpartition('.')[2]}[{sizes[part]}] = base + i: ..."
+                    self._error(draft.place, "sensors", message, advice if sizes[part] > 1 else "")
+            yield Sensor(
+                word=word,
+                name=component,
+                signals={part: tuple(paths) for part, paths in signals.items()},
+                field_of_view=float(clause.get("FIELD_OF_VIEW", 0)),
+                infrared=bool(clause.get("INFRARED", False)),
+            )
 
 
 def _hex(address: int) -> str:

@@ -493,6 +493,21 @@ class Joint(msgspec.Struct, frozen=True, kw_only=True):
     set_effort: str | None = None
 
 
+class Sensor(msgspec.Struct, frozen=True, kw_only=True):
+    """One sensor of a group: a component whose signals have the names that a word such as IMU gives."""
+
+    word: str
+    """``IMU``, ``BATTERY`` or ``RANGEFINDER``."""
+    name: str
+    """Path of the component."""
+    signals: dict[str, tuple[str, ...]]
+    """Paths of the signals of each part, such as ``ANGULAR_VELOCITY``: x, y, z, and w of an orientation."""
+    field_of_view: float = 0.0
+    """Width of the cone of a rangefinder, in radians; 0 if it is not known."""
+    infrared: bool = False
+    """True for a rangefinder of infrared light, False for ultrasound."""
+
+
 class GroupSpec(msgspec.Struct, frozen=True, kw_only=True):
     """Signals that are read together; published by the gateway where `number` is not None."""
 
@@ -515,6 +530,7 @@ class GroupSpec(msgspec.Struct, frozen=True, kw_only=True):
     addresses: tuple[int, ...] = ()
     """The words of a sample, each address once, in the order of the signals."""
     joints: tuple[Joint, ...] = ()
+    sensors: tuple[Sensor, ...] = ()
     doc: str = ""
     span: Span = NOWHERE
 

@@ -6,14 +6,11 @@ Since Iron, ROS 2 tells the hash of a type with each endpoint (REP 2016), and wa
 from __future__ import annotations
 
 import struct
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from cyclonedds.idl import IdlStruct, make_idl_struct, types
 
 from unity_link.bridges.ros_rows import HEADER
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
 
 
 class MessageType(NamedTuple):
@@ -29,9 +26,27 @@ TYPES: dict[str, MessageType] = {}
 """Types by their names, such as ``Float64``."""
 
 
-def _add(package: str, name: str, fields: Mapping[str, Any], digest: str = "") -> Any:
-    """Add a type; return the class of its messages."""
-    made: Any = make_idl_struct(f"{name}_", f"{package}::msg::dds_::{name}_", dict(fields))
+def _kind_of(word: str) -> Any:
+    """Return the type of a field, such as ``float64``, ``float64[9]``, ``string[]`` or the name of a message."""
+    base, _, size = word.rstrip("]").partition("[")
+    kind = {"string": str, "bool": bool}.get(base) or (TYPES[base].struct if base in TYPES else getattr(types, base))
+    makers: Any = types
+    if not word.endswith("]"):
+        return kind
+    return makers.array[kind, int(size)] if size else makers.sequence[kind]
+
+
+def _add(package: str, name: str, fields: str, digest: str = "") -> Any:
+    """Add a type; return the class of its messages.
+
+    Args:
+        package: of the type.
+        name: of the type.
+        fields: a type and the names of its fields, such as ``int32 sec; float32 x y``.
+        digest: the hash of the type; empty for one that is only a field of others.
+    """
+    kinds = {field: _kind_of(kind) for kind, *names in map(str.split, fields.split(";")) for field in names}
+    made: Any = make_idl_struct(f"{name}_", f"{package}::msg::dds_::{name}_", kinds)
     # Not from a base class: that would be one in DDS, too.
     made.packed, made.serialize = b"", _serialize
     TYPES[name] = MessageType(made, f"RIHS01_{digest}")
@@ -68,47 +83,43 @@ for _name, _letter, _digest in (
     ("UInt32", "I", "a5c874829b752bc5fa190024b0ad76f578cc278271e855c7d02a818b3516fb4a"),
     ("UInt64", "Q", "fbdc52018fc13755dce18024d1a671c856aa8b4aaf63adfb095b608f98e8c943"),
 ):
-    _number = _add("std_msgs", _name, {"data": getattr(types, _name.lower(), bool)}, _digest)
+    _number = _add("std_msgs", _name, f"{_name.lower()} data", _digest)
     _number.readers = struct.Struct(f">{_letter}"), struct.Struct(f"<{_letter}")
     _number.deserialize = classmethod(_read_number)
 
-_sequence: Any = types.sequence
-_floats = _sequence[types.float64]
-_time = _add("builtin_interfaces", "Time", {"sec": types.int32, "nanosec": types.uint32})
-_duration = _add("builtin_interfaces", "Duration", {"sec": types.int32, "nanosec": types.uint32})
-_header = _add("std_msgs", "Header", {"stamp": _time, "frame_id": str})
-
-_sizes = {"label": str, "size": types.uint32, "stride": types.uint32}
-_dimension = _add("std_msgs", "MultiArrayDimension", _sizes)
-_layout = _add("std_msgs", "MultiArrayLayout", {"dim": _sequence[_dimension], "data_offset": types.uint32})
-_add(
-    "std_msgs",
-    "Float64MultiArray",
-    {"layout": _layout, "data": _floats},
-    "1025ddc6b9552d191f89ef1a8d2f60f3d373e28b283d8891ddcc974e8c55397f",
-)
-_add(
-    "sensor_msgs",
-    "JointState",
-    {"header": _header, "name": _sequence[str], "position": _floats, "velocity": _floats, "effort": _floats},
-    "a13ee3a330e346c9d87b5aa18d24e11690752bd33a0350f11c5882bc9179260e",
-)
-
-_numbers = dict.fromkeys(("positions", "velocities", "accelerations", "effort"), _floats)
-_point = _add("trajectory_msgs", "JointTrajectoryPoint", {**_numbers, "time_from_start": _duration})
+_add("builtin_interfaces", "Time", "int32 sec; uint32 nanosec")
+_add("builtin_interfaces", "Duration", "int32 sec; uint32 nanosec")
+_add("std_msgs", "Header", "Time stamp; string frame_id")
+_add("std_msgs", "MultiArrayDimension", "string label; uint32 size stride")
+_add("std_msgs", "MultiArrayLayout", "MultiArrayDimension[] dim; uint32 data_offset")
+_add("geometry_msgs", "Vector3", "float64 x y z")
+_add("geometry_msgs", "Quaternion", "float64 x y z w")
 _add(
     "trajectory_msgs",
-    "JointTrajectory",
-    {"header": _header, "joint_names": _sequence[str], "points": _sequence[_point]},
-    "179b33eba59d676f6d967ac71fe35e7ca2f64b2f3928f4a018cec115e213796e",
+    "JointTrajectoryPoint",
+    "float64[] positions velocities accelerations effort; Duration time_from_start",
 )
-
-_pair = _add("diagnostic_msgs", "KeyValue", {"key": str, "value": str})
-_texts = dict.fromkeys(("name", "message", "hardware_id"), str)
-_status = _add("diagnostic_msgs", "DiagnosticStatus", {"level": types.byte, **_texts, "values": _sequence[_pair]})
-_add(
-    "diagnostic_msgs",
-    "DiagnosticArray",
-    {"header": _header, "status": _sequence[_status]},
-    "5a8a36efb05fb25070fa0fb3810290c0e6cd4862b54a8fb975a1ee8dc55a333e",
-)
+_add("diagnostic_msgs", "KeyValue", "string key value")
+_add("diagnostic_msgs", "DiagnosticStatus", "byte level; string name message hardware_id; KeyValue[] values")
+for _package, _name, _fields, _digest in (
+    ("std_msgs", "Float64MultiArray", "MultiArrayLayout layout; float64[] data",
+     "1025ddc6b9552d191f89ef1a8d2f60f3d373e28b283d8891ddcc974e8c55397f"),
+    ("sensor_msgs", "JointState", "Header header; string[] name; float64[] position velocity effort",
+     "a13ee3a330e346c9d87b5aa18d24e11690752bd33a0350f11c5882bc9179260e"),
+    ("sensor_msgs", "Imu", ("Header header; Quaternion orientation; float64[9] orientation_covariance; "
+     "Vector3 angular_velocity; float64[9] angular_velocity_covariance; "
+     "Vector3 linear_acceleration; float64[9] linear_acceleration_covariance"),
+     "7d9a00ff131080897a5ec7e26e315954b8eae3353c3f995c55faf71574000b5b"),
+    ("sensor_msgs", "BatteryState", ("Header header; float32 voltage temperature current charge capacity "
+     "design_capacity percentage; uint8 power_supply_status power_supply_health power_supply_technology; "
+     "bool present; float32[] cell_voltage cell_temperature; string location serial_number"),
+     "4bee5dfce981c98faa6828b868307a0a73f992ed0789f374ee96c8f840e69741"),
+    ("sensor_msgs", "Range", ("Header header; uint8 radiation_type; "
+     "float32 field_of_view min_range max_range range variance"),
+     "b42b62562e93cbfe9d42b82fe5994dfa3d63d7d5c90a317981703f7388adff3a"),
+    ("trajectory_msgs", "JointTrajectory", "Header header; string[] joint_names; JointTrajectoryPoint[] points",
+     "179b33eba59d676f6d967ac71fe35e7ca2f64b2f3928f4a018cec115e213796e"),
+    ("diagnostic_msgs", "DiagnosticArray", "Header header; DiagnosticStatus[] status",
+     "5a8a36efb05fb25070fa0fb3810290c0e6cd4862b54a8fb975a1ee8dc55a333e"),
+):  # fmt: skip
+    _add(_package, _name, _fields, _digest)

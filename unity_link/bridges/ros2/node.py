@@ -70,7 +70,7 @@ class Ros2Bridge(RosBridge):
     def __init__(self, robot: Robot, settings: BridgeSettings, report: Callable[[str], None]) -> None:
         super().__init__(robot, settings, report)
         known = {topic.name for published in self._groups for topic in published.topics}
-        known |= {published.joints.name for published in self._groups if published.joints is not None}
+        known |= {stamped.name for published in self._groups for stamped in published.stamped}
         known |= {name for name, *_ in self._subscriptions()}
         for name in settings.topics.keys() - known:
             hint = did_you_mean(name, known) or "names without the namespace were expected"

@@ -215,8 +215,20 @@ def _group(group: GroupSpec) -> str:
         f"RATE={_number(group.rate_hz)}" if group.rate_hz is not None else "",
         *(name.upper() for name in ("trigger", "on_change", "immediate", "timestamps") if getattr(group, name)),
         f"JOINTS({', '.join(f'{part}={name}' for part, name in joints.items())})" if joints else "",
+        *_sensors(group),
     ]
     return f"group {group.name}({', '.join(filter(None, arguments))});"
+
+
+def _sensors(group: GroupSpec) -> Iterator[str]:
+    """Return the clauses of the sensors of a group."""
+    for word in dict.fromkeys(sensor.word for sensor in group.sensors):
+        sensors = [sensor for sensor in group.sensors if sensor.word == word]
+        parts = {part: paths[0] for sensor in sensors for part, paths in sensor.signals.items()}
+        clause = [f"{part}={path.rpartition('.')[2].partition('[')[0]}" for part, path in parts.items()]
+        if sensors[0].field_of_view:
+            clause.append(f"FIELD_OF_VIEW={_number(sensors[0].field_of_view)}")
+        yield f"{word}({', '.join([*clause, *(['INFRARED'] if sensors[0].infrared else [])])})"
 
 
 def _number(value: float) -> str:
