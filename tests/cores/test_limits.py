@@ -261,12 +261,12 @@ def test_a_spec_whose_open_parameters_are_given_is_checked_for_a_clock_as_before
 @pytest.mark.parametrize(
     ("limit", "message"),
     [
-        ("RANGE(WIDTH, 1);", "RANGE takes a parameter of own, and then what that may be"),
-        ("RANGE(OTHER, 1, 2);", "RANGE takes a parameter of own, and then what that may be"),
-        ("RANGE();", "RANGE takes a parameter of own, and then what that may be"),
-        ("ONE_OF(WIDTH);", "ONE_OF takes a parameter of own, and then what that may be"),
-        ("ONE_OF(WIDTH, 1, OTHER=2);", "ONE_OF takes a parameter of own, and then what that may be"),
-        ('RANGE(WIDTH, "a", 2);', "RANGE takes two numbers behind the parameter"),
+        ("RANGE(WIDTH, 1);", "RANGE takes a parameter of own, and then its allowed values"),
+        ("RANGE(OTHER, 1, 2);", "RANGE takes a parameter of own, and then its allowed values"),
+        ("RANGE();", "RANGE takes a parameter of own, and then its allowed values"),
+        ("ONE_OF(WIDTH);", "ONE_OF takes a parameter of own, and then its allowed values"),
+        ("ONE_OF(WIDTH, 1, OTHER=2);", "ONE_OF takes a parameter of own, and then its allowed values"),
+        ('RANGE(WIDTH, "a", 2);', "RANGE takes two numbers after the parameter"),
     ],
 )
 def test_a_limit_that_is_none_is_told(limit: str, message: str) -> None:

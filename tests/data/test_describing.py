@@ -101,7 +101,7 @@ async def test_one_that_is_damaged_for_good_is_refused() -> None:
             f"public r() {{ @s = {'-' * 1_000_000}1: READ(); }}",
             "cannot be used (it has more signals, words or expressions",
         ),
-        ("\0", "is none of this version: the control character U+0000 stands here"),
+        ("\0", "is none of this version: the control character U+0000 is not allowed"),
     ],
 )
 @on_simulated_time

@@ -239,4 +239,4 @@ def test_cores_in_a_long_row_of_levels_are_one_fault(tmp_path: Path) -> None:
         folder.mkdir()
         (folder / f"level{level}.ul").write_text(PLACES.format(f"LEVEL{level}", f"LEVEL{level + 1}"))
     (found,) = faults(path, "public robot() { p: BLINK() @(1); }")
-    assert "too-deep: components stand in each other more than 24 levels deep" in found
+    assert "too-deep: components are nested more than 24 levels deep" in found

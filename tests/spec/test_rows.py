@@ -126,7 +126,7 @@ def test_it_is_formatted_as_it_is_written() -> None:
     [
         ("@a[0] = 1 + i: READ();", "the size of an array is a whole number from 1 to 65536, not the number 0"),
         ("@a[2] = 1: READ();", "a[1] takes bits 31:0 at address 0x1, which a[0] has (bits 31:0)"),
-        ("@a[2] = 1 + i: READ(); @a = 5: READ();", "'a' stands twice in robot"),
+        ("@a[2] = 1 + i: READ(); @a = 5: READ();", "'a' is declared twice in robot"),
         ('@a[2] = 1 + i: READ(ID="a");', "the ID 'a' is that of a[0] and of a[1]"),
         ("@a[70000] = i: READ();", "the size of an array is a whole number from 1 to 65536, not the number 70000"),
     ],
@@ -144,7 +144,7 @@ def test_faults_in_a_row_of_unknown_length_are_found_in_a_component_that_nothing
 
 def test_a_joint_is_no_element_of_a_row() -> None:
     text = "public robot() { @pos[6] = i: READ(PUBLISH(state)); }\ngroup state(RATE=10, JOINTS(POSITION=pos));"
-    with pytest.raises(SpecError, match="stands in a row of signals, and each joint is a component of its own"):
+    with pytest.raises(SpecError, match="is in a row of signals, and each joint is a component of its own"):
         compile_text(text)
 
 

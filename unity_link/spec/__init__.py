@@ -1,20 +1,20 @@
-"""UL-spec: a robot's signals declared once, for every program, language and gateway that deals with them.
+"""UL-spec: declares the signals of a robot once, for all programs, languages and gateways that use them.
 
-The way of a spec, one file for each step:
+The stages of compilation and their modules:
 
-- `tokens`, `grammar.lark`, `parser`, `comments`: text to syntax tree; `recovery` finds the other faults after the first
-- `syntax`: that tree; `printer`: back to text
-- `loading`: the file and what it imports
-- `cores`: the files of the cores that it names
+- `tokens`, `grammar.lark`, `parser`, `comments`: text to syntax tree; `recovery` finds the faults after the first one
+- `syntax`: the syntax tree; `printer`: syntax tree to text
+- `loading`: reads the file and its imports
+- `cores`: finds and reads the files of the cores that the spec names
 - `elaborate`, `placing`, `building`: syntax tree to model in a `context`, by `expressions`, `arguments`, `signals`,
   `modules`
-- `interface`: the checks of an interface as a whole
-- `model`, `kinds`, `columns`: the checked model, what the bits of a signal mean, and the same for many at once
-- `ranges`: the checks of the numbers of a model that was not compiled here
-- `diagnostics`: what the author is told
-- `systemrdl`: the neighbour, in and out
+- `interface`: checks of a whole interface
+- `model`, `kinds`, `columns`: the checked model, conversion of bits to values, and the same for arrays
+- `ranges`: checks the numbers of a model that was read from a file
+- `diagnostics`: messages to the author
+- `systemrdl`: conversion from and to SystemRDL
 
-What others use is here::
+Other packages use these names::
 
     spec = compile_file("robot.ul")
     for signal in spec.interface().signals.values():
@@ -94,15 +94,15 @@ __all__ = [
 
 
 def compile_file(path: str | Path, *, address_bits: int | None = None, data_bits: int | None = None) -> Spec:
-    """Read, check and compute a spec.
+    """Compile a spec file.
 
     Args:
         path: the file.
-        address_bits: width of the gateway's addresses, if it is known; the spec must not tell another one.
-        data_bits: width of its words, likewise.
+        address_bits: width of the gateway's addresses, if it is known; a different width in the spec is an error.
+        data_bits: width of the gateway's words, likewise.
 
     Raises:
-        SpecError: with everything that is wrong with it, or with why it cannot be read.
+        SpecError: with all faults of the spec, or the reason why the file cannot be read.
     """
     from unity_link.spec.loading import read_text
 
@@ -122,34 +122,34 @@ def compile_text(
     address_bits: int | None = None,
     data_bits: int | None = None,
 ) -> Spec:
-    """Check and compute a spec that is at hand as text.
+    """Compile the text of a spec.
 
     Args:
         text: the spec.
-        name: what messages call it.
-        path: the file that it is the text of; its imports are looked for from there, else from the working directory.
+        name: name of the text in messages.
+        path: file that contains the text; imports are relative to its folder, without a path to the working directory.
         address_bits: as for `compile_file`.
         data_bits: as for `compile_file`.
 
     Raises:
-        SpecError: with everything that is wrong with it.
+        SpecError: with all faults of the spec.
     """
-    # What names its file, as recordings and generated files do, is text, whatever bytes the file has for its name.
+    # Recordings and generated files store this name as text, but a file name may be any bytes.
     name = name.encode(errors="backslashreplace").decode()
     return _compile(text, name, path, None, (address_bits, data_bits), Reporter())
 
 
 def compile_description(description: bytes, address_bits: int | None = None, data_bits: int | None = None) -> Spec:
-    """Compile the description that a board carries; no file of a user's is read for it, and nothing executed.
+    """Compile the description that a board carries. No file of the user is read, and no code is executed.
 
     Args:
-        description: of one interface.
+        description: compressed description of one interface.
         address_bits: as for `compile_file`.
         data_bits: as for `compile_file`.
 
     Raises:
-        ValueError: if it is none, or if it takes more work and memory than a board of the largest size.
-        SpecError: with the first error of its text, as of one of another version of this package.
+        ValueError: if the bytes are not a description, or need more work or memory than the largest allowed spec.
+        SpecError: with the first error of its text, for example if the board has another version of this package.
     """
     from unity_link.spec.description import DescriptionReporter, unpack
     from unity_link.spec.known import misfits
@@ -172,7 +172,7 @@ def _compile(
     widths: tuple[int | None, int | None],
     reporter: Reporter,
 ) -> Spec:
-    """Compile the text of a spec, as `compile_text`; `maps` are those of all cores, if these come with the spec."""
+    """Compile a spec, as `compile_text`; `maps` has the maps of all cores by word, if they come with the spec."""
     from unity_link.spec.cores import Cores
     from unity_link.spec.description import describe
     from unity_link.spec.elaborate import Elaborator
@@ -181,7 +181,7 @@ def _compile(
     with _no_garbage_collection():
         loader = Loader(reporter, read_import if maps is None else refuse_import)
         loader.load(name, text, path)
-        # What a file with a wrong syntax declares is not known, and every use of it would be a fault.
+        # Do not elaborate after a syntax error: its file declares nothing, so every use would be reported as a fault.
         beside = None if maps is not None else Path() if path is None else path.parent
         cores = Cores(reporter, beside, maps)
         interfaces = () if reporter.failed else Elaborator(loader.declarations, reporter, cores, *widths).run()
@@ -194,7 +194,7 @@ def _compile(
     for interface in interfaces:
         words = {part.core.word for part in interface.cores if part.core is not None}
         known = {word: cores.found[word].context.declarations for word in words & {*cores.found}}
-        # No part of the model: generated modules, which hold that, are not made longer by it.
+        # Keep the texts out of the model, because generated modules contain the model.
         texts = {
             word: tuple(source.text for source in declarations.declared)
             for word, declarations in {"": loader.declarations, **known}.items()
@@ -208,7 +208,7 @@ def format_text(text: str, name: str = "<text>") -> str:
     """Return the text of a spec in its canonical layout, comments included.
 
     Raises:
-        SpecError: where it cannot be parsed; other faults don't matter here.
+        SpecError: if the text cannot be parsed; other faults are not reported.
     """
     from unity_link.spec.parser import parse
     from unity_link.spec.printer import print_file
@@ -223,7 +223,7 @@ def format_text(text: str, name: str = "<text>") -> str:
 
 @contextmanager
 def _no_garbage_collection() -> Iterator[None]:
-    """Keep the collector from searching trees that are still growing: a quarter of the time of a large spec."""
+    """Pause garbage collection while trees grow; collections would take a quarter of the time of a large spec."""
     enabled = gc.isenabled()
     gc.disable()
     try:

@@ -1,7 +1,7 @@
-"""Arguments: which ones a word of the language takes, and how those that are given find their places.
+"""Arguments: which ones a word of the language accepts, and the assignment of given arguments to them.
 
-`ACCESS`, `GROUP` and `GATEWAY` are the tables of the language's own words; those of hardware modules stand in
-`modules`. A new argument is a new row.
+`ACCESS`, `GROUP` and `GATEWAY` are the tables of the language's own words; `modules` has those of hardware modules. To
+add an argument, add a row.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 class Shape(enum.StrEnum):
-    """Type and bounds of an argument."""
+    """Type of an argument; the value is the phrase for it in messages."""
 
     WHOLE = "a whole number"
     NUMBER = "a number"
@@ -48,7 +48,7 @@ class Shape(enum.StrEnum):
 
 
 class ArgumentSlot(NamedTuple):
-    """One argument that a word takes: its name, what it is, and the numbers that it may be."""
+    """One argument that a word accepts: name, type, and smallest and largest value."""
 
     name: str
     shape: Shape
@@ -56,7 +56,7 @@ class ArgumentSlot(NamedTuple):
     high: float | None = None
     required: bool = False
     clause: tuple[ArgumentSlot, ...] = ()
-    """The arguments that a clause takes by itself, all of them by place or by name."""
+    """Arguments of a clause; each can be given by position or by name."""
 
 
 _EFFORT_OF_AN_ARGUMENT = 4
@@ -156,17 +156,17 @@ _TYPES: dict[Shape, tuple[type, ...]] = {
 }
 
 Bound: TypeAlias = dict[str, Any]
-"""Values by the names of the arguments; those of a clause are a `Bound` again."""
+"""Values by argument name; the value of a clause is again a `Bound`."""
 
 
 class Binder:
-    """Finds the arguments of one word."""
+    """Assigns and evaluates the arguments of one word."""
 
     def __init__(self, evaluator: Evaluator, scope: Mapping[str, Result]) -> None:
         self._evaluator = evaluator
         self._scope = scope
         self.places: dict[str, tuple[int, int]] = {}
-        """Place of each argument that is there; those of clauses under ``CLAUSE.NAME``."""
+        """Places of the given arguments, by name; those in a clause by ``CLAUSE.NAME``."""
 
     def bind(
         self,
@@ -176,14 +176,14 @@ class Binder:
         slots: tuple[ArgumentSlot, ...],
         by_place: int = 0,
     ) -> Bound:
-        """Return the values of `arguments`; what is wrong with them is reported.
+        """Return the values of `arguments` by name; faults are reported.
 
         Args:
-            word: whose arguments these are.
-            place: where that stands.
-            arguments: what is given.
-            slots: what it takes.
-            by_place: how many of the slots, from the first one, can be given without their names.
+            word: word that has the arguments.
+            place: its place.
+            arguments: the given arguments.
+            slots: the arguments that the word accepts.
+            by_place: number of slots, from the first one, that can be given without a name.
         """
         bound = self._bind(word, place, arguments, slots, by_place, "")
         for slot in slots:
@@ -229,7 +229,7 @@ class Binder:
     def _slot(
         self, word: str, argument: Argument, known: Mapping[str, ArgumentSlot], free: list[ArgumentSlot]
     ) -> ArgumentSlot | None:
-        """Find the slot of an argument."""
+        """Return the slot of an argument; None if there is none, which is reported."""
         name = argument.name
         if name is None and isinstance(argument.value, Call | Name) and argument.value.name in known:
             slot = known[argument.value.name]
@@ -275,20 +275,20 @@ class Binder:
             self._evaluator.fault(argument.value.place, "bad-argument", f"{slot.name} is {slot.shape.value}")
             return None
         if slot.shape is Shape.VALUE and isinstance(argument.value, Name) and argument.value.name not in self._scope:
-            # A name of the signal's enumeration, which whoever knows its kind looks up.
+            # A name of the signal's enumeration; it is looked up when the signal's kind is known.
             return str(argument.value.name)
         return self._computed(argument.value, slot, known)
 
     def _flag(self, argument: Argument, slot: ArgumentSlot, known: Mapping[str, ArgumentSlot]) -> bool | LeftOut | None:
-        """Return True for a flag that stands by itself, and what one is set to; one that is not set is left out."""
+        """Return the value of a flag: True if it has none. A flag that is false counts as not given."""
         if argument.name is None:
             if isinstance(argument.value, Name):
                 return True
-            message = f"{slot.name} takes no parentheses: it stands by itself, or has a truth, as in {slot.name}=true"
+            message = f"{slot.name} takes no parentheses: write it alone or as {slot.name}=true"
             self._evaluator.fault(argument.place, "bad-argument", message)
             return None
         value = self._computed(argument.value, slot, known)
-        return LEFT_OUT if value is False else value  # type: ignore[return-value]  # `_checked` saw to it
+        return LEFT_OUT if value is False else value  # type: ignore[return-value]  # `_checked` requires a bool
 
     def _computed(self, expression: Expression, slot: ArgumentSlot, known: Mapping[str, ArgumentSlot]) -> Result:
         if isinstance(expression, Name) and expression.name not in self._scope:
@@ -297,7 +297,7 @@ class Binder:
         return self._checked(slot, expression, self._evaluator.evaluate(expression, self._scope))
 
     def _report_unknown(self, name: Name, slot: ArgumentSlot, known: Mapping[str, ArgumentSlot]) -> None:
-        """Report a name that is none of the scope: perhaps one of a flag, or of a group that is declared nowhere."""
+        """Report a name that is not in the scope; suggest a flag, or the declaration of a group."""
         flags = [other.name for other in known.values() if other.shape is Shape.FLAG]
         advice = did_you_mean(name.name, [*self._scope, *flags])
         if not advice and slot.shape is Shape.GROUP:
@@ -305,7 +305,7 @@ class Binder:
         self._evaluator.report_unknown(name, advice)
 
     def _clause(self, argument: Argument, slot: ArgumentSlot) -> Bound | LeftOut | None:
-        """Return the values of a clause; without one that it needs, as its author says, it is left out as a whole."""
+        """Return the values of a clause; the clause is left out if a required argument of it is `none`."""
         value = argument.value
         if argument.name is not None:
             names = ", ".join(inner.name.lower() for inner in slot.clause)
@@ -314,11 +314,11 @@ class Binder:
             )
             return None
         given = value.arguments if isinstance(value, Call) else []
-        # Signals of joints and sensors are distinguished only by the names of the arguments.
+        # Signals of joints and sensors cannot be given by position: only the names of their arguments distinguish them.
         by_place = 0 if slot.name == "JOINTS" or slot.name in SENSORS else len(slot.clause)
         prefix = f"{slot.name}."
         bound = self._bind(slot.name, value.place, given, slot.clause, by_place, prefix)
-        # A register that no lease guards begins with its safe value all the same.
+        # SAFE with the lease `none` is kept: the register then begins with its safe value.
         if slot.name != "SAFE" and any(inner.required and bound.get(inner.name) is LEFT_OUT for inner in slot.clause):
             self.places = {name: place for name, place in self.places.items() if not name.startswith(prefix)}
             return LEFT_OUT
@@ -327,7 +327,7 @@ class Binder:
     def _checked(self, slot: ArgumentSlot, expression: Expression, value: Result) -> Result:
         if value is None or value is LEFT_OUT:
             return value
-        # The types are compared as they are, since a bool is an int to isinstance.
+        # Compare the exact type: isinstance would accept a bool as an int.
         if type(value) not in _TYPES[slot.shape]:
             message = f"{slot.name} is {slot.shape.value}, not {describe(value)}"
             self._evaluator.fault(expression.place, "bad-argument", message)

@@ -1,6 +1,6 @@
-"""Builds what an interface is made of: signals, modules, and the groups that signals name.
+"""Builds the signals, modules and groups of an interface.
 
-What is built goes into an `InterfaceDraft`, which checks it as a whole in the end.
+They are added to an `InterfaceDraft`, which checks them as a whole at the end.
 """
 
 from __future__ import annotations
@@ -27,20 +27,20 @@ if TYPE_CHECKING:
     from unity_link.spec.cores import CoreFolder, Cores, FoundCore
 
 MOST_PARTS = 100_000
-"""Signals, components and modules of one interface: more is a mistake in an array."""
+"""Most signals, components and modules of one interface; a larger number is a mistake in the size of an array."""
 _EFFORT_OF_A_PART = 15
-"""Effort of a signal or a module, without its expressions and arguments."""
+"""Effort of a signal or a module without its expressions and arguments, as in `Reporter.spend`."""
 
 
 class Address(NamedTuple):
-    """An address that a component is given, and where it was written."""
+    """An address argument of a component, and its place in the source."""
 
     value: int | None
     place: SignalPlace
 
 
 class Where(NamedTuple):
-    """Place where a component is being put."""
+    """The position of a component in the interface, and the names that are known there."""
 
     path: str
     addresses: Mapping[str, Address]
@@ -48,20 +48,20 @@ class Where(NamedTuple):
     module: int | None
     base: int
     chain: tuple[ComponentDeclaration, ...]
-    """The declarations that it is inside of."""
+    """The declarations of the components around it, and its own as the last one."""
     pins: Mapping[str, str | LeftOut] = {}
-    """Pins of the board by the names of the component's own; `none` for those that have none."""
+    """Pins of the board by the names of the component's pins; `none` for pins that are not connected."""
     core: CoreFolder | None = None
-    """The core that it is, where it is one."""
+    """Folder of the component's core; None if it is not a core."""
     given: Mapping[str, SignalPlace] = {}
-    """Places of the arguments that its parameters are given, by the names of these."""
+    """Places of the component's arguments, by parameter name."""
     placed: SignalPlace | None = None
-    """Place of its word where it is put; None for the interface itself."""
+    """Place of the component's word in its placement; None for the interface itself."""
     core_at: SignalPlace | None = None
-    """Place of the address that the author's spec gives the core that it is, or is inside of; None outside of cores."""
+    """Place of the address that the spec gives to the core that this is, or is inside of; None outside of cores."""
 
     def path_of(self, name: str, index: int | None) -> str:
-        """Return the path of a member, or of one of a row or an array."""
+        """Return the path of a member; with `index`, of an element of a row or an array."""
         item = str(name) if index is None else f"{name}[{index}]"
         return f"{self.path}.{item}" if self.path else item
 
@@ -70,9 +70,9 @@ class Builder:
     """Builds the signals and modules of one interface.
 
     Args:
-        context: what the files of the spec declare.
-        cores: the cores that it can name.
-        draft: what is built.
+        context: declarations of the spec.
+        cores: cores that the spec can name.
+        draft: receives the signals, modules and groups.
     """
 
     def __init__(self, context: Context, cores: Cores, draft: InterfaceDraft) -> None:
@@ -89,7 +89,7 @@ class Builder:
         return self._draft.data_bits
 
     def tools(self, source: SourceText) -> tuple[Evaluator, SignalReader]:
-        """Return what computes expressions and reads signals in one source."""
+        """Return the evaluator and the reader of signals for a source."""
         tools = self._evaluators.get(id(source))
         if tools is None:
             evaluator = Evaluator(source, self.context.reporter)
@@ -98,36 +98,36 @@ class Builder:
         return tools
 
     def context_of(self, source: SourceText) -> Context:
-        """Return what is known in a source: in that of a core, what its own files declare."""
+        """Return the context of a source: that of its core for a file of a core, otherwise that of the spec."""
         return self._contexts.get(id(source), self.context)
 
     def enter_core(self, core: FoundCore) -> None:
-        """Look up the names in the files of a core among its own declarations."""
+        """Use the core's own declarations for names in the files of a core."""
         for source in core.sources:
             self._contexts[id(source)] = core.context
 
     def limit(self, message: Callable[[int], str]) -> str:
-        """Take a limit, a function as those of `Interface.limits`; return what it says of the spec's own clock."""
+        """Add a limit as in `Interface.limits`; return its message for the clock of the spec, empty if it holds."""
         self._draft.limits.append(message)
         return message(self._draft.clock_hz)
 
     def limit_axes(self, path: str, place: SignalPlace, message: Callable[[int, int], str]) -> None:
-        """Take a limit that depends on how many placements share an instance.
+        """Add a limit that depends on the number of placements that share an instance.
 
-        It is checked by `InterfaceDraft.check_axes`, when all placements are known.
+        `InterfaceDraft.check_axes` checks it when all placements are known.
 
         Args:
             path: of the component.
             place: place of the argument, for the error.
-            message: returns why a parameter is not allowed for a number of axes and a clock in Hz; empty if it is.
+            message: returns why a parameter is not allowed with a number of axes and a clock in Hz; empty if it is.
         """
         placing = self.context.reporter.current
-        # A component that nothing uses is in no instance.
+        # An unused component has no instance.
         if placing is not None:
             self._draft.limits_of_axes.append(AxesLimit(path, place, message, placing))
 
     def count(self, evaluator: Evaluator, place: tuple[int, int], where: Where) -> bool:
-        """Count one more part of a component, which has names in its scope; False if there are too many parts."""
+        """Count one more part of a component; return False if the interface has too many. Its scope costs effort."""
         self._draft.parts += 1
         self.context.reporter.spend(_EFFORT_OF_A_PART + len(where.scope) // 8)
         if self._draft.parts > MOST_PARTS and not self._full:
@@ -137,7 +137,7 @@ class Builder:
         return not self._full
 
     def path_of(self, where: Where, name: str, index: int | None) -> str:
-        """Return the path of a signal or a component, of which the model keeps a copy."""
+        """Return the path of a signal or component; the model keeps it, so its length costs effort."""
         path = where.path_of(name, index)
         self.context.reporter.spend(len(path) // 32)
         return path
@@ -153,7 +153,7 @@ class Builder:
         base: int,
         index: int | None = None,
     ) -> Signal | None:
-        """Build a signal, or the one of a row that has an index; None where it has no address or no kind."""
+        """Build a signal, or one of a row; return None if its address or kind is missing or invalid."""
         evaluator, reader = self.tools(source)
         address = self._address(evaluator, node, where)
         parts = reader.read(node, where.scope)
@@ -219,7 +219,7 @@ class Builder:
         return Address(whole_address(evaluator, node.address.place, value), place)
 
     def _groups(self, evaluator: Evaluator, bound: Bound, places: Mapping[str, tuple[int, int]]) -> list[GroupDraft]:
-        """Find the groups of a signal, the one that publishes it first."""
+        """Return the groups of a signal, the one that publishes it first."""
         found: list[GroupDraft] = []
         for word in ("PUBLISH", "GROUP"):
             clause: Bound = bound.get(word, {})
@@ -251,7 +251,7 @@ class Builder:
         return groups[name]
 
     def _undeclared(self, name: str) -> str:
-        """Return a name of a group that has none of its own: not that of one that is declared."""
+        """Return a name for an undeclared group that differs from those of declared groups."""
         while name in self.context.declarations.groups:
             name += "_"
         return name
@@ -259,7 +259,7 @@ class Builder:
     def _set_divisor(
         self, evaluator: Evaluator, group: GroupDraft, divisor: int | None, places: Mapping[str, tuple[int, int]]
     ) -> None:
-        """Set the divisor of a group as a signal tells it; it has only one."""
+        """Set the divisor of a group from a signal's PUBLISH; report a second, different divisor."""
         if divisor is None:
             return
         place = SignalPlace(evaluator.source, places["PUBLISH.DIVISOR"])
@@ -279,7 +279,7 @@ class Builder:
     # Cores
 
     def trigger(self, source: SourceText, node: SignalDeclaration, place: tuple[int, int], bound: Bound) -> Trigger:
-        """Build a trigger of a core."""
+        """Build a trigger of a core and add it to its group."""
         reference = bound.get("GROUP")
         if reference is None:
             return Trigger(name=str(node.name))
@@ -292,7 +292,7 @@ class Builder:
     def module_of_all(
         self, source: SourceText, node: ComponentDeclaration, scope: Mapping[str, Result]
     ) -> tuple[int | None, int]:
-        """Find the module that all members of an interface stand in: one without a name and without a block."""
+        """Return index and base of the module of all members, one without name and block; (None, 0) if none."""
         found: tuple[int | None, int] = (None, 0)
         evaluator, _ = self.tools(source)
         first: Placement | None = None
@@ -318,7 +318,7 @@ class Builder:
         base: int,
         path: str | None,
     ) -> tuple[int, int]:
-        """Build a module; give its index and its base."""
+        """Build a module; return its index in `Interface.modules` and its base."""
         evaluator, _ = self.tools(source)
         kind = MODULES[node.type]
         if node.addresses is not None:
@@ -345,7 +345,7 @@ class Builder:
 
 
 def whole_address(evaluator: Evaluator, place: tuple[int, int], value: Result) -> int | None:
-    """Return a value as an address; report one that is none."""
+    """Return a value as an address; None if it is unknown or not a whole number, which is reported."""
     if value is None:
         return None
     if isinstance(value, bool) or not isinstance(value, int):

@@ -1,6 +1,6 @@
-"""Many signals at once: from the words of a group to arrays of values and back, a few numpy operations for each kind.
+"""Converts many signals at once: words of a group to arrays of values and back, with a few numpy operations a kind.
 
-`Signal.decode` is for one value; this is for samples of groups, of which there may be a hundred thousand a second.
+`Signal.decode` converts one value; this module is for samples, of which a group may have a hundred thousand a second.
 """
 
 from __future__ import annotations
@@ -25,23 +25,23 @@ _NONE: NDArray[Any] = np.empty(0)
 
 
 class _Block(NamedTuple):
-    """Signals of one kind: row `part` of `columns` has where the word of that number of each signal stands."""
+    """Signals of one kind; `columns[part]` has the column of word `part` of each signal."""
 
     kind: Kind
     places: list[int]
-    """Indices of these among the signals."""
+    """Indices of these signals in the list of all signals."""
     columns: NDArray[np.intp]
     shifts: NDArray[np.uint64]
     mask: np.uint64
     is_whole: bool
-    """True if the signals are whole words, with nothing beside them to be taken away."""
+    """True if each signal fills its words, so that no shift and no mask is needed."""
 
 
 class Columns:
-    """The signals that stand in words at certain addresses."""
+    """The signals in the words at given addresses."""
 
     def __init__(self, signals: Sequence[Signal], addresses: Sequence[int]) -> None:
-        """Prepare for words in the order of `addresses`, which must hold every word of `signals`."""
+        """Prepare for words in the order of `addresses`, which must contain every word of `signals`."""
         self._width = len(addresses)
         self._word_bits = signals[0].word_bits if signals else 0
         column = {address: index for index, address in enumerate(addresses)}
@@ -65,18 +65,18 @@ class Columns:
         ]
 
     def decode(self, words: ArrayLike) -> dict[str, NDArray[Any]]:
-        """Return the values of each signal by its path.
+        """Return the values of each signal by path.
 
         Args:
             words: shape (..., addresses); the last axis is in the order of the addresses.
 
         Returns:
-            Arrays of shape (...), of the type that the kind of the signal has.
+            Arrays of shape (...), with the dtype of the signal's kind.
         """
         return dict(zip(self._paths, self.columns(words), strict=True))
 
     def columns(self, words: ArrayLike) -> list[NDArray[Any]]:
-        """Return the same as a list, in the order of the signals."""
+        """Return the values as in `decode`, as a list in the order of the signals."""
         values: list[NDArray[Any]] = [_NONE] * len(self._paths)
         for block in self._blocks:
             decoded = self._decode_block(block, words)
@@ -85,7 +85,7 @@ class Columns:
         return values
 
     def row(self, words: ArrayLike) -> list[Value]:
-        """Return the values of one sample, in the order of the signals, as Python has them; of enumerations numbers.
+        """Return the values of one sample in the order of the signals, as Python objects; enumerations as numbers.
 
         Args:
             words: shape (addresses,).
@@ -108,16 +108,16 @@ class Columns:
         return block.kind.decode_array(raw if block.is_whole else raw >> block.shifts & block.mask)
 
     def encode(self, values: Mapping[str, ArrayLike]) -> Words:
-        """Return the words of values of all signals; bits that no signal has are 0.
+        """Return the words for values of all signals; bits outside of the signals are 0.
 
         Args:
-            values: by paths, arrays of one shape (...).
+            values: by path, arrays of one shape (...).
 
         Returns:
             Shape (..., addresses).
 
         Raises:
-            ArgumentError: for a value that a kind cannot say. Limits are not checked.
+            ArgumentError: for a value that a kind cannot represent. Limits are not checked.
         """
         shape = np.broadcast_shapes(*(np.shape(value) for value in values.values()))
         words = np.zeros((*shape, self._width), np.uint64)

@@ -1,11 +1,11 @@
-"""The statements that comments belong to.
+"""Attaches comments to statements.
 
-The grammar knows no comments. This room hangs each on the tree, so that `fmt` loses none:
+The grammar ignores comments. This module attaches each comment to the syntax tree, so that `fmt` keeps all of them:
 
 - ``///`` before a statement is its doc string;
-- a comment on the line that a statement ends on, behind it, trails it;
-- any other one leads the statement that it stands before or in;
-- what stands behind the last statement of a block dangles from the block.
+- a comment after a statement, on the line on which the statement ends, is its trailing comment;
+- any other comment before or inside a statement is its leading comment;
+- a comment after the last statement of a block is a dangling comment of the block.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _SPACE_IN_LINE = re.compile(f"[{SPACE.replace(chr(10), '')}]*+")
 
 
 def attach_comments(file: File, source: SourceText) -> None:
-    """Hang every comment of a source on its tree, and mark where empty lines stand."""
+    """Attach all comments of a source to its tree, and record empty lines before statements and comments."""
     _Attacher(source, find_comments(source.text)).fill(file.items, file.dangling, len(source.text))
 
 
@@ -37,14 +37,14 @@ class _Attacher:
         self._next = 0
 
     def _take(self, end: int) -> list[TextPlace]:
-        """Take the comments that begin before `end`."""
+        """Return the next comments that begin before the offset `end`, and advance past them."""
         first = self._next
         while self._next < len(self._found) and self._found[self._next].start < end:
             self._next += 1
         return self._found[first : self._next]
 
     def fill(self, statements: Sequence[Statement], dangling: list[Comment], end: int) -> None:
-        """Attach the comments of one block, which ends at `end`."""
+        """Attach the comments of one block, which ends at the offset `end`."""
         for statement, following in zip_longest(statements, statements[1:]):
             before = self._take(statement.start)
             self._lead(statement, before)
@@ -72,7 +72,7 @@ class _Attacher:
             found = self._found[self._next]
             if self._is_alone(found) or self._source.line_of(found.start) != line:
                 return
-            # Another statement may follow on the same line: then the comment between is the next one's.
+            # If another statement follows on the same line, the comment between them belongs to that statement.
             is_before = _SPACE_IN_LINE.fullmatch(self._source.text, found.end, end) is not None
             if is_before and end < len(self._source.text) and self._same_line(found, end):
                 return
@@ -80,9 +80,9 @@ class _Attacher:
             self._next += 1
 
     def _is_alone(self, found: TextPlace) -> bool:
-        """Return whether nothing stands before a comment on its line."""
+        """Return whether only white space precedes a comment on its line."""
         text, place = self._source.text, found.start
-        # The text before a comment is not copied: a line may have a hundred thousand comments.
+        # Do not copy the text before the comment: a line may have a hundred thousand comments.
         while place and text[place - 1] != "\n" and text[place - 1] in SPACE:
             place -= 1
         return not place or text[place - 1] == "\n"

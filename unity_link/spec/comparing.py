@@ -1,4 +1,4 @@
-"""The comparison of a program's interface with that of the spec which a board was generated from, by their facts."""
+"""Compares the interface of a program with the interface that a board was generated from, by their facts."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 _LEFT_OUT = {"SCALE": "1", "OFFSET": "0", "its word": "its own"}
-"""Values of properties that are left out; those of all others are none."""
+"""Values of properties that `facts` leaves out; for all other properties the value is "none"."""
 
 
 def compare(mine: Interface, board: Interface) -> tuple[str, ...]:
-    """Return the differences that matter to a program, in words; none where the board has all of its spec alike.
+    """Return the differences that matter to a program, one sentence each; empty if the board has everything alike.
 
-    What the board has beside it is no difference.
+    Additional signals, groups or cores on the board are no difference.
 
     Args:
         mine: interface of the program's spec.
-        board: that of the spec which the board was generated from.
+        board: interface of the spec that the board was generated from.
     """
     here, there = mine.facts, board.facts
     if board.address_bits >= mine.address_bits:
@@ -31,7 +31,7 @@ def compare(mine: Interface, board: Interface) -> tuple[str, ...]:
 
 
 def source_name(interface: Interface) -> str:
-    """Return the name of the file that an interface was read from, or else that it is a spec."""
+    """Return the name of the file that an interface was read from, or "the spec" if it was not read from a file."""
     name = PurePath(interface.span.file).name
     return name if name.endswith(".ul") else "the spec"
 

@@ -1,4 +1,4 @@
-"""The surroundings of all components of a spec: its declarations, its groups, and the names known everywhere."""
+"""The declarations of a spec that all of its components see: constants, groups and enumerations."""
 
 from __future__ import annotations
 
@@ -17,29 +17,29 @@ if TYPE_CHECKING:
 
 
 class Context:
-    """Declarations of a spec, and what is known of them in all components.
+    """The declarations of a spec, and the names that are known in all components.
 
     Args:
-        declarations: those of all files.
-        reporter: receiver of faults.
+        declarations: declarations of all files.
+        reporter: receives the faults.
     """
 
     def __init__(self, declarations: Declarations, reporter: Reporter) -> None:
         self.declarations = declarations
         self.reporter = reporter
         self.globals: dict[str, Result] = CONSTANTS | {name: GroupReference(name) for name in declarations.groups}
-        """Names that have a value everywhere."""
+        """Names that are known everywhere, with their values."""
         self.enumerations = {name: self._enumeration(declared) for name, declared in declarations.enumerations.items()}
         self.used: set[str] = set()
-        """Names of the components that stand in an interface, or in one that is checked for itself."""
+        """Names of the components that were elaborated, in an interface or by themselves."""
         self._spans: dict[int, Span] = {}
         self._checked: set[int] = set()
         self._timed_groups: set[str] = set()
-        """Those whose declaration says when they are published, if only by an argument that was refused."""
+        """Names of the groups whose declaration has a rate, divisor or trigger, even an invalid one."""
         self._group_bounds = self._read_groups()
 
     def span(self, source: SourceText, node: Node) -> Span:
-        """Return the place of a node, computed once."""
+        """Return the place of a node; places are cached."""
         found = self._spans.get(id(node))
         if found is None:
             found = self._spans[id(node)] = source.span(*node.place)
@@ -51,7 +51,7 @@ class Context:
         self.check_parameters(evaluator, node)
 
     def check_parameters(self, evaluator: Evaluator, node: ComponentDeclaration) -> None:
-        """Check the names of the parameters of a component; once for each."""
+        """Check the names of a component's parameters; each component is checked only once."""
         if id(node) in self._checked:
             return
         self._checked.add(id(node))
@@ -65,13 +65,13 @@ class Context:
             seen.add(item.name)
 
     def new_group(self, name: str) -> GroupDraft:
-        """Begin a declared group."""
+        """Return a draft of a declared group."""
         source, node = self.declarations.groups[name]
         place, bound, doc = SignalPlace(source, node.name.place), self._group_bounds[name], "\n".join(node.doc)
         return GroupDraft(name, place, bound, doc, says_when=name in self._timed_groups)
 
     def group_of_number(self, number: int) -> str | None:
-        """Return the declared group that has a number."""
+        """Return the name of the declared group that has a number; None if there is none."""
         return next((name for name, bound in self._group_bounds.items() if bound.get("NUMBER") == number), None)
 
     def _enumeration(self, declared: Declared[EnumDeclaration]) -> Enumeration:
@@ -92,7 +92,7 @@ class Context:
                 continue
             if item.name in values or item.name == "mro" or item.name.startswith("_"):
                 message = (
-                    f"'{item.name}' stands twice in {node.name}"
+                    f"'{item.name}' is declared twice in {node.name}"
                     if item.name in values
                     else (f"'{item.name}' cannot be the name of a value")
                 )

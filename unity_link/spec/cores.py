@@ -1,13 +1,13 @@
-"""Cores: components in files of their own, found by their word.
+"""Cores: components in files of their own, which a spec names by a word.
 
-A word in capitals that no file of a spec declares is a core. ``STEPPER`` is the component of that name in
-``stepper/stepper.ul``, in the first of these places that has one:
+A word in capitals that no file of a spec declares is the word of a core. ``STEPPER`` is the component of that name in
+``stepper/stepper.ul``, in the first of these places that contains this file:
 
 1. the folder ``cores`` beside the spec;
-2. packages with an entry point of the group ``unity_link.cores``, which is named as the folder;
+2. packages with an entry point of the group ``unity_link.cores`` whose name is the name of the folder;
 3. the cores that are installed with Unity-Link.
 
-Such a file is read for its components alone: nothing of a core is executed to check a spec.
+Only the components of such a file are read. No code of a core is executed to check a spec.
 """
 
 from __future__ import annotations
@@ -33,23 +33,23 @@ ENTRY_POINTS = "unity_link.cores"
 _PACKAGE = Path(__file__).resolve().parents[1]
 _HERE = _PACKAGE / "gateware"
 INSTALLED = (_HERE if (_HERE / "rtl").exists() else _PACKAGE.parent / "gateware") / "cores"
-"""Folder of the cores that are installed with the package."""
+"""Folder of the cores that are installed with Unity-Link."""
 _NOWHERE = Path(os.devnull, "nowhere")
-"""Folder of a core of which there is no file here."""
+"""Folder of a core that has no files on this computer."""
 _WORD = re.compile(r"[A-Z][A-Z0-9_]*")
 
 
 class CoreFolder(NamedTuple):
-    """Folder of a core."""
+    """The folder of a core, and its files."""
 
     word: str
     path: Path
     package: str = ""
-    """Package of Python that the folder is in; empty where it is in none."""
+    """Python package that contains the folder; empty if there is none."""
 
     @property
     def python(self) -> str:
-        """Its Python: a module to import, or the path of a file; empty where there is none. It is not executed."""
+        """Module to import, or path of a file, with the core API; empty if the core has none. It is not executed."""
         name = self.path.name
         if self.is_installed:
             return f"unity_link.cores.{name}" if (_PACKAGE / "cores" / f"{name}.py").is_file() else ""
@@ -60,15 +60,15 @@ class CoreFolder(NamedTuple):
 
     @property
     def map(self) -> Path:
-        """The file that declares its component."""
+        """The file that declares the core's component."""
         return self.path / f"{self.path.name}.ul"
 
     @property
     def per_axis(self) -> tuple[str, ...]:
-        """Generics that each placement has by itself, as the `core.toml` beside its map says.
+        """Generics that each placement has for itself, from `core.toml` beside the map; empty without that file.
 
         Raises:
-            ValueError: for a file that says it in no list of names.
+            ValueError: if the file cannot be read, or `per_axis` is not a list of names.
         """
         file = self.path / "core.toml"
         if not file.is_file():
@@ -85,17 +85,17 @@ class CoreFolder(NamedTuple):
 
     @property
     def is_installed(self) -> bool:
-        """Return whether it is one of the package's own, whose VHDL is in the gateware's library."""
+        """Return whether the core is installed with Unity-Link; its VHDL is then in the gateware's library."""
         return self.path.parent == INSTALLED
 
     @property
     def vhdl(self) -> list[Path]:
-        """Its VHDL, sorted by name."""
+        """Paths of the VHDL files, sorted by name."""
         return sorted(self.path.glob("*.vhd"))
 
 
 class FoundCore(NamedTuple):
-    """A core that a spec names: its folder, its declaration, and what is known in its file."""
+    """A core that a spec names: its folder, its declaration, and the declarations and sources of its files."""
 
     folder: CoreFolder
     declared: Declared[ComponentDeclaration]
@@ -104,15 +104,15 @@ class FoundCore(NamedTuple):
 
 
 def is_word(name: str) -> bool:
-    """Return whether a name is written as the words of cores are."""
+    """Return whether a name is written like the word of a core: in capitals."""
     return _WORD.fullmatch(name) is not None
 
 
 def core_folders(beside: Path | None) -> Iterator[dict[str, list[CoreFolder]]]:
-    """Return the folders of all cores by their words, one dictionary for each rank, the first rank first.
+    """Yield the folders of all cores by word: one dictionary for each place, in the order of precedence.
 
     Args:
-        beside: the folder of the spec; None for a spec that is no file.
+        beside: folder of the spec; None if the spec is not a file.
     """
     if beside is not None:
         yield _in(beside / "cores")
@@ -139,20 +139,20 @@ def _in(folder: Path) -> dict[str, list[CoreFolder]]:
 
 
 def _package_folders(module: str) -> list[Path]:
-    """Return the folders of a package, which is not imported."""
+    """Return the folders of a package, without importing it."""
     top, *inner = module.split(".")
     spec = importlib.machinery.PathFinder.find_spec(top)
     return [] if spec is None else [Path(path, *inner) for path in spec.submodule_search_locations or ()]
 
 
 class Cores:
-    """The cores that one spec can name, each read once.
+    """The cores that one spec can name. Each is read at most once.
 
     Args:
-        reporter: receiver of faults.
-        beside: the folder of the spec; None for a spec that is no file.
-        maps: texts of the maps of all cores, by their words, where these come with the spec. Of a core that is known
-            here by the same word its Python is taken.
+        reporter: receives the faults.
+        beside: folder of the spec; None if the spec is not a file.
+        maps: texts of the maps of all cores by word, if they come with the spec, as in a description. The folder of a
+            core of the same word on this computer, if there is one, supplies only its Python API.
     """
 
     def __init__(self, reporter: Reporter, beside: Path | None, maps: Mapping[str, str] | None = None) -> None:
@@ -162,11 +162,11 @@ class Cores:
         self._ranks: list[dict[str, list[CoreFolder]]] | None = None
         self._found: dict[str, FoundCore | None] = {}
         self.sources: list[SourceText] = []
-        """Sources of the cores that are named."""
+        """Sources of the cores that the spec names."""
 
     @property
     def words(self) -> list[str]:
-        """Words of all cores that there are."""
+        """Words of all available cores, sorted."""
         return sorted({word for rank in self._folders() for word in rank})
 
     def _folders(self) -> list[dict[str, list[CoreFolder]]]:
@@ -179,11 +179,11 @@ class Cores:
 
     @property
     def found(self) -> dict[str, FoundCore]:
-        """The cores that are named, by their words."""
+        """The cores that the spec names, by word."""
         return {word: one for word, one in self._found.items() if one is not None}
 
     def find(self, source: SourceText, member: Placement) -> FoundCore | None:
-        """Return the core that a placement names; None where there is none, or it was reported to be wrong."""
+        """Return the core that a placement names; None if it does not exist or is faulty, which is reported."""
         word = str(member.type)
         if word not in self._found:
             folders = next((rank[word] for rank in self._folders() if word in rank), [])
@@ -195,7 +195,7 @@ class Cores:
         return self._found[word]
 
     def has(self, word: str) -> bool:
-        """Return whether there is a core of a word, be it wrong or not."""
+        """Return whether a core of this word exists, even if its files are faulty."""
         return any(word in rank for rank in self._folders())
 
     def _read(self, source: SourceText, member: Placement, folder: CoreFolder) -> FoundCore | None:
@@ -206,7 +206,7 @@ class Cores:
             self._reporter.error(source, place, "core", str(error))
             return None
         loader = Loader(self._reporter)
-        # The installed ones are named without the place of the installation, which is another on each machine.
+        # Name installed cores without the folder of the installation, which differs between computers.
         name = f"cores/{folder.path.name}/{folder.map.name}" if folder.is_installed else str(folder.map)
         loader.load(name, text, folder.map)
         self.sources += loader.declarations.sources

@@ -1,7 +1,7 @@
-"""The description of an interface: the text that a board carries, from which a program learns what the board is.
+"""The description of an interface: the compressed text that a board carries, so that programs need no spec file.
 
-It is UL-spec without comments and without what the interface does not use: first the files of the spec as one, then of
-each core a form feed, its word, a line end and its map; deflated (RFC 1951).
+It is UL-spec without comments and without declarations that the interface does not use: first the files of the spec as
+one text, then for each core a form feed, its word, a line end and its map. The whole text is deflated (RFC 1951).
 """
 
 from __future__ import annotations
@@ -33,24 +33,24 @@ if TYPE_CHECKING:
     from unity_link.spec.syntax import Item
 
 MOST_BYTES = 1 << 20
-"""Most characters of a description that is read: far more than a spec of the largest size that is allowed has."""
+"""Most bytes of the text of a description that is read; a spec of the largest allowed size has far fewer."""
 MOST_EFFORT = 1_150_000
-"""Most work of a description, by `Reporter.spend`: 65,536 signals of one row, or 25,000 with five arguments each."""
+"""Most work for a description, by `Reporter.spend`: 65,536 signals of one row, or 25,000 with five arguments."""
 _EFFORT_OF_A_TOKEN = 4
 _RAW = -15
-"""Window of a deflated stream without a header, as zlib counts."""
+"""Value of zlib's `wbits` for a raw deflated stream without a header."""
 _NEXT = "\f"
 
 
 class DescriptionReporter(Reporter):
-    """Reporter of a description, which anybody may have written: it ends the compilation early.
+    """Reporter that ends the compilation of a description early, because anybody may have written it.
 
     Args:
-        texts: those of the description, whose length counts as work.
+        texts: all texts of the description; their length counts as work.
 
     Raises:
-        ValueError: by `spend`, and at once, if the work exceeds `MOST_EFFORT`.
-        SpecError: by `error`, with this error.
+        ValueError: by the constructor and by `spend`, if the work exceeds `MOST_EFFORT`.
+        SpecError: by `error`, with the reported error.
     """
 
     def __init__(self, texts: Iterable[str]) -> None:
@@ -62,13 +62,13 @@ class DescriptionReporter(Reporter):
                 self.spend(_EFFORT_OF_A_TOKEN)
 
     def spend(self, effort: int) -> None:
-        """Count work, in units of about a microsecond."""
+        """Add work, in units of about 1 µs."""
         self._effort += effort
         if self._effort > MOST_EFFORT:
             raise ValueError("it has more signals, words or expressions than are read from a board")
 
     def error(self, *args: Any, **options: Any) -> None:
-        """Raise an error."""
+        """Report an error and raise it."""
         super().error(*args, **options)
         raise SpecError(found for found in self.diagnostics if found.severity == "error")
 
@@ -77,8 +77,8 @@ def describe(interface: str, texts: Mapping[str, Sequence[str]]) -> bytes:
     """Return the description of an interface.
 
     Args:
-        interface: name of a public one.
-        texts: of the files of the spec, under an empty word, and of those of each core, under its own.
+        interface: name of a public interface.
+        texts: texts of the files of the spec, under the key "", and of the files of each core, under its word.
     """
     parts = [_text(texts[""], interface)]
     parts += [f"{word}\n{_text(texts[word], word)}" for word in sorted(texts) if word]
@@ -90,7 +90,7 @@ def unpack(description: bytes) -> tuple[str, dict[str, str]]:
     """Return the text of the spec in a description, and the maps of its cores by their words.
 
     Raises:
-        ValueError: where it is no description.
+        ValueError: if the bytes are not a description.
     """
     unpacker = zlib.decompressobj(_RAW)
     try:
@@ -104,7 +104,7 @@ def unpack(description: bytes) -> tuple[str, dict[str, str]]:
 
 
 def _text(texts: Sequence[str], name: str) -> str:
-    """Return the text of a component, and of all that it uses."""
+    """Return the text of a component and of all declarations that it uses."""
     files = [parse(SourceText("", text), Reporter()) for text in texts]
     items = [item for file in files if file is not None for item in file.items if not isinstance(item, Import)]
     wanted = _used({str(item.name): item for item in items}, name)
@@ -112,13 +112,13 @@ def _text(texts: Sequence[str], name: str) -> str:
     for item in kept:
         _strip(item)
         if isinstance(item, ComponentDeclaration):
-            # What a board has was allowed when it was made.
+            # Limits of parameters were checked when the board was generated.
             item.members = [one for one in item.members if getattr(one, "type", None) not in LIMIT_WORDS]
     return print_file(File(kept))
 
 
 def _used(declared: Mapping[str, Node], name: str) -> set[str]:
-    """Return the names of a component and of what it uses, in others as well."""
+    """Return the names of a component and of all declarations that it uses, directly or indirectly."""
     names = {name}
     pending = [name]
     while pending:
@@ -131,7 +131,7 @@ def _used(declared: Mapping[str, Node], name: str) -> set[str]:
 
 
 def _nodes(node: object) -> Iterator[object]:
-    """Return what stands in a tree, the tree itself first."""
+    """Yield all nodes of a tree, the tree itself first."""
     yield node
     if isinstance(node, Node | KindSpecifier):
         for field in dataclasses.fields(node):
@@ -141,7 +141,7 @@ def _nodes(node: object) -> Iterator[object]:
 
 
 def _strip(item: Statement) -> None:
-    """Take away all comments of a statement, and what is in it."""
+    """Remove all comments of a statement and of the statements inside it."""
     for node in _nodes(item):
         if isinstance(node, Statement):
             node.doc, node.leading, node.trailing, node.blank_before = [], [], [], False

@@ -1,8 +1,8 @@
-"""Messages to the author of a spec: where, what, and what to do, as a good compiler gives them.
+"""Messages to the author of a spec: the place, the fault and advice, formatted like those of a compiler.
 
-Nothing stops at the first fault. `Reporter` collects what every stage finds; at the end there is either a model or a
-`SpecError` with all of it, in the order of the source. A fault inside a component shows once, however often the
-component is used, and a fault that only follows from another one is not shown.
+Compilation does not stop at the first fault. `Reporter` collects the faults of every stage; the result is a model
+or a `SpecError` with all faults in the order of the source. A fault inside a component is reported once, even if the
+component is used several times, and a fault that only follows from another one is not reported.
 """
 
 from __future__ import annotations
@@ -16,21 +16,21 @@ from typing import TYPE_CHECKING, Literal
 import msgspec
 
 from unity_link.errors import UnityLinkError
-from unity_link.errors import did_you_mean as did_you_mean  # noqa: PLC0414  (a part of what diagnostics say)
+from unity_link.errors import did_you_mean as did_you_mean  # noqa: PLC0414  (exported for messages)
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping
 
 Severity = Literal["error", "warning"]
 MOST_SHOWN = 100
-"""Diagnostics beyond this many are counted, not shown."""
+"""Most diagnostics that are printed; further ones are only counted."""
 _MOST_COLUMNS = 160
-"""A longer line is cut around the place."""
+"""Most columns of a source line that are printed; a longer line is cut around the place."""
 _CUT = "..."
 
 
 class Span(msgspec.Struct, frozen=True):
-    """A place in a source. Lines and columns count from 1; `end_column` is the one after the last character."""
+    """A place in a source. Lines and columns count from 1; `end_column` follows the last character."""
 
     file: str
     line: int
@@ -39,16 +39,16 @@ class Span(msgspec.Struct, frozen=True):
     end_column: int
 
     def __str__(self) -> str:
-        """Return ``file:line:column``, which editors and terminals make a link of."""
+        """Return ``file:line:column``, which editors and terminals turn into a link."""
         return f"{self.file}:{self.line}:{self.column}"
 
 
 NOWHERE = Span("", 0, 0, 0, 0)
-"""The place of what was not read from a source."""
+"""The place of an object that was not read from a source."""
 
 
 class Note(msgspec.Struct, frozen=True):
-    """Another place that a diagnostic is about."""
+    """A second place that a diagnostic refers to."""
 
     span: Span
     message: str
@@ -57,22 +57,22 @@ class Note(msgspec.Struct, frozen=True):
 
 
 class Diagnostic(msgspec.Struct, frozen=True):
-    """One message about one place."""
+    """One error or warning at one place."""
 
     severity: Severity
     code: str
-    """A short name of the rule, the same in every version: ``unknown-name``."""
+    """Short name of the rule, stable between versions: ``unknown-name``."""
     message: str
     span: Span
     text: str = ""
     """The line of the source at that place."""
     help: str = ""
-    """Advice to the author; may be empty where the message has it."""
+    """Advice to the author; empty if the message needs none."""
     notes: tuple[Note, ...] = ()
 
     def render(self) -> str:
-        """Return the message with the line and what is meant in it underlined, without a line end."""
-        # A file as a whole has no line to show.
+        """Return the message, the source line with the place underlined, and the notes; without a line end."""
+        # A fault of a whole file has no line to show.
         is_place = self.span.end_column > self.span.column or self.span.end_line > self.span.line
         where = str(self.span) if is_place else self.span.file
         parts = [f"{where}: {self.severity}: {self.message}"]
@@ -86,20 +86,20 @@ class Diagnostic(msgspec.Struct, frozen=True):
 
 
 class SpecError(UnityLinkError):
-    """A spec that has faults; `diagnostics` are all of them, in the order of the source."""
+    """The faults of a spec; `diagnostics` has all of them in the order of the source."""
 
     def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
         self.diagnostics = tuple(diagnostics)
         super().__init__(self.diagnostics)
 
     def __str__(self) -> str:
-        """Return all diagnostics and how many they are."""
+        """Return the first `MOST_SHOWN` diagnostics and the number of all."""
         shown = [diagnostic.render() for diagnostic in self.diagnostics[:MOST_SHOWN]]
         return "\n".join([*shown, summary(self.diagnostics)])
 
 
 def summary(diagnostics: Iterable[Diagnostic]) -> str:
-    """Count errors and warnings in words, and say if not all of them were shown."""
+    """Return the numbers of errors and warnings as a phrase, and how many are shown if that is not all."""
     found = list(diagnostics)
     counts = [
         f"{number} {name}{'s' * (number > 1)}"
@@ -111,7 +111,7 @@ def summary(diagnostics: Iterable[Diagnostic]) -> str:
 
 
 def underlined(text: str, span: Span) -> list[str]:
-    """Return the lines that show a place: the line of the source, and carets under what is meant."""
+    """Return two lines that show a place: the source line, and carets below the characters of the place."""
     start = min(span.column - 1, len(text))
     end = span.end_column - 1 if span.end_line == span.line else len(text)
     end = max(min(end, len(text)), start + 1)
@@ -131,7 +131,7 @@ def underlined(text: str, span: Span) -> list[str]:
 
 
 class SourceText:
-    """One file of a spec: its text, and the places in it."""
+    """The text of one file of a spec, with conversion of offsets to lines and columns."""
 
     def __init__(self, name: str, text: str) -> None:
         self.name = name
@@ -141,35 +141,35 @@ class SourceText:
 
     @property
     def sha256(self) -> str:
-        """Hash of the text, for what is generated from it."""
+        """Hash of the text, which generated files record."""
         return hashlib.sha256(self.text.encode("utf-8", "surrogatepass")).hexdigest()
 
     def line_of(self, offset: int) -> int:
-        """Return the number of the line, from 1, that a character stands in."""
+        """Return the number, from 1, of the line that contains the character at an offset."""
         return bisect.bisect_right(self._starts, offset)
 
     def line(self, number: int) -> str:
-        """Return a line of the text without its end; all diagnostics of a line share it, however long it is."""
+        """Return a line without its end. The string is cached: many diagnostics may refer to one very long line."""
         if number not in self._lines:
             end = self._starts[number] - 1 if number < len(self._starts) else len(self.text)
             self._lines[number] = self.text[self._starts[number - 1] : end].rstrip("\r")
         return self._lines[number]
 
     def span(self, start: int, end: int) -> Span:
-        """Return the place of the characters from `start` to before `end`."""
+        """Return the place of the characters from `start` up to, but without, `end`."""
         line, end_line = self.line_of(start), self.line_of(max(start, end - 1))
         return Span(self.name, line, start - self._starts[line - 1] + 1, end_line, end - self._starts[end_line - 1] + 1)
 
 
 class Placing:
-    """A component while it is put into an interface.
+    """A component while it is placed in an interface.
 
     Args:
         source: the source of its declaration.
-        bounds: the characters of its declaration.
+        bounds: start and end offset of its declaration.
         path: its path in the interface.
-        given: places of the author's arguments by the names of the parameters. Errors in the declaration that mention
-            such a parameter are reported at the argument; without one they stay where they are.
+        given: places of the author's arguments by parameter name. An error in the declaration that mentions such a
+            parameter is reported at the argument; any other error is reported in the declaration.
     """
 
     def __init__(
@@ -184,9 +184,9 @@ class Placing:
         self._path = path
         self._given = given
         self.reported: list[tuple[str, Span]] = []
-        """Errors in the declaration that were reported, be it at an argument."""
+        """Errors in the declaration that were reported, also those that were reported at an argument."""
         self.is_refused = False
-        """True if an argument was refused: further errors in the declaration only follow from that."""
+        """True if an argument was refused: further errors in the declaration follow from that and are dropped."""
 
     def has(self, source: SourceText, place: tuple[int, int]) -> bool:
         """Return whether a place is in the declaration."""
@@ -195,7 +195,7 @@ class Placing:
     def at_argument(
         self, source: SourceText, place: tuple[int, int], message: str
     ) -> tuple[SourceText, tuple[int, int], str]:
-        """Return source, place and message of an error at the argument that it is about; unchanged without one."""
+        """Return source, place and message of an error at the argument it mentions; unchanged if it mentions none."""
         for name in re.findall(r"\w+", source.text[slice(*place)]):
             if name in self._given:
                 is_named = re.match(rf"{name}\b", message) is not None
@@ -212,7 +212,7 @@ class Reporter:
 
     @contextlib.contextmanager
     def placing(self, placing: Placing) -> Iterator[None]:
-        """Report errors as a component asks for, while it is put into an interface."""
+        """Report errors inside a component by the rules of `Placing` while the component is placed."""
         around, self._placing = self._placing, placing
         try:
             yield
@@ -221,14 +221,14 @@ class Reporter:
 
     @property
     def current(self) -> Placing | None:
-        """The component that is being put; None outside of any."""
+        """The component that is being placed; None outside of any."""
         return self._placing
 
     def refuse(self, placing: Placing | None = None) -> None:
-        """Retract errors in a component's declaration, and take no more: they only follow from a refused argument.
+        """Retract the errors in a component's declaration and drop further ones: they follow from a refused argument.
 
         Args:
-            placing: the component; None for the one that is being put.
+            placing: the component; None means the one that is being placed.
         """
         placing = placing or self._placing
         if placing is not None:
@@ -243,10 +243,10 @@ class Reporter:
         code: str,
         message: str,
         *,
-        help: str = "",  # noqa: A002  (it is the word of the message)
+        help: str = "",  # noqa: A002  (the message prints this word)
         notes: Iterable[tuple[Span, str, str]] = (),
     ) -> None:
-        """Report an error at the characters `place` of a source; notes are place, message and line of the source."""
+        """Report an error at the offsets `place` of a source; each note is a place, a message and a source line."""
         self._report("error", source, place, code, message, help, notes)
 
     def warning(
@@ -258,7 +258,7 @@ class Reporter:
         *,
         help: str = "",  # noqa: A002
     ) -> None:
-        """Report what is valid and perhaps not what the author meant."""
+        """Report a statement that is valid but may not be intended."""
         self._report("warning", source, place, code, message, help, ())
 
     def _report(
@@ -287,16 +287,16 @@ class Reporter:
         )
 
     def spend(self, effort: int) -> None:
-        """Count work that a spec causes, in units of about a microsecond. Files of a user may cause any amount."""
+        """Count work that a spec causes, in units of about 1 µs. There is no limit here; see `DescriptionReporter`."""
 
     @property
     def failed(self) -> bool:
-        """Return whether there is an error among what was reported."""
+        """Return whether an error was reported."""
         return any(diagnostic.severity == "error" for diagnostic in self._found.values())
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
-        """Diagnostics that were reported, in the order of the sources."""
+        """All reported diagnostics, in the order of the sources."""
         files = {span.file: index for index, (_, span) in reversed(list(enumerate(self._found)))}
         return tuple(
             sorted(
@@ -307,6 +307,6 @@ class Reporter:
 
 
 def listed(names: Iterable[str], word: str = "or") -> str:
-    """Join names for a sentence: ``a, b or c``."""
+    """Join one or more names for a sentence: ``a, b or c``."""
     *first, last = names
     return f"{', '.join(first)} {word} {last}" if first else last

@@ -1,8 +1,8 @@
-"""Elaboration: components are put into each other, and every signal gets its address.
+"""Elaboration: places components in each other, and assigns an address to every signal.
 
-`Elaborator` begins with each public interface; `building` and `placing` go down from there. A component is elaborated
-once for each place that it is put, with the values it is given there. Components that nothing uses are elaborated too,
-with parameters that have no value, so that their faults are found as well.
+`Elaborator` starts with each public interface; `placing` and `building` elaborate the components inside it, once for
+each placement, with the arguments of that placement. Unused components are elaborated too, with parameters that have no
+value, to find their faults.
 """
 
 from __future__ import annotations
@@ -37,11 +37,11 @@ if TYPE_CHECKING:
 DEFAULT_ADDRESS_BITS = 8
 DEFAULT_DATA_BITS = 32
 _REFERENCES: dict[str, Callable[[str], PlacedReference]] = {"LEASE": LeaseReference, "SCHEDULE": ScheduleReference}
-"""Words of the cores that others refer to by name, as in SAFE(0, drive) and TIMED(plan)."""
+"""Words of cores whose names other signals use as arguments, as in SAFE(0, drive) and TIMED(plan)."""
 
 
 def _references(node: ComponentDeclaration) -> dict[str, PlacedReference]:
-    """Return the leases and schedules of an interface, which its members can refer to, by their names."""
+    """Return the leases and schedules of an interface by name; its members can refer to them."""
     return {
         str(member.name): _REFERENCES[member.type](str(member.name))
         for member in node.members
@@ -53,7 +53,7 @@ def _references(node: ComponentDeclaration) -> dict[str, PlacedReference]:
 
 
 class Elaborator:
-    """Makes the model of what files declare."""
+    """Makes the model from the declarations of a spec's files."""
 
     def __init__(
         self,
@@ -68,7 +68,7 @@ class Elaborator:
         self._given_widths = (address_bits, data_bits)
 
     def run(self) -> tuple[Interface, ...]:
-        """Build all interfaces; they are worth something only if nothing was reported."""
+        """Build and return all interfaces; they are valid only if no error was reported."""
         interfaces = tuple(self._interface(declared) for declared in self._context.declarations.interfaces)
         for name, declared in self._context.declarations.components.items():
             if name not in self._context.used and not declared.node.public:
@@ -126,14 +126,14 @@ class Elaborator:
     def _gateway(
         self, evaluator: Evaluator, node: ComponentDeclaration, scope: Mapping[str, Result]
     ) -> tuple[int, int, int]:
-        """Return the gateway's widths, those that the caller knows or else those that the spec tells, and its clock."""
+        """Return address bits, data bits and clock in Hz of the gateway; widths given by the caller come first."""
         bound: Bound = {}
         found: Placement | None = None
         for member in node.members:
             if not isinstance(member, Placement) or member.type != GATEWAY_WORD or member.name is not None:
                 continue
             if found is not None:
-                evaluator.fault(member.type.place, "name-twice", "GATEWAY stands twice in this interface")
+                evaluator.fault(member.type.place, "name-twice", "this interface has two GATEWAY statements")
                 continue
             found = member
             binder = Binder(evaluator, scope)
@@ -150,7 +150,7 @@ class Elaborator:
         )
 
     def _check_unused(self, declared: Declared[ComponentDeclaration]) -> None:
-        """Check a component that nothing uses, as far as that can be done without its parameters."""
+        """Check an unused component, as far as that is possible without values of its parameters."""
         source, node = declared
         scope = self._context.globals | {str(item.name): None for item in node.parameters}
         draft = InterfaceDraft(self._context.reporter, 32, max(self._given_widths[1] or 0, DEFAULT_DATA_BITS))

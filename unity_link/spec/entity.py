@@ -1,4 +1,4 @@
-"""The hardware of a component: its entity in VHDL, and the pins and triggers that it has beside its signals."""
+"""The hardware of a component: its VHDL entity with generics, pins and triggers."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ if TYPE_CHECKING:
 
 ENTITY_WORD = "ENTITY"
 LIMIT_WORDS = ("RANGE", "ONE_OF")
-"""Words for what a parameter may be."""
+"""Words that limit the values of a parameter."""
 CLOCK = "CLOCK"
-"""Name, in a limit, of the frequency of the gateway's clock in Hz."""
+"""Name of the clock frequency in Hz, in an expression of a limit."""
 AXES = "AXES"
-"""Name, in a limit, of the number of placements that share one instance of the entity."""
+"""Name of the number of placements that share one instance of the entity, in an expression of a limit."""
 _SLOTS = {"PIN": PIN, "TRIGGER": TRIGGER}
 PORT_WORDS = tuple(_SLOTS)
-"""Words that stand in the place of an access, for ports without an address."""
+"""Words in the position of an access that declare a port without an address."""
 WANTS = {
     "TICK": ("tick",),
     "TIME": ("now",),
@@ -38,27 +38,27 @@ WANTS = {
     "STAGE": ("stage", "armed", "finishing"),
     "EMPTY": ("empty",),
 }
-"""Words of an entity for ports beside clock and reset, and what it has by them."""
+"""Words of ENTITY for additional ports, and the entries that each adds to `Core.wants`."""
 _IDENTIFIER = re.compile(r"[a-z](_?[a-z0-9])*", re.IGNORECASE)
 _PRINTABLE = re.compile(r"[ -~]*")
 _GIVEN = ("axes", "clock_hz")
-"""Generics that the design gives by itself."""
+"""Generics that the generated design sets."""
 _LARGEST = (1 << 31) - 1
 
 
 _EDGES = (-math.inf, math.inf)
-"""Bounds of a RANGE that has none."""
+"""Bounds of a RANGE whose bound is `none`."""
 
 
 class Limit(NamedTuple):
-    """A limit of a parameter."""
+    """A RANGE or ONE_OF of a component."""
 
     member: Placement
     """The statement."""
     name: str
     bounds: list[Expression]
     held: dict[str, Expression]
-    """Values of other parameters with which alone it holds."""
+    """Values of other parameters under which the limit applies."""
 
 
 def pins_of(node: ComponentDeclaration) -> list[Word]:
@@ -67,12 +67,12 @@ def pins_of(node: ComponentDeclaration) -> list[Word]:
 
 
 class Hardware:
-    """The hardware of a component while its members are built.
+    """The hardware of a component while its members are read.
 
     Args:
-        evaluator: of its source.
-        where: the place that the component is put to.
-        is_interface: whether it is a public interface, which is the whole design.
+        evaluator: of the component's source.
+        where: place of the component.
+        is_interface: whether the component is a public interface, which cannot have an ENTITY.
     """
 
     def __init__(self, evaluator: Evaluator, where: Where, *, is_interface: bool) -> None:
@@ -82,22 +82,22 @@ class Hardware:
         self._entity: tuple[str, list[str], dict[str, int | bool | str]] | None = None
         self._placed: Placement | None = None
         self._refused: set[str] = set()
-        """Parameters that a limit does not allow."""
+        """Names of parameters that violate a limit."""
         self._ports: dict[str, tuple[int, int]] = {}
         self._pins: list[Pin] = []
         self._triggers: list[Trigger] = []
 
     def set_entity(self, member: Placement) -> None:
-        """Take an ENTITY, of which a component has one at most."""
+        """Read an ENTITY; a second one is reported."""
         place = member.type.place
         if self._placed is not None:
-            self._fault(place, "name-twice", "ENTITY stands twice in this component")
+            self._fault(place, "name-twice", "this component has two ENTITY statements")
             return
         self._placed = member
         if member.addresses is not None or member.members is not None:
             self._fault(place, "misplaced", "ENTITY has neither addresses nor members")
         if self._is_interface:
-            message = "an interface is the whole design, and ENTITY stands in a component of it"
+            message = "an interface is the whole design, and ENTITY belongs in a component of it"
             self._fault(place, "misplaced", message)
             return
         first, rest = member.arguments[:1], member.arguments[1:]
@@ -120,7 +120,7 @@ class Hardware:
         self._entity = name.lower(), list(dict.fromkeys(wants)), generics
 
     def check_limit(self, builder: Builder, node: ComponentDeclaration, member: Placement) -> None:
-        """Check a parameter by a RANGE or a ONE_OF."""
+        """Check a parameter against a RANGE or a ONE_OF."""
         known = {str(one.name) for one in node.parameters}
         first, others = member.arguments[:1], member.arguments[1:]
         name = next((str(one.value.name) for one in first if one.name is None and isinstance(one.value, Name)), "")
@@ -128,7 +128,7 @@ class Hardware:
         held = {str(one.name): one.value for one in others if one.name is not None}
         is_whole = len(bounds) == 2 if member.type == "RANGE" else bool(bounds)
         if not is_whole or not {name, *held} <= known or member.addresses is not None or member.members is not None:
-            message = f"{member.type} takes a parameter of {node.name}, and then what that may be"
+            message = f"{member.type} takes a parameter of {node.name}, and then its allowed values"
             advice = 'as in RANGE(WIDTH, 2, 24); or ONE_OF(MODE, "a", "b");'
             self._fault(member.type.place, "bad-limit", message, advice)
             return
@@ -145,7 +145,7 @@ class Hardware:
             builder.context.reporter.refuse()
 
     def _beyond(self, limit: Limit, clock_hz: int, axes: int = 1) -> str:
-        """Return why a parameter is not what a limit says; empty where it is."""
+        """Return why a parameter violates a limit; empty if it does not, or if a value is unknown."""
         scope = {**self._where.scope, CLOCK: clock_hz, AXES: axes}
         value = scope.get(limit.name)
         bounds = [self._evaluator.evaluate(one, scope) for one in limit.bounds]
@@ -155,7 +155,7 @@ class Hardware:
         if limit.member.type == "RANGE":
             low, high = (edge if one is LEFT_OUT else one for one, edge in zip(bounds, _EDGES, strict=True))
             if not (_is_number(low) and _is_number(high)):
-                self._fault(limit.member.place, "bad-limit", "RANGE takes two numbers behind the parameter")
+                self._fault(limit.member.place, "bad-limit", "RANGE takes two numbers after the parameter")
                 return ""
             is_allowed = _is_number(value) and low <= value <= high
             expected = _span(low, high)
@@ -169,11 +169,11 @@ class Hardware:
         return "" if is_allowed else f"{self._where.path}: {limit.name} is {_plain(value)}, expected {expected}"
 
     def _words(self, node: Node) -> set[str]:
-        """Return the names that stand in a part of the source."""
+        """Return the words in the source text of a node."""
         return set(re.findall(r"\w+", self._evaluator.source.text[slice(*node.place)]))
 
     def _given(self, *names: str) -> tuple[SourceText, tuple[int, int]] | None:
-        """Return where the first of some parameters that are given is given."""
+        """Return the place of the argument for the first of these parameters that has one."""
         found = next((self._where.given[name] for name in names if name in self._where.given), None)
         return None if found is None else (found.source, found.bounds)
 
@@ -191,7 +191,7 @@ class Hardware:
         name, value = argument.name, self._evaluator.evaluate(argument.value, self._where.scope)
         if value is None or value is LEFT_OUT or self._refused & self._words(argument):
             return {}
-        # 1.001 * 1000000 is no whole number in binary.
+        # Round 1.001 * 1000000: the float is not a whole number.
         if isinstance(value, float) and math.isclose(value, round(value), rel_tol=1e-12):
             value = round(value)
         if not _IDENTIFIER.fullmatch(name):
@@ -206,7 +206,7 @@ class Hardware:
         return {}
 
     def add_port(self, builder: Builder, source: SourceText, member: SignalDeclaration) -> None:
-        """Take a pin or a trigger."""
+        """Read the declaration of a pin or a trigger."""
         word = str(member.access)
         if member.address is not None or member.bits is not None or member.kind is not None:
             message = f"{member.name} is a {word.lower()}, which has neither an address nor a kind"
@@ -243,34 +243,34 @@ class Hardware:
         )
 
     def refuse_parts(self) -> None:
-        """Refuse an entity whose component holds more than signals."""
+        """Report that a component with an ENTITY contains parts, modules or FIFO ports."""
         if self._placed is not None:
             message = "a component with an ENTITY has signals, pins and triggers, and no FIFO port, part or module"
             self._fault(self._placed.type.place, "bad-entity", message)
 
     def check_leases(self, leases: set[str]) -> None:
-        """Refuse an entity whose signals are guarded by several leases: its input ARMED is that of one."""
+        """Report signals of an entity that are guarded by different leases: it has one input ARMED."""
         if self._placed is not None and len(leases) > 1:
             message = f"the signals of an entity are guarded by one lease, not by {listed(sorted(leases), 'and')}"
             self._fault(self._placed.type.place, "bad-safe", message)
 
     def check_holds(self, signals: Mapping[str, tuple[int, int]]) -> None:
-        """Refuse signals with HOLD in a component whose entity is not told that the lease has ended."""
+        """Report signals with HOLD if the entity has no input ARMED, so that it cannot stop when the lease ends."""
         if self._entity is not None and "armed" in self._entity[1]:
             return
         for name, place in signals.items():
             message = f"{name} keeps its value when the lease ends, and no core stops then"
-            advice = "HOLD stands in a component whose ENTITY has the input ARMED; elsewhere name a safe value"
+            advice = "HOLD needs a component whose ENTITY has the input ARMED; elsewhere name a safe value"
             self._fault(place, "bad-safe", message, advice)
 
     def core(self, component: Word, widths: Mapping[str, set[int]]) -> Core | None:
-        """Return the hardware of a component; None where it has none.
+        """Return the hardware of a component; None if it has no ENTITY.
 
         Args:
-            component: its name.
-            widths: those of its signals, by their names.
+            component: name of the component.
+            widths: widths of its signals, by name; the signals of a row may differ.
 
-        Ports without an entity behind them are reported.
+        Ports of a component without ENTITY are reported.
         """
         if self._placed is None:
             for name, place in self._ports.items():
@@ -283,7 +283,7 @@ class Hardware:
                 self._fault(self._placed.type.place, "bad-entity", message)
             elif len(widths[name]) > 1:
                 message = f"the signals in the row {name} have {listed(sorted(map(str, widths[name])), 'and')} bits"
-                advice = "those of a component with an ENTITY have one width, as they stand side by side in one port"
+                advice = "those of a component with an ENTITY have one width, because one port has all of them"
                 self._fault(self._placed.type.place, "bad-entity", message, advice)
         if self._entity is None:
             return None
@@ -303,7 +303,7 @@ class Hardware:
         )
 
     def _per_axis(self, generics: Mapping[str, int | bool | str]) -> tuple[str, ...]:
-        """Return those generics that each placement has by itself, which are whole numbers."""
+        """Return the names of the generics that have a value for each placement; each must be a whole number."""
         folder = self._where.core
         assert self._placed is not None
         try:
@@ -336,18 +336,18 @@ def _is_number(value: Result) -> TypeGuard[int | float]:
 
 
 def _plain(value: Result) -> str:
-    """Write a value as a spec has it."""
+    """Format a value in the syntax of a spec."""
     if isinstance(value, str):
         return f'"{value[:40]}"'
     return f"{value:.12g}" if _is_number(value) else describe(value)
 
 
 def _span(low: float, high: float) -> str:
-    """Write what lies between two numbers."""
+    """Format a range of numbers."""
     if low == high:
         return _plain(low)
     least, most = _plain(low), _plain(high)
-    # The bounds as written are allowed values.
+    # Both bounds are allowed values, so rounding must not print one outside of the range.
     least = least if float(least) >= low else repr(low)
     most = most if float(most) <= high else repr(high)
     if high == math.inf:

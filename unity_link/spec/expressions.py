@@ -1,8 +1,8 @@
-"""Computes the expressions of a spec.
+"""Evaluates the expressions of a spec.
 
-Values are whole numbers, floats, strings, truths, `LEFT_OUT`, and references to what has no value yet: a group, or a
-parameter that is given when an interface is opened. None stands for what could not be computed; why has been reported,
-and whoever meets it says nothing more about it.
+Results are ints, floats, strings, bools, `LEFT_OUT`, and references to objects without a value: a group, a lease, a
+schedule, or a parameter that is given when an interface is opened. None means that the expression has a fault; that was
+reported already, so that callers report nothing more about it.
 """
 
 from __future__ import annotations
@@ -22,48 +22,49 @@ if TYPE_CHECKING:
 
 
 class GroupReference(NamedTuple):
-    """A group that is declared under a name."""
+    """A declared group, by its name."""
 
     name: str
 
 
 class LeaseReference(NamedTuple):
-    """A component of the interface that is a lease, by its name."""
+    """A lease of the interface, by its name."""
 
     name: str
 
 
 class ScheduleReference(NamedTuple):
-    """A component of the interface that is a schedule, by its name."""
+    """A schedule of the interface, by its name."""
 
     name: str
 
 
 class LeftOut(enum.Enum):
-    """The constant ``none``: an argument with this value is one that is not given."""
+    """The constant ``none``: an argument with this value counts as not given."""
 
     NONE = "none"
 
 
 LEFT_OUT = LeftOut.NONE
 PlacedReference: TypeAlias = LeaseReference | ScheduleReference
-"""A component of the interface that others name."""
+"""A component of the interface that other statements name."""
 Result: TypeAlias = int | float | str | bool | GroupReference | PlacedReference | ParameterReference | LeftOut | None
 CONSTANTS: dict[str, Result] = {"true": True, "false": False, "pi": math.pi, "none": LEFT_OUT}
 MOST_BITS = 128
-"""Most bits of a whole number. An address has at most 32 bits, a value 64; a mistyped shift would fill the memory."""
+"""Most bits of a whole number. Addresses have at most 32 bits, values 64; this stops a mistyped shift from filling the
+memory."""
 MOST_TEXT = 1000
 _PRECEDENCE = {"|": 0, "^": 1, "&": 2, "<<": 3, ">>": 3, "+": 4, "-": 4, "*": 5, "/": 5, "%": 5}
 _WHOLE_ONLY = {"|", "^", "&", "<<", ">>"}
 
 
 class _FaultError(Exception):
-    """An operation that has no result; the text says why."""
+    """An operation without a result; the message gives the reason."""
 
 
 @functools.lru_cache(maxsize=65536)
 def parse_number(text: str) -> int | float | None:
-    """Return the number that a text writes, None if it writes none."""
+    """Return the number that a text represents; None if the text is not a number."""
     try:
         if text[:2] in {"0x", "0X", "0b", "0B"}:
             number: int | float = int(text, 0)
@@ -77,7 +78,7 @@ def parse_number(text: str) -> int | float | None:
 
 
 def describe(value: Result) -> str:  # noqa: PLR0911  (one for each kind of value)
-    """Name a value in a message."""
+    """Return a phrase for a value, for use in a message."""
     match value:
         case bool():
             return "true" if value else "false"
@@ -99,7 +100,7 @@ def describe(value: Result) -> str:  # noqa: PLR0911  (one for each kind of valu
 
 
 class Evaluator:
-    """Computes the expressions of one source."""
+    """Evaluates the expressions of one source."""
 
     def __init__(self, source: SourceText, reporter: Reporter) -> None:
         self.source = source
@@ -110,7 +111,7 @@ class Evaluator:
         self.reporter.error(self.source, place, code, message, help=help)
 
     def evaluate(self, expression: Expression, scope: Mapping[str, Result]) -> Result:  # noqa: PLR0911
-        """Return the value of an expression, None where it has none."""
+        """Return the value of an expression; None if it has a fault, which is reported."""
         self.reporter.spend(1)
         match expression:
             case Number():
@@ -144,7 +145,7 @@ class Evaluator:
             return None
 
     def report_unknown(self, name: Name, advice: str) -> None:
-        """Report a name that is none here."""
+        """Report a name that is not in the scope."""
         self.fault(name.place, "unknown-name", f"nothing is called '{name.name}' here", advice)
 
     def _prefixed(self, expression: Prefixed, scope: Mapping[str, Result]) -> Result:
@@ -179,7 +180,7 @@ class Evaluator:
             return None
 
     def _chain(self, chain: Chain, scope: Mapping[str, Result]) -> Result:
-        """Compute operands and operators by the precedence of the operators, from the left among equals."""
+        """Evaluate operands and operators by precedence; equal operators from the left."""
         self.reporter.spend(len(chain.operators))
         values = [self.evaluate(operand, scope) for operand in chain.operands]
         if None in values:
@@ -219,10 +220,10 @@ def _apply(symbol: str, first: Result, second: Result) -> Result:
 
 
 def _numbers(what: str, values: Iterable[Result]) -> list[int | float]:
-    """Return values that are all numbers.
+    """Return the values, which must be numbers.
 
     Raises:
-        _FaultError: for a value that is no number; `what` is the name of what takes it.
+        _FaultError: if a value is not a number; `what` names the operator or function in the message.
     """
     found: list[int | float] = []
     for value in values:
@@ -233,10 +234,10 @@ def _numbers(what: str, values: Iterable[Result]) -> list[int | float]:
 
 
 def _bounded(function: Callable[..., float], *numbers: float) -> int | float:
-    """Return the result of a function.
+    """Return the result of a function of numbers.
 
     Raises:
-        _FaultError: for a result that is too large.
+        _FaultError: if the result is too large.
     """
     try:
         result = function(*numbers)
@@ -249,7 +250,7 @@ def _bounded(function: Callable[..., float], *numbers: float) -> int | float:
 
 
 def _divide(first: float, second: float) -> float:
-    """Divide; whole numbers that divide without a rest stay whole."""
+    """Divide; the quotient of two ints that divide exactly is an int."""
     if isinstance(first, int) and isinstance(second, int) and first % second == 0:
         return first // second
     return first / second
@@ -270,7 +271,7 @@ _OPERATIONS: dict[str, Callable[[float, float], float]] = {
 
 
 def _of_one(name: str, function: Callable[[float], float]) -> Callable[..., float]:
-    """Return a function of exactly one number."""
+    """Return a function that requires exactly one number."""
 
     def call(*numbers: float) -> float:
         if len(numbers) != 1:
@@ -281,7 +282,7 @@ def _of_one(name: str, function: Callable[[float], float]) -> Callable[..., floa
 
 
 def _of_some(name: str, function: Callable[..., float]) -> Callable[..., float]:
-    """Return a function of one number or more."""
+    """Return a function that requires at least one number."""
 
     def call(*numbers: float) -> float:
         if not numbers:
@@ -307,7 +308,7 @@ _FUNCTIONS: dict[str, Callable[..., float]] = {
 
 
 def _joined(first: Result, second: Result) -> str:
-    """Join strings, and numbers to strings."""
+    """Join two values to a string; numbers are converted."""
     parts = []
     for value in (first, second):
         if isinstance(value, bool) or not isinstance(value, int | float | str):

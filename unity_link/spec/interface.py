@@ -1,7 +1,7 @@
-"""The parts of an interface while it is built, and the rules that hold for it as a whole.
+"""The parts of an interface while it is built, and the checks of the interface as a whole.
 
-Components are checked where they stand; here is what no part can know alone: whether addresses are the gateway's,
-whether signals or modules lie over each other, whether an ID is used twice, and what the groups come to.
+Components are checked where they are declared. These checks need all parts: addresses are within the gateway's, signals
+and modules do not overlap, IDs are unique, and groups have valid sizes and rates.
 """
 
 from __future__ import annotations
@@ -34,24 +34,24 @@ class SignalPlace(NamedTuple):
 
     @property
     def span(self) -> Span:
-        """The same with line and column."""
+        """The place with line and column."""
         return self.source.span(*self.bounds)
 
     def note(self, message: str) -> tuple[Span, str, str]:
-        """Return a note about it."""
+        """Return a note that points to the place."""
         span = self.span
         return span, message, self.source.line(span.line)
 
 
 class GroupDraft:
-    """A group while its signals are being found.
+    """A group while its signals are collected.
 
     Args:
         name: of the group.
-        place: where it is declared, or named first.
+        place: place of its declaration, or of its first use.
         bound: the arguments of its declaration.
-        doc: that of its declaration.
-        says_when: whether the declaration says when it is published, if only by an argument that was refused.
+        doc: doc string of its declaration.
+        says_when: whether its declaration has a rate, divisor or trigger, even an invalid one.
     """
 
     def __init__(self, name: str, place: SignalPlace, bound: Bound, doc: str = "", *, says_when: bool = False) -> None:
@@ -65,14 +65,14 @@ class GroupDraft:
         self.divisor_place = place
         self.signals: list[tuple[Signal, SignalPlace]] = []
         self.triggers: list[SignalPlace] = []
-        """Places of the triggers of cores that have it published."""
+        """Places of the triggers of cores that publish the group."""
         self.published = self.number is not None or any(
             name in bound for name in ("DIVISOR", "RATE", "TRIGGER", "ON_CHANGE", "IMMEDIATE", "TIMESTAMPS")
         )
 
 
 class Placed(NamedTuple):
-    """A signal of an interface, and where its address and its ID were given."""
+    """A signal of an interface, with the places of its address, ID and arguments."""
 
     signal: Signal
     address: SignalPlace
@@ -82,33 +82,33 @@ class Placed(NamedTuple):
     wraps: SignalPlace
     """Place of its WRAPS."""
     core_at: SignalPlace | None
-    """Place of the address that the author's spec gives the core that the signal is in; None outside of cores."""
+    """Place of the address that the author's spec gives to the core that contains the signal; None outside of cores."""
 
     def seen_from(self, other: Placed | None = None) -> SignalPlace:
-        """Return the place for an error of its address: the author's own line, but for a clash inside of one core."""
+        """Return the place for an error of the address: the author's line, unless both signals are in one core."""
         if self.core_at is None or (other is not None and other.core_at == self.core_at):
             return self.address
         return self.core_at
 
 
 class AxesLimit(NamedTuple):
-    """A limit of a parameter that depends on how many placements share an instance."""
+    """A limit of a parameter that depends on the number of placements that share an instance."""
 
     path: str
     """Path of the component."""
     place: SignalPlace
     """Place of the argument, for the error."""
     message: Callable[[int, int], str]
-    """Returns why the parameter is not allowed for a number of axes and a clock in Hz; empty if it is."""
+    """Returns why a parameter is not allowed with a number of axes and a clock in Hz; empty if it is allowed."""
     placing: Placing
 
 
 DEFAULT_CLOCK_HZ = 50_000_000
-"""Frequency of the gateway's clock where the spec says no other."""
+"""Frequency of the gateway's clock if the spec does not state it."""
 
 
 class InterfaceDraft:
-    """Everything found of one interface so far."""
+    """All parts of one interface that were found so far."""
 
     def __init__(self, reporter: Reporter, address_bits: int, data_bits: int, clock_hz: int = DEFAULT_CLOCK_HZ) -> None:
         self.reporter = reporter
@@ -116,16 +116,16 @@ class InterfaceDraft:
         self.data_bits = data_bits
         self.clock_hz = clock_hz
         self.limits: list[Callable[[int], str]] = []
-        """As `Interface.limits`."""
+        """Functions as in `Interface.limits`."""
         self.limits_of_axes: list[AxesLimit] = []
         self.signals: list[Placed] = []
         self.modules: list[tuple[ModuleSpec, SignalPlace]] = []
         self.groups: dict[str, GroupDraft] = {}
         self.parts = 0
-        """Signals, components and modules so far."""
+        """Number of signals, components and modules so far."""
 
     def check(self) -> tuple[GroupSpec, ...]:
-        """Apply the rules for the whole; return the groups."""
+        """Check the interface as a whole, and return its groups."""
         self._check_modules()
         self._check_addresses()
         self._check_overlaps()
@@ -137,7 +137,7 @@ class InterfaceDraft:
         return tuple(self._timed(group, list(groups.values())) for group in groups.values())
 
     def check_axes(self, cores: Iterable[ComponentSpec]) -> None:
-        """Check the limits of parameters that depend on how many placements share an instance.
+        """Check the limits of parameters that depend on the number of placements that share an instance.
 
         Args:
             cores: all components with an entity.
@@ -151,10 +151,10 @@ class InterfaceDraft:
                 self._error(place, "out-of-range", refusal)
 
     def check_timed(self, schedules: set[str]) -> None:
-        """Check the signals that schedules write.
+        """Check the signals that are written by schedules.
 
         Args:
-            schedules: paths of the components whose entities can write to others.
+            schedules: paths of the components whose entities have STAGE.
         """
         leases: dict[str, Placed] = {}
         for placed in self.signals:
@@ -176,7 +176,7 @@ class InterfaceDraft:
                 self._error(placed.timed, "bad-timed", message, "give each lease a SCHEDULE of its own")
 
     def _is_hardware(self, index: int | None) -> bool:
-        """Return whether a module, or one around it, is hardware of its own."""
+        """Return whether a module, or a module that contains it, is hardware of its own."""
         while index is not None:
             module = self.modules[index][0]
             if module.is_hardware:
@@ -216,7 +216,7 @@ class InterfaceDraft:
             if owner is not None and base < highest and not self._is_inside(index, owner):
                 other, other_place = self.modules[owner]
                 message = f"{module.type} at {base:#x} lies in {other.type} at {other.base:#x} to {highest - 1:#x}"
-                self._error(place, "overlap", message, other=(other_place, "which stands here"))
+                self._error(place, "overlap", message, other=(other_place, "which is here"))
             if end > highest and not (owner is not None and self._is_inside(index, owner)):
                 highest, owner = end, index
 
@@ -240,12 +240,12 @@ class InterfaceDraft:
                 self._error(place, "address-range", message, advice)
 
     def _outside(self, signal: Signal) -> tuple[str, str]:
-        """Return why the address of a signal is outside of the gateway or its module, and advice; empty if inside."""
+        """Return why a signal's address is outside of the gateway or its module, and advice; empty if it is inside."""
         most, last = 1 << self.address_bits, signal.address + signal.words - 1
         if signal.address < 0 or last >= most:
             wrong = last if 0 <= signal.address < most else signal.address
             message = f"the address {_hex(wrong)} of {signal.path} is not the gateway's, which has {self._space()}"
-            return message, "GATEWAY(ADDRESS_BITS=...) tells its width"
+            return message, "GATEWAY(ADDRESS_BITS=...) sets its width"
         if signal.module is not None:
             module = self.modules[signal.module][0]
             relative, end = signal.address - module.base, last - module.base
@@ -266,18 +266,18 @@ class InterfaceDraft:
                 self._check_word(address, sharing, reported)
 
     def _check_word(self, address: int, sharing: list[Placed], reported: set[tuple[SignalPlace, SignalPlace]]) -> None:
-        """Check one address at which several signals stand.
+        """Check one address that several signals use.
 
         Args:
             address: of the word.
             sharing: the signals.
-            reported: places of the overlaps that were reported; two cores make one error, not one for each register.
+            reported: places of the overlaps that were reported; two overlapping cores cause only one error.
         """
         self._check_leases(address, sharing)
         written = [placed for placed in sharing if placed.signal.access.writes]
         self._check_timed_word(address, written)
         self._check_cleared_word(address, written)
-        # A 0 changes neither what is cleared by a 1 nor a pulse: a word of such alone needs no masked write.
+        # A 0 leaves a WRITE_1_TO_CLEAR or PULSE signal unchanged: a word of these alone needs no masked write.
         is_masked = len(written) > 1 and any(placed.signal.effect is None for placed in written)
         taken: dict[str, list[Placed]] = {"reads": [], "writes": []}
         for placed in sharing:
@@ -298,11 +298,11 @@ class InterfaceDraft:
                 if signal.access.writes and len(written) > 1:
                     self._check_sharing(address, placed, sharing, is_masked=is_masked)
             if signal.access.writes and is_masked:
-                # Only now, with all signals known, can this be told; the model is not handed out yet.
+                # Only now are all signals of the word known. The model was not handed out yet, so this change is safe.
                 msgspec.structs.force_setattr(signal, "is_field", True)  # noqa: FBT003
 
     def _check_leases(self, address: int, sharing: list[Placed]) -> None:
-        """Check that what is written at one address is guarded by one lease, or by none."""
+        """Check that the signals written at one address are guarded by one lease, or all by none."""
         written = [placed for placed in sharing if placed.signal.access.writes]
         for placed in written[1:]:
             first, other = written[0].signal, placed.signal
@@ -316,7 +316,7 @@ class InterfaceDraft:
                 return
 
     def _check_timed_word(self, address: int, written: list[Placed]) -> None:
-        """Check that a timed signal is written alone: a masked write puts back what it read of the others."""
+        """Check that a timed signal is the only one written in its word: a masked write would restore old values."""
         timed = next((placed for placed in written if placed.signal.timed is not None), None)
         if timed is not None and len(written) > 1:
             other = next(one.signal for one in written if one is not timed)
@@ -326,7 +326,7 @@ class InterfaceDraft:
             self._error(timed.timed, "bad-timed", message, "give each its own address")
 
     def _check_cleared_word(self, address: int, written: list[Placed]) -> None:
-        """Check that nothing is cleared by a masked write of another signal, which puts back the ones that it read."""
+        """Check that no masked write of another signal can clear a WRITE_1_TO_CLEAR signal by writing back its ones."""
         cleared = next((placed for placed in written if placed.signal.effect is Effect.WRITE_1_TO_CLEAR), None)
         plain = next((placed for placed in written if placed.signal.effect is None), None)
         if cleared is not None and plain is not None:
@@ -338,14 +338,14 @@ class InterfaceDraft:
             self._error(cleared.address, "bad-effect", message, advice)
 
     def _check_memories(self) -> None:
-        """Check that no signal of a network has an effect: the words of its memory are written again and again."""
+        """Check that no signal in memory of a network has an effect: the network rewrites its words cyclically."""
         for placed in self.signals:
             index = placed.signal.module
             while index is not None and placed.signal.effect is not None:
                 module = self.modules[index][0]
                 if module.type.startswith("TOSNET"):
                     message = (
-                        f"{placed.signal.path} stands in the memory of a {module.type}, where nothing has an EFFECT"
+                        f"{placed.signal.path} is in the memory of a {module.type}, where no signal can have an EFFECT"
                     )
                     self._error(placed.address, "bad-effect", message)
                     break
@@ -360,12 +360,12 @@ class InterfaceDraft:
         self._error(place, "overlap", message, other=(other, f"the address of {first.signal.path} is given here"))
 
     def _check_sharing(self, address: int, placed: Placed, sharing: list[Placed], *, is_masked: bool) -> None:
-        """Check a signal that is not the only one written at an address."""
+        """Check a signal that shares its address with other signals that are written."""
         signal = placed.signal
         if signal.words > 1:
             message = f"{signal.path} has several words, so that no other signal can be written at address {address:#x}"
             self._error(placed.address, "overlap", message)
-        # A masked write reads the word first, and must read what was written.
+        # A masked write reads the word first, and must read back the bits of the other fields.
         masks = _taken(signal, address)
         if is_masked:
             other = next(
@@ -396,7 +396,7 @@ class InterfaceDraft:
     # Groups
 
     def _check_wraps(self) -> None:
-        """Check that a signal whose rounds are counted by another one has such a one, of the same numbers."""
+        """Check that WRAPS(OF=...) names a signal of the component that is read, wraps, and has the same kind."""
         by_path = {placed.signal.path: placed.signal for placed in self.signals}
         for placed in self.signals:
             signal = placed.signal
@@ -463,7 +463,7 @@ class InterfaceDraft:
         )
 
     def _timed(self, group: GroupSpec, groups: list[GroupSpec]) -> GroupSpec:
-        """Return a group with the rate that it gets, beside all groups of the interface."""
+        """Return a group with its published rate, which depends on all groups of the interface."""
         message = out_of_reach(group, groups)
         if message:
             advice = "a DIVISOR counts from the gateway's own base frequency; with RATE alone, that follows the rates"
@@ -472,7 +472,7 @@ class InterfaceDraft:
         return msgspec.structs.replace(group, published_hz=published_hz(group, base_millihertz(groups)))
 
     def _check_readable(self, draft: GroupDraft) -> None:
-        """Check that all signals of a published group can be read; those that it publishes were checked before."""
+        """Check that a published group contains no write-only signal; PUBLISH in signals was checked before."""
         for signal, place in draft.signals:
             if not signal.access.reads and signal.group != draft.name:
                 message = f"{signal.path} can only be written, and the group {draft.name} is published"
@@ -481,7 +481,7 @@ class InterfaceDraft:
                 return
 
     def _check_ports(self, draft: GroupDraft) -> None:
-        """Check a published group in which there are ports of FIFOs: a sample takes a word of each, for good."""
+        """Check a published group that contains FIFO ports: each sample removes a word from the queue."""
         ports = [(signal, place) for signal, place in draft.signals if signal.fifo]
         if not ports:
             return
@@ -498,13 +498,13 @@ class InterfaceDraft:
             self._error(place, "bad-fifo", message, "leave out ON_CHANGE")
 
     def _check_triggers(self, draft: GroupDraft) -> None:
-        """Check that a group that a core triggers is published on its trigger."""
+        """Check that a group that a core triggers has TRIGGER."""
         if draft.triggers and not draft.bound.get("TRIGGER", False):
             message = f"a core triggers the group {draft.name}, which is not published on its trigger"
             self._error(draft.triggers[0], "group-trigger", message, f"declare it so: group {draft.name}(TRIGGER);")
 
     def _joints(self, draft: GroupDraft) -> tuple[Joint, ...]:
-        """Return the joints of a group: the components of which a signal has one of the names that JOINTS tells."""
+        """Return the joints of a group: the components that contain a signal with a name from JOINTS."""
         clause: dict[str, str] | None = draft.bound.get("JOINTS")
         if clause is None:
             return ()
@@ -516,7 +516,7 @@ class InterfaceDraft:
         found: dict[str, dict[str, str]] = {}
         for signal, _ in draft.signals:
             if signal.name in sampled and signal.index is not None:
-                message = f"{signal.path} stands in a row of signals, and each joint is a component of its own"
+                message = f"{signal.path} is in a row of signals, and each joint is a component of its own"
                 advice = f"put {signal.name} into a component, as in joints[6]: joint() @(0x10 + i);"
                 self._error(draft.place, "joints", message, advice)
             elif signal.name in sampled:
@@ -576,7 +576,7 @@ def _hex(address: int) -> str:
 
 
 def _taken(signal: Signal, address: int) -> int:
-    """Return the bits that a signal takes of the word at an address: all, where an access to any has an effect."""
+    """Return a signal's bits of the word at an address: the whole word if any access to it has an effect."""
     return (1 << signal.word_bits) - 1 if signal.access_moves else signal.mask_at(address)
 
 

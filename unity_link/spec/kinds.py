@@ -1,9 +1,8 @@
-"""Kinds: what the bits of a signal mean, and how to get from bits to a value and back.
+"""Kinds: the meaning of a signal's bits, and the conversion between bits and values.
 
-A `Kind` knows nothing of addresses. Its *raw* is the unsigned number that stands in the signal's bits; its *value* is
-what a program sees, in the signal's unit. `decode` and `encode` are exact: every raw survives to a value and back,
-which the checker makes sure of (`is_exact`) where a scale could make two raws into one float. A value between two raws
-goes to the nearer one.
+A `Kind` has no address. Its *raw* is the unsigned number in the signal's bits; its *value* is the number that a program
+uses, in the signal's unit. The conversion is exact: `encode(decode(raw)) == raw` for every raw. The checker rejects
+scales that would give two raws the same float (`is_exact`). `encode` rounds a value to the nearest raw.
 """
 
 from __future__ import annotations
@@ -25,21 +24,21 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 Value: TypeAlias = bool | int | float
-"""Value of a signal in a program; of an enumeration a member of its `IntEnum`, or a number without name."""
+"""Value of a signal in a program; for an enumeration a member of its `IntEnum`, or a number that has no name."""
 
 MOST_BITS = 64
 MOST_WRAPPED = 48
-"""Bits of a number whose rounds are counted: of these rounds a float has 32 exactly, and a whole number 32,768."""
+"""Most bits of a number with WRAPS: a float then has 32 exact rounds (53 bits), and an int64 has 32,768."""
 _NATIVE_BITS = (8, 16, 32, 64)
-"""Bits of the whole numbers that processors have."""
+"""Widths of integers that processors and numpy have."""
 FLOAT_BITS = {16: "<e", 32: "<f", 64: "<d"}
-"""Widths of IEEE 754 numbers, with their `struct` formats."""
+"""Widths of IEEE 754 numbers in bits, with their `struct` formats."""
 _FLOAT_MARGIN = 2.0**-50
-"""A step must be this much of the largest number it is added to: eight roundings of 2**-53 stay below half a step."""
+"""Smallest step relative to the largest number: eight roundings of 2**-53 then stay below half a step."""
 
 
 class KindName(enum.StrEnum):
-    """The words for kinds; an enumeration's own name is the word for that."""
+    """Words for kinds in a spec; a signal of kind `ENUM` has the name of its enumeration instead."""
 
     BOOL = "bool"
     UNSIGNED = "unsigned"
@@ -62,7 +61,7 @@ class EnumValue(msgspec.Struct, frozen=True):
 
 
 class Enumeration(msgspec.Struct, frozen=True):
-    """Names for numbers, not negative, each number once."""
+    """Names of numbers; the numbers are not negative and differ."""
 
     name: str
     values: tuple[EnumValue, ...]
@@ -76,24 +75,24 @@ class Enumeration(msgspec.Struct, frozen=True):
 
     @property
     def names(self) -> str:
-        """All names with their numbers, as a text in the order of these."""
+        """All names with their numbers, sorted by number: ``off = 0, on = 1``."""
         named = sorted((value.value, value.name) for value in self.values)
         return ", ".join(f"{name} = {number}" for number, name in named)
 
     @property
     def python_type(self) -> type[NamedNumber]:
-        """The same as a Python class, made once."""
+        """The enumeration as a Python class; the class is cached."""
         return _python_type(self)
 
 
 class NamedNumber(enum.IntEnum):
-    """A number of an enumeration, which is equal to its name as well: ``mode == "balance"``.
+    """A number of an enumeration, which also compares equal to its name: ``mode == "balance"``.
 
-    Its text is its name: ``print(mode)`` shows ``balance``, and ``f"{mode:d}"`` is the number. In a set, and as the key
-    of a dictionary, it is its number alone.
+    ``print(mode)`` shows the name ``balance``, and ``f"{mode:d}"`` the number. The hash is that of the number, so that
+    sets and dictionaries do not find the name.
 
     Raises:
-        ArgumentError: where it is compared with a string that is no name of its enumeration.
+        ArgumentError: if it is compared with a string that is not a name of the enumeration.
     """
 
     def __eq__(self, other: object) -> bool:
@@ -109,12 +108,12 @@ class NamedNumber(enum.IntEnum):
 
 
 class NamedNumbers(np.ndarray[Any, np.dtype[Any]]):
-    """Numbers of an enumeration as an array, which is equal to names as well: ``column == "balance"``.
+    """Numbers of an enumeration as an array, which also compares with names: ``column == "balance"``.
 
-    One of them alone is a `NamedNumber`, or an `int` where it has no name.
+    One element is a `NamedNumber`, or an `int` if the number has no name.
 
     Raises:
-        ArgumentError: where it is compared with a string that is no name of the enumeration.
+        ArgumentError: if it is compared with a string that is not a name of the enumeration.
     """
 
     names: type[NamedNumber] | None = None
@@ -141,22 +140,22 @@ class NamedNumbers(np.ndarray[Any, np.dtype[Any]]):
 
 
 def _named(names: type[NamedNumber], number: int) -> int:
-    """Return the member of an enumeration for a number that has a name; any other number as it is."""
+    """Return the member of an enumeration that has a number; a number without a name is returned unchanged."""
     return names(number) if number in names.__members__.values() else number
 
 
 def name_of(value: Value) -> str:
-    """Return the name of a number of an enumeration; any other value as a text."""
+    """Return the name of a value of an enumeration; any other value as text."""
     return str(getattr(value, "name", value))
 
 
 def number_named(names: type[enum.IntEnum], name: str) -> int:
     """Return the number of a name of an enumeration.
 
-    Python has words that are no names; such a one has an underscore behind it in a generated class.
+    A generated class appends one or two underscores to names that Python reserves; both spellings are accepted.
 
     Raises:
-        ArgumentError: for another name.
+        ArgumentError: if the enumeration does not have the name.
     """
     members = names.__members__
     found = next((members[one] for one in (name, f"{name}_", f"{name}__") if one in members), None)
@@ -173,35 +172,35 @@ def _python_type(enumeration: Enumeration) -> type[NamedNumber]:
     def reduce(member: enum.Enum, _: object) -> tuple[Any, ...]:
         return _member, (enumeration, member.value)
 
-    # A pickle finds a class by its name in a module, and this one is in none.
+    # Pickle by value: pickle would look up the class in a module, but this class is in none.
     made.__reduce_ex__ = reduce  # type: ignore[assignment, method-assign]
     return made
 
 
 def _member(enumeration: Enumeration, number: int) -> NamedNumber:
-    """Return what a pickle has of a member."""
+    """Return the member that a pickle stores as an enumeration and a number."""
     return _python_type(enumeration)(number)
 
 
 class Kind(msgspec.Struct, frozen=True):
     """Meaning of the bits of a signal.
 
-    A value is ``number * scale + offset``, where `number` is what the bits say by themselves.
+    A value is ``number * scale + offset``; `number` is the whole, fixed-point or floating-point number in the bits.
     """
 
     name: KindName
     width: int
-    """Bits, 1 to 64."""
+    """Width in bits, 1 to 64."""
     fraction: int = 0
     """Bits after the binary point, for `FIXED` and `UFIXED`."""
     scale: float = 1
     offset: float = 0
     enumeration: Enumeration | None = None
     wraps: bool = False
-    """True if the number goes round at its ends, and values of a program count on beyond them."""
+    """True if the number overflows to its other end, and the host extends the values beyond the range."""
 
     def __str__(self) -> str:
-        """Write the kind as a spec does."""
+        """Return the kind in the syntax of a spec."""
         if self.name is KindName.BOOL:
             return "bool"
         if self.enumeration is not None:
@@ -217,7 +216,7 @@ class Kind(msgspec.Struct, frozen=True):
 
     @property
     def is_scaled(self) -> bool:
-        """Return whether the value is the raw times something, a float."""
+        """Return whether the value is a multiple of a scale or binary fraction, so that it is a float."""
         return self.scale != 1 or self.offset != 0 or self.name in {KindName.FIXED, KindName.UFIXED}
 
     @property
@@ -227,35 +226,35 @@ class Kind(msgspec.Struct, frozen=True):
 
     @property
     def step(self) -> float:
-        """Change of the value where the raw changes by one; of a float it has no meaning."""
+        """Change of the value for a change of the raw by one; meaningless for floats."""
         return math.ldexp(self.scale, -self.fraction)
 
     @property
     def span(self) -> int | float:
-        """Change of the value in one round of all numbers."""
+        """Change of the value over one full round of the raw."""
         return (1 << self.width) * (abs(self.step) if self.is_scaled else 1)
 
     def within(self, value: float) -> float:
-        """Return the value in the range that is whole spans away from a value, which may lie between two numbers."""
+        """Return the value in the range that differs from a value by whole spans; it may lie between two raws."""
         low, high = self.range
         return value if low <= value <= high else value - self.span * math.floor((value - low) / self.span)
 
     def wrapped(self, value: float) -> float:
-        """Return the value in the range that is whole spans away from another one, to half a step."""
+        """Return the value of the nearest raw after removing whole spans from a value."""
         low, _ = self.raw_range
         number = self._nearest(value) if self.is_scaled else self._whole(value)
         return self._scaled((number - low) % (1 << self.width) + low)
 
     @property
     def raw_range(self) -> tuple[int, int]:
-        """Smallest and largest whole number that the bits say, sign included."""
+        """Smallest and largest whole number in the bits, sign included."""
         if self.is_signed:
             return -1 << self.width - 1, (1 << self.width - 1) - 1
         return 0, (1 << self.width) - 1
 
     @property
     def range(self) -> tuple[float, float]:
-        """Smallest and largest value; for floats the infinities, which they can say."""
+        """Smallest and largest value; for floats minus and plus infinity."""
         if self.name is KindName.FLOAT:
             return -math.inf, math.inf
         low, high = (self._scaled(number) for number in self.raw_range)
@@ -263,7 +262,7 @@ class Kind(msgspec.Struct, frozen=True):
 
     @property
     def dtype(self) -> np.dtype[Any]:
-        """The type of an array of values."""
+        """The numpy type of an array of values."""
         if self.name is KindName.FLOAT:
             return np.dtype(f"f{self.width // 8}")
         if self.is_scaled:
@@ -276,7 +275,7 @@ class Kind(msgspec.Struct, frozen=True):
         return np.dtype(f"{'i' if self.is_signed else 'u'}{size}")
 
     def is_exact(self) -> bool:
-        """Return whether every raw has a value of its own: a double has 53 bits for value and offset together."""
+        """Return whether every raw has a different value: the 53 bits of a double hold value and offset together."""
         if not self.is_scaled:
             return True
         step = abs(self.step)
@@ -291,7 +290,7 @@ class Kind(msgspec.Struct, frozen=True):
         return number * self.step + self.offset if self.is_scaled else number
 
     def decode(self, raw: int) -> Value:
-        """Return the value of a raw of `width` bits."""
+        """Return the value of a raw, an unsigned number of `width` bits."""
         if self.name is KindName.FLOAT:
             value: float = struct.unpack(FLOAT_BITS[self.width], raw.to_bytes(self.width // 8, "little"))[0]
             return value
@@ -303,10 +302,10 @@ class Kind(msgspec.Struct, frozen=True):
         return self._scaled(number)
 
     def encode(self, value: Value | str) -> int:
-        """Return the raw of a value; an enumeration takes its names too.
+        """Return the raw of a value; for an enumeration also of a name.
 
         Raises:
-            ArgumentError: for a value that the kind cannot say.
+            ArgumentError: for a value that the kind cannot represent.
         """
         if isinstance(value, str):
             return self._encode_name(value)
@@ -327,14 +326,14 @@ class Kind(msgspec.Struct, frozen=True):
         return number_named(self.enumeration.python_type, name)
 
     def _no_truth(self, value: object) -> ArgumentError:
-        """Return the error for a bool, with which Python counts, where a number was meant: it would be full speed."""
+        """Return the error for a bool that is given as a number: `True` as a speed of 1 would be full speed."""
         return ArgumentError(f"{value} is no value of {self}: a number was expected")
 
     def _encode_float(self, value: float) -> int:
         try:
             packed = struct.pack(FLOAT_BITS[self.width], value)
         except (OverflowError, struct.error) as error:
-            # `struct` raises its own error for a whole number beyond all floats.
+            # `struct` raises its own error for an int that is larger than all floats.
             if isinstance(error, OverflowError) or isinstance(value, int):
                 raise ArgumentError(f"{shown(value)} is too large for {self}") from None
             raise ArgumentError(f"{shown(value)} is no value of {self}: a number was expected") from None
@@ -351,8 +350,8 @@ class Kind(msgspec.Struct, frozen=True):
         return round(steps) if math.isfinite(steps) else 1 << MOST_BITS
 
     def _whole(self, value: float) -> int:
-        # A float that is whole is taken too: arithmetic with numpy or in a notebook gives many of them; and numpy's own
-        # truths are no numbers to Python.
+        # Accept floats without a fraction: numpy and notebooks produce many of them. A numpy bool is not an int in
+        # Python.
         given: Any = value
         is_whole = isinstance(given, np.bool_) or getattr(given, "is_integer", bool)()
         whole: Any = int(given) if is_whole else given
@@ -364,7 +363,7 @@ class Kind(msgspec.Struct, frozen=True):
     # Many values
 
     def decode_array(self, raw: NDArray[np.unsignedinteger[Any]]) -> NDArray[Any]:
-        """Return the values of many raws of any shape, as `dtype`; those of an enumeration as numbers."""
+        """Return the values of an array of raws, as `dtype`; those of an enumeration as `NamedNumbers`."""
         if self.name is KindName.FLOAT:
             return raw.astype(f"u{self.width // 8}").view(self.dtype)
         if self.name is KindName.BOOL:
@@ -386,37 +385,37 @@ class Kind(msgspec.Struct, frozen=True):
         if self.width in _NATIVE_BITS:
             size = self.width // 8
             return raw.astype(f"u{size}", copy=False).view(f"i{size}")
-        # The sign bit is moved to the top and back down again, which copies it.
+        # Shift the sign bit to the top and back: the arithmetic shift copies it.
         unused = MOST_BITS - self.width
         return (raw.astype(np.uint64, copy=False) << np.uint64(unused)).view(np.int64) >> np.int64(unused)
 
     def array(self, values: ArrayLike) -> NDArray[Any]:
-        """Return values as an array that has them as they are.
+        """Return values as an array without changing their types or precision.
 
         Raises:
-            ArgumentError: for rows of several lengths.
+            ArgumentError: for nested sequences of different lengths.
         """
         if self.name is not KindName.BOOL and isinstance(values, (list, tuple)) and bool in map(type, values):
-            # numpy makes numbers of bools that stand beside numbers.
+            # numpy would convert bools in a list with numbers to numbers, so that they could not be refused.
             return np.asarray(values, object)
         try:
             made = np.asarray(values)
         except ValueError:
             raise ArgumentError(f"{shown(values)} are no values of {self}: one array of them was expected") from None
         if made.dtype.kind == "f" and not self.is_float and not hasattr(values, "dtype"):
-            # numpy makes floats of a list of whole numbers where some are small and some from 2**63 on.
+            # numpy would convert ints to floats if some are negative and others 2**63 or more.
             return np.asarray(values, object)
         return made
 
     def encode_array(self, values: ArrayLike) -> NDArray[np.uint64]:
-        """Return the raws of many values of any shape.
+        """Return the raws of an array of values of any shape.
 
         Raises:
-            ArgumentError: for a value that the kind cannot say.
+            ArgumentError: for a value that the kind cannot represent.
         """
         values = self.array(values)
         if values.dtype.kind not in "biuf":
-            # Names, and what is no number; numpy itself would take the text of one.
+            # Names, or objects that are not numbers. Encode them one by one: numpy would convert a text such as "1".
             return np.array([self.encode(value) for value in values.ravel().tolist()], np.uint64).reshape(values.shape)
         if values.dtype.kind == "b" and self.name is not KindName.BOOL:
             raise self._no_truth(values.dtype)
@@ -430,8 +429,8 @@ class Kind(msgspec.Struct, frozen=True):
         else:
             raise ArgumentError(f"values of {self} are whole numbers, not {values.dtype}")
         low, high = self.raw_range
-        # Comparisons of Python's whole numbers with arrays of any type are exact in numpy 2; the limits of 64 bits
-        # are no floats, so those compare against the power of two itself.
+        # numpy 2 compares Python ints exactly with arrays of any type. A limit of 64 bits has no exact float, so
+        # compare floats with the power of two itself.
         good = (
             (numbers >= float(low)) & (numbers < float(high + 1))
             if numbers.dtype.kind == "f"

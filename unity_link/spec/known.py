@@ -1,7 +1,7 @@
-"""Comparison of the cores in a board's description with the cores of this version, whose Python API they would get.
+"""Compares the cores in a board's description with those of this version, whose API programs would use.
 
-A board may have been built by another version. An API reads registers and generics by their names, so each of them
-must exist and mean the same.
+The board may have been built with another version. An API uses registers and generics by name, so each of them must
+exist on the board with the same meaning.
 """
 
 from __future__ import annotations
@@ -21,20 +21,21 @@ _OPEN = str.maketrans({"\\": "\\\\", '"': '\\"', "\n": "\\n", "\t": "\\t"})
 
 
 def misfits(interface: Interface, compiled: Callable[[str, Mapping[str, str]], Spec]) -> dict[str, str]:
-    """Return why the API of a core does not fit, by the paths of the components that differ from this version's.
+    """Return reasons why the API of a core does not fit, by the paths of components that differ from this version.
 
-    A core that has no folder here, or whose own map needs more than an address, is not compared.
+    A core is not compared if this computer has no folder for it, or if its map requires more than one address.
 
     Args:
-        interface: from a description.
-        compiled: compiles the text of a spec with the maps of all cores.
+        interface: interface from a description.
+        compiled: compiles the text of a spec, given the maps of all cores.
     """
     components = [part for part in interface.cores if part.core is not None and part.core.python]
     if not components:
         return {}
     ranks = reversed(list(core_folders(None)))
     maps = {word: read_text(folders[0].map) for rank in ranks for word, folders in rank.items()}
-    # A description has one map for all placements of a core, so the first one is compared: there may be thousands.
+    # Compare only the first placement of each core: the description has one map for all of its placements, of which
+    # there may be thousands.
     faults: dict[str, str] = {}
     for part in components:
         if part.type not in faults:
@@ -50,9 +51,9 @@ def misfits(interface: Interface, compiled: Callable[[str, Mapping[str, str]], S
 def _known(
     part: ComponentSpec, maps: Mapping[str, str], data_bits: int, compiled: Callable[[str, Mapping[str, str]], Spec]
 ) -> ComponentSpec | None:
-    """Return a component of the core of this version with the arguments of another one; None if it has none."""
+    """Return the component that this version's core gives for the same arguments; None if it cannot be compiled."""
     arguments = ", ".join(f"{name}={_text(value)}" for name, value in part.arguments.items())
-    # Parameters may differ, too; the registers are compared with those of the defaults then.
+    # If the parameters differ between the versions, compare the registers for the default values.
     for given in (arguments, ""):
         text = f"public known() {{ GATEWAY(DATA_BITS={data_bits}); core: {part.type}({given}) @(0); }}"
         try:
@@ -63,14 +64,14 @@ def _known(
 
 
 def _text(value: float | str) -> str:
-    """Return an argument as a spec has it."""
+    """Return an argument in the syntax of a spec."""
     if isinstance(value, str):
         return f'"{value.translate(_OPEN)}"'
     return str(value).lower() if isinstance(value, bool) else f"{value!r}"
 
 
 def _difference(part: ComponentSpec, known: ComponentSpec) -> str:
-    """Return the first difference of a component from the known one, as a clause; empty if there is none."""
+    """Return the first difference between a component and the known one, as a clause; empty if they agree."""
     assert part.core is not None
     assert known.core is not None
     for name, value in known.core.generics.items():
@@ -92,7 +93,7 @@ def _difference(part: ComponentSpec, known: ComponentSpec) -> str:
 
 
 def _meaning(signal: Signal, base: int) -> dict[str, object]:
-    """Return the properties that an API relies on. Scale, unit and limits may differ: the description has them."""
+    """Return the properties that an API relies on. Scale, unit and limits may differ: programs use the board's."""
     names = signal.kind.enumeration.values if signal.kind.enumeration is not None else ()
     return {
         "the distance in words": signal.address - base,

@@ -1,6 +1,6 @@
-"""Reads a spec and what it imports, and gathers what they declare.
+"""Reads a spec and its imports, and collects their declarations.
 
-All declarations of all files are in one room: a name means the same wherever it is used, whoever imported it.
+All files share one namespace: a name has the same meaning in every file, however the files import each other.
 """
 
 from __future__ import annotations
@@ -23,36 +23,36 @@ MOST_FILES = 200
 
 
 class Declared(NamedTuple, Generic[DeclarationT]):
-    """A declaration, and the source that it stands in."""
+    """A declaration and its source."""
 
     source: SourceText
     node: DeclarationT
 
     @property
     def span(self) -> Span:
-        """Place of its name."""
+        """Place of the declared name."""
         return self.source.span(*self.node.name.place)
 
 
 class Declarations:
-    """Declarations of all files of a spec."""
+    """The declarations of all files of a spec."""
 
     def __init__(self) -> None:
         self.sources: list[SourceText] = []
         self.declared: list[SourceText] = []
-        """The same in the order in which they declare: what a file imports goes before it."""
+        """The sources in the order of their declarations: an imported file precedes the file that imports it."""
         self.components: dict[str, Declared[ComponentDeclaration]] = {}
         self.enumerations: dict[str, Declared[EnumDeclaration]] = {}
         self.groups: dict[str, Declared[GroupDeclaration]] = {}
         self.interfaces: list[Declared[ComponentDeclaration]] = []
-        """The public ones of the first file."""
+        """The public components of the first file."""
 
 
 def read_text(path: Path) -> str:
-    """Read a file.
+    """Return the text of a file, without byte order mark and with line ends converted.
 
     Raises:
-        ValueError: where it cannot be read as text; the message says why.
+        ValueError: if it cannot be read as text; the message gives the reason.
     """
     try:
         with path.open("rb") as file:
@@ -71,10 +71,10 @@ def read_text(path: Path) -> str:
 
 
 def read_import(path: Path) -> str:
-    """Read a file that another one names; what is read with no end, or waits for a writer, is refused.
+    """Return the text of an imported file. Devices and pipes are refused: reading them may never end.
 
     Raises:
-        ValueError: as `read_text`.
+        ValueError: if it is not a regular file, or as `read_text`.
     """
     if path.exists() and not path.is_file() and not path.is_dir():
         raise ValueError(f"{path} is no regular file")
@@ -82,16 +82,16 @@ def read_import(path: Path) -> str:
 
 
 def refuse_import(path: Path) -> str:
-    """Refuse a file that a description names.
+    """Refuse an import in a description.
 
     Raises:
-        ValueError: in any case.
+        ValueError: always.
     """
     raise ValueError(f"{path} is not read: a description has no imports")
 
 
 class Loader:
-    """Loads files, each once."""
+    """Loads files, each at most once."""
 
     def __init__(self, reporter: Reporter, read: Callable[[Path], str] = read_import) -> None:
         self.declarations = Declarations()
@@ -104,7 +104,7 @@ class Loader:
         ] = {}
 
     def load(self, name: str, text: str, path: Path | None) -> None:
-        """Load the first file, whose text is at hand; `path` is where its imports are looked for."""
+        """Load the first file from its text; its imports are relative to the folder of `path`."""
         self._load(SourceText(name, text), path)
 
     def _load(self, source: SourceText, path: Path | None) -> None:
@@ -145,10 +145,10 @@ class Loader:
                 return
             text = self._read(target)
         except (ValueError, OSError, RuntimeError) as error:
-            advice = "imports are looked for from the folder of the file that they stand in"
+            advice = "an import is relative to the folder of the file that contains it"
             self._reporter.error(source, place, "import", str(error).replace("\0", "\\0"), help=advice)
             return
-        # Named as seen from where the first file was named, so that messages lead to it.
+        # Form the name from that of the importing file, so that the name in messages is a path that opens the file.
         name = str(PurePath(source.name).parent / wanted)
         self._load(SourceText(name, text), target)
 

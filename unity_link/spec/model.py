@@ -1,14 +1,14 @@
-"""The checked model: what a spec means, with every expression computed, every name resolved and every rule kept.
+"""The checked model of a spec: every expression is computed, every name is resolved, and every rule holds.
 
-This is what proxies, generators and bridges build on; none of them looks at the text again. All of it is immutable, and
-`msgspec` writes it as JSON.
+Proxies, generators and bridges use only this model, never the text of the spec. All objects are immutable, and
+`msgspec` writes them as JSON.
 
     Spec -> Interface -> Component (a tree) -> Signal
-                      -> Module, Group, Enumeration, by which signals are reached, read together and named
+                      -> Module, Group, Enumeration: address ranges, signals that are read together, names of values
 
-A *path* is how a program gets to a thing from the interface, as Python writes it: ``legs[2].joints[0].cpos``. An *ID*
-is the text that the author gave it. Addresses are word addresses on the gateway's bus, with the base of the module in
-them.
+A *path* is the Python expression by which a program reaches an object from the interface: ``legs[2].joints[0].cpos``.
+An *ID* is the text that the author gave it. Addresses are word addresses on the gateway's bus and include the base of
+the module.
 """
 
 from __future__ import annotations
@@ -27,20 +27,20 @@ from unity_link.spec.diagnostics import NOWHERE, Diagnostic, Span
 from unity_link.spec.kinds import Enumeration, Kind, Value  # noqa: TC001
 
 STAGE_BITS = 32
-"""Bits that a schedule writes at once."""
+"""Width in bits of one place on the stage of a schedule."""
 WHOLE = "the interface"
-"""Name of an interface among its facts."""
+"""Key of the interface itself in `Interface.facts`."""
 _HANDLES = frozenset({"CTRL", "COMM"})
-"""Arguments of modules that a program can give when it opens an interface with parameters."""
+"""Arguments of modules that a program can supply when it opens an interface with parameters."""
 
 
 def _facts(**properties: str | None) -> dict[str, str]:
-    """Return those properties that a thing has."""
+    """Return the given properties without those that are None."""
     return {what: value for what, value in properties.items() if value is not None}
 
 
 def _number(value: Value) -> str:
-    """Write a number alike whether it is a float or not."""
+    """Format a number; a whole number has the same text as an int and as a float."""
     return str(value).lower() if isinstance(value, bool) else repr(value).removesuffix(".0")
 
 
@@ -58,28 +58,28 @@ class Access(enum.StrEnum):
 
     @property
     def reads(self) -> bool:
-        """Return whether it can be read."""
+        """Return whether the signal can be read."""
         return self is not Access.WRITE
 
     @property
     def writes(self) -> bool:
-        """Return whether it can be written."""
+        """Return whether the signal can be written."""
         return self is not Access.READ
 
 
 class Effect(enum.StrEnum):
-    """Effect of accesses on the bits of a signal, beside reading them or keeping what is written."""
+    """Side effect of a read or write on the bits of a signal."""
 
     CLEAR_ON_READ = "CLEAR_ON_READ"
-    """Hardware sets bits, and each read takes them: they are 0 behind it."""
+    """Hardware sets bits, and each read returns them and then clears them."""
     WRITE_1_TO_CLEAR = "WRITE_1_TO_CLEAR"
-    """Hardware sets bits, and a write clears those that are 1 in it."""
+    """Hardware sets bits, and a write clears the bits that are 1 in the written word."""
     PULSE = "PULSE"
-    """A 1 that is written lasts for one cycle of the gateway's clock; it reads as 0."""
+    """A written 1 lasts for one cycle of the gateway's clock; the signal reads as 0."""
 
 
 class ParameterReference(msgspec.Struct, frozen=True, tag="parameter"):
-    """An argument that is given when the interface is opened: the interface's parameter of that name."""
+    """An argument whose value is the interface's parameter of this name, given when the interface is opened."""
 
     name: str
 
@@ -101,49 +101,49 @@ class Pin(msgspec.Struct, frozen=True, kw_only=True):
     name: str
     """Port of the core's entity."""
     path: str
-    """Path in the interface, as of a signal."""
+    """Path in the interface, formed like the path of a signal."""
     way: Way
     at: str | None = None
-    """Pin of the board, by the board's name; None where the spec does not say."""
+    """Pin of the board, by the board's name; None if the spec does not name one."""
     is_used: bool = True
-    """False where the spec says that it has no pin, by `none`."""
+    """False if the spec declares the pin as not connected (`none`)."""
     unwired: int = 0
-    """Level of an input that has no pin."""
+    """Constant level of an input that has no pin."""
 
 
 class Trigger(msgspec.Struct, frozen=True, kw_only=True):
-    """An output of a core that has a group published."""
+    """An output of a core that makes the gateway publish a group."""
 
     name: str
     """Port of the core's entity."""
     group: str | None = None
-    """Name of the group; None where the trigger is not used."""
+    """Name of the group; None if the trigger is not used."""
 
 
 class Core(msgspec.Struct, frozen=True, kw_only=True):
-    """The hardware of a component: an entity in VHDL whose ports are the component's signals, pins and triggers."""
+    """The hardware of a component: a VHDL entity whose ports are the component's signals, pins and triggers."""
 
     word: str
-    """Word of the core that it comes from; empty where the entity is one of the spec's own."""
+    """Word of the core that declares the component; empty if the spec itself declares the component."""
     entity: str
     library: str = "work"
-    """Library of the entity in VHDL: that of the gateware for a core that is installed with it."""
+    """VHDL library of the entity: `unity_link` for a core that is installed with the gateware, otherwise `work`."""
     vhdl: tuple[str, ...] = ()
-    """Files of its VHDL, in the folder of a core that is not installed with the gateware."""
+    """VHDL files in the folder of the core; empty if the core is installed with the gateware."""
     wants: tuple[str, ...] = ()
-    """Ports beside clock, reset and signals: ``tick``, ``now``, ``armed``, those of a schedule (``stage`` and
-    ``finishing``), and ``empty`` of a lease, which tells that nothing waits in the schedules of what it guards."""
+    """Ports besides clock, reset and signals: ``tick``, ``now``, ``armed``; ``stage`` and ``finishing`` of a schedule;
+    and ``empty`` of a lease, which is '1' if no schedule that writes signals of this lease has queued writes."""
     generics: dict[str, int | bool | str] = {}
     per_axis: tuple[str, ...] = ()
-    """Those generics that come as a list, `integer_vector`, with the value of each placement."""
+    """Names of the generics of type `integer_vector`, with one value for each placement."""
     pins: tuple[Pin, ...] = ()
     triggers: tuple[Trigger, ...] = ()
     python: str = ""
-    """Its verbs and its quick model: a module to import, or the path of a file; empty where it has none."""
+    """Module to import, or path of a file, with the core API and the quick model; empty if the core has none."""
 
     @property
     def stages(self) -> bool:
-        """Return whether it writes to registers of others, at an instant."""
+        """Return whether the core is a schedule, which writes other signals at given times."""
         return "stage" in self.wants
 
     @property
@@ -161,96 +161,97 @@ class Safe(msgspec.Struct, frozen=True):
     """The safe state of a signal."""
 
     bits: int | None
-    """Its bits while the lease is not armed; None for HOLD: it keeps those that it has, and its core stops by a rule of
-    its own."""
+    """Bits of the signal while the lease is not armed; None for HOLD: the signal keeps its bits, and its core stops by
+    a rule of its own."""
     lease: str
     """Path of the lease."""
 
 
 class Signal(msgspec.Struct, frozen=True, kw_only=True):
-    """A named value: some bits of a word, a word, or several words in a row of which the first has the lowest bits."""
+    """A named value: bits of a word, a whole word, or several consecutive words, the lowest bits in the first one."""
 
     name: str
-    """Name of its declaration, which the others of its row have too."""
+    """Name in its declaration; all signals of a row have the same name."""
     path: str
     id: str
     index: int | None = None
-    """Its place in a row of signals; None for one that stands alone."""
+    """Index in a row of signals; None for a single signal."""
     address: int
-    """Address of the word, or of the first one."""
+    """Address of the word, or of the first of several words."""
     word_bits: int
     """Width of a word of the gateway."""
     lowest_bit: int = 0
     kind: Kind
     access: Access
     fifo: bool = False
-    """True if the address is the port of a queue: each read takes a word from it, each write appends one."""
+    """True if the address is the port of a queue: each read removes a word from it, each write appends one."""
     fifo_words: int | None = None
-    """Depth of that queue, where the spec tells it."""
+    """Depth of the queue in words; None if the spec does not state it."""
     effect: Effect | None = None
-    """Effect of reading or writing it; None for one that is read as it is and keeps what is written."""
+    """Side effect of reading or writing the signal; None if there is none."""
     laps_of: str | None = None
-    """Path of the signal whose rounds a program counts for its values, its own or another one of its component; None
-    for a signal whose values end at the range of its kind."""
+    """Path of the signal whose overflows the host counts to extend the values of this signal beyond the range of its
+    kind: itself or another signal of its component. None if the values are not extended."""
     is_field: bool = False
-    """True if a write of its word would change other signals, so that it needs a masked write: not where a 0 changes
-    none of them."""
+    """True if a write of the whole word would change other signals too, so that a masked write is needed; False if
+    zeros in their bits do not change the other signals."""
     unit: str = ""
     minimum: int | float | None = None
     maximum: int | float | None = None
     """Limits that a write must keep, in the unit of the value."""
     group: str | None = None
-    """The group that publishes it."""
+    """Name of the group that publishes the signal."""
     groups: tuple[str, ...] = ()
-    """All groups that it belongs to, the one that publishes it first."""
+    """Names of all groups that contain the signal, the one that publishes it first."""
     poll_hz: float | None = None
-    """Reads a second by the host."""
+    """Rate in Hz at which the host reads the signal; None if it is not polled."""
     reset: int = 0
-    """Bits after a reset, of what is written."""
+    """Bits of a writable signal after a reset."""
     safe: Safe | None = None
-    """Its state while a lease is not armed; None for a signal that no lease guards."""
+    """State while a lease is not armed; None if no lease guards the signal."""
     timed: str | None = None
-    """Path of the schedule that can write it at an instant; None where none can."""
+    """Path of the schedule that can write the signal at a given time; None if none can."""
     pin: str | None = None
-    """Pin of the board that the signal is, by the board's name; where it has several bits, the row of pins."""
+    """Pin of the board that the signal is connected to, by the board's name; a signal of several bits has a row of
+    pins of this name."""
     module: int | None = None
-    """Index in `Interface.modules` of the module that it stands in."""
+    """Index in `Interface.modules` of the module that contains the signal."""
     doc: str = ""
     span: Span = NOWHERE
 
     @property
     def label(self) -> str:
-        """Its name in its component, with its place in a row: ``acc[1]``."""
+        """Name in its component, with the index in a row: ``acc[1]``."""
         return self.name if self.index is None else f"{self.name}[{self.index}]"
 
     @property
     def read_takes(self) -> bool:
-        """Return whether a read takes what it gives, for good: a word of a queue, or bits that it clears."""
+        """Return whether a read consumes its data: it removes a word from a queue, or clears bits."""
         return (self.fifo and self.access.reads) or self.effect is Effect.CLEAR_ON_READ
 
     @property
     def access_moves(self) -> bool:
-        """Return whether an access moves what is there: words of a queue, or bits that a read clears."""
+        """Return whether an access changes the stored data: words of a queue, or bits that a read clears."""
         return self.fifo or self.read_takes
 
     @property
     def has_events(self) -> bool:
-        """Return whether its bits are set by hardware, and cleared by accesses."""
+        """Return whether hardware sets the bits and accesses clear them."""
         return self.effect in {Effect.CLEAR_ON_READ, Effect.WRITE_1_TO_CLEAR}
 
     @property
     def is_given(self) -> bool:
-        """Return whether its bits come from hardware, and not from what is written."""
+        """Return whether hardware supplies the bits, not a write."""
         return self.access is Access.READ or self.has_events
 
     @property
     def width(self) -> int:
-        """Bits."""
+        """Width in bits."""
         return self.kind.width
 
     @property
     def words(self) -> int:
-        """Number of words that it takes."""
+        """Number of words that the signal occupies."""
         return -(-(self.lowest_bit + self.width) // self.word_bits)
 
     @property
@@ -260,21 +261,21 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
 
     @property
     def mask(self) -> int:
-        """The bits of its word that are its own; of several words, those of all as one number."""
+        """The signal's bits in its word; for several words, in the number that the words form together."""
         return ((1 << self.width) - 1) << self.lowest_bit
 
     def mask_at(self, address: int) -> int:
-        """Return the bits that are its own of the word at one of its addresses."""
+        """Return the signal's bits within the word at one of its addresses."""
         return self.mask >> (address - self.address) * self.word_bits & (1 << self.word_bits) - 1
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Smallest and largest value that a write may have."""
+        """Smallest and largest value that can be written."""
         low, high = self.kind.range
         return (low if self.minimum is None else self.minimum, high if self.maximum is None else self.maximum)
 
     def decode(self, words: int | Sequence[int]) -> Value:
-        """Return the value that stands in its word, or in its words in the order of their addresses."""
+        """Return the value in a word, or in the words in the order of their addresses."""
         whole = words if isinstance(words, int) else self._join(words)
         return self.kind.decode((whole & self.mask) >> self.lowest_bit)
 
@@ -284,15 +285,15 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
         return sum(int(word) << (index * self.word_bits) for index, word in enumerate(words))
 
     def encode(self, value: Value | str) -> tuple[int, ...]:
-        """Return the words of a value, one for each address; bits that are not its own are 0.
+        """Return the words of a value, one for each address; bits of other signals are 0.
 
         Raises:
-            ArgumentError: for a value that the kind cannot say, or outside of the limits.
+            ArgumentError: for a value that the kind cannot represent, or that is outside of the limits.
         """
         try:
             raw = self.kind.encode(value)
         except ArgumentError as error:
-            # The limits first: they are what the spec says, and closer than the bits.
+            # Check the limits first: the author wrote them, so that they explain more than the range of the bits.
             is_finite = isinstance(value, int) or (isinstance(value, float) and math.isfinite(value))
             beyond = self._limit_error(value) if is_finite else None
             raise beyond or ArgumentError(f"{self.path}: {error}") from None
@@ -304,14 +305,14 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
         return tuple(whole >> (index * self.word_bits) & word_mask for index in range(self.words))
 
     def _limit_error(self, value: Value | str) -> ArgumentError | None:
-        """Return the error for a value beyond the limits; None for every other one."""
+        """Return the error for a value outside of the limits; None for any other value."""
         if isinstance(value, str) or (self.minimum is None and self.maximum is None):
             return None
         low, high = self.limits
         try:
             is_within = low <= value <= high
         except ArithmeticError:
-            # A `decimal.Decimal` that is no number is not compared.
+            # A `decimal.Decimal` that is not a number cannot be compared.
             is_within = False
         return None if is_within else self.beyond_limits(value)
 
@@ -322,11 +323,11 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
         return ArgumentError(f"{self.path}: {shown(value)} is outside of its limits, {low:.12g} to {high:.12g}{unit}")
 
     def facts(self, place: int, module: str | None) -> dict[str, str]:
-        """As `Interface.facts`.
+        """Return the properties of the signal, as in `Interface.facts`.
 
         Args:
-            place: its own on the stage of its schedule, if it has one: a program puts values there.
-            module: name of the module that it stands in.
+            place: the first place of the signal on the stage of its schedule; 0 if it has none.
+            module: name of the module that contains the signal.
         """
         kind, queue = self.kind, "a queue" if self.fifo_words is None else f"{self.fifo_words} words"
         low, high = kind.range
@@ -339,7 +340,7 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
                 SCALE=None if kind.scale == 1 else _number(float(kind.scale)),
                 OFFSET=None if kind.offset == 0 else _number(float(kind.offset)),
                 UNIT=repr(self.unit) if self.unit else None,
-                # A limit that the bits have anyway is none.
+                # A limit that the range of the bits implies is left out.
                 MIN=None if self.minimum is None or self.minimum <= low else _number(self.minimum),
                 MAX=None if self.maximum is None or self.maximum >= high else _number(self.maximum),
                 RESET=_value(kind, self.reset) if self.reset else None,
@@ -351,7 +352,7 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
                 values=None if kind.enumeration is None else kind.enumeration.names,
                 module=module,
             ),
-            # Who writes a whole word would clear what others have there.
+            # Such a signal needs a masked write: a write of the whole word would clear the other signals.
             **({"its word": "shared with others that are written"} if self.is_field else {}),
         }
 
@@ -360,39 +361,39 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class ComponentSpec(msgspec.Struct, frozen=True, kw_only=True, tag_field="part", tag="component"):
-    """A part of an interface: its signals, and the parts that it is made of. The root is the interface itself."""
+    """A part of an interface: its signals and the parts inside it. The root is the interface itself."""
 
     name: str
     path: str
     """Empty for the root."""
     type: str
-    """Name of the declaration that it is made from."""
+    """Name of its declaration."""
     index: int | None = None
-    """Its place in an array."""
+    """Index in an array."""
     arguments: dict[str, int | float | str | bool] = {}
-    """Arguments of its declaration, by the names of the parameters: ``{"name": "joint 1"}``."""
+    """Arguments of its declaration by parameter names: ``{"name": "joint 1"}``."""
     signals: tuple[Signal, ...] = ()
     parts: tuple[ComponentSpec | ComponentArray, ...] = ()
     modules: tuple[int, ...] = ()
-    """Indices in `Interface.modules` of the modules that stand in it under a name of their own."""
+    """Indices in `Interface.modules` of the named modules directly inside the component."""
     core: Core | None = None
-    """The entity behind its signals; None for a component that is only a part of the map."""
+    """The entity that implements the signals; None for a component that only groups registers."""
     doc: str = ""
-    """Doc string of the place where it is put, else of its declaration."""
+    """Doc string of the placement; if that has none, doc string of the declaration."""
     type_doc: str = ""
-    """Doc string of its declaration, where `doc` is of the place."""
+    """Doc string of the declaration if `doc` is that of the placement."""
     span: Span = NOWHERE
 
     @property
     def rows(self) -> dict[str, tuple[Signal, ...]]:
-        """Its signals by their names: those of a row together, any other one by itself."""
+        """Signals by name: all signals of a row, or a single signal."""
         rows: dict[str, list[Signal]] = {}
         for signal in self.signals:
             rows.setdefault(signal.name, []).append(signal)
         return {name: tuple(signals) for name, signals in rows.items()}
 
     def walk(self) -> Iterator[ComponentSpec]:
-        """Return this component and all in it, in the order of the spec."""
+        """Yield this component and all components inside it, in the order of the spec."""
         yield self
         for part in self.parts:
             for item in part.items if isinstance(part, ComponentArray) else (part,):
@@ -400,7 +401,7 @@ class ComponentSpec(msgspec.Struct, frozen=True, kw_only=True, tag_field="part",
 
 
 class ComponentArray(msgspec.Struct, frozen=True, kw_only=True, tag_field="part", tag="array"):
-    """Components of one declaration in a row."""
+    """An array of components of one declaration."""
 
     name: str
     path: str
@@ -413,42 +414,42 @@ class ModuleSpec(msgspec.Struct, frozen=True, kw_only=True):
     """A hardware module on the bus."""
 
     type: str
-    """The word of the spec: ``TOSNET``, ``MEMORY``."""
+    """Word of the module in the spec: ``TOSNET``, ``MEMORY``."""
     name: str | None
     path: str | None
-    """None for a module that only holds what stands in it."""
+    """None for a module that only contains other members."""
     base: int
     """Address of its first word on the gateway's bus."""
     words: int | None
-    """Number of addresses that it takes; None where the spec does not say."""
+    """Number of addresses; None if the spec does not state it."""
     parent: int | None
-    """Index of the module that it stands in."""
+    """Index of the module that contains this one."""
     arguments: dict[str, ModuleArgument]
-    """Arguments of its declaration, without BASE and SIZE; flags are True."""
+    """Arguments of its declaration without BASE and SIZE; the value of a flag is True."""
     doc: str = ""
     span: Span = NOWHERE
 
     @property
     def is_hardware(self) -> bool:
-        """Return whether it takes addresses: a MEMORY without a name is only a base for what stands in it."""
+        """Return whether the module occupies addresses. A MEMORY without a name only sets the base of its members."""
         return self.type != "MEMORY" or self.name is not None
 
     @property
     def size(self) -> int | None:
-        """Number of addresses that it takes: a queue has one by itself; None where the spec does not say."""
+        """Number of addresses; None if the spec does not state it. A queue has one unless SIZE is given."""
         return 1 if self.type == "FIFO" and self.words is None else self.words
 
     @property
     def called(self) -> str:
-        """Its path; of one without a name, its type and address."""
+        """Path of the module; if it has no name, its type and address."""
         return self.path or f"{self.type} at {self.base:#x}"
 
     def facts(self, around: str | None, open_: Container[str]) -> dict[str, str]:
-        """As `Interface.facts`.
+        """Return the properties of the module, as in `Interface.facts`.
 
         Args:
-            around: name of the module that it stands in.
-            open_: arguments that a program can give.
+            around: name of the module that contains this one.
+            open_: names of the arguments that a program can supply.
         """
         size = None if self.size is None else str(self.size)
         arguments = {name: str(value) for name, value in self.arguments.items() if name not in open_}
@@ -456,7 +457,9 @@ class ModuleSpec(msgspec.Struct, frozen=True, kw_only=True):
 
 
 def gathered(parts: Iterable[ComponentSpec]) -> list[list[ComponentSpec]]:
-    """Return the placements that share an instance: of one entity with equal ports, and equal generics not per axis.
+    """Return the placements grouped by shared instance: same entity, equal ports, equal generics except those per axis.
+
+    A schedule is never shared.
 
     Args:
         parts: components with an entity.
@@ -480,15 +483,15 @@ def gathered(parts: Iterable[ComponentSpec]) -> list[list[ComponentSpec]]:
 
 
 class Joint(msgspec.Struct, frozen=True, kw_only=True):
-    """One joint of a group that is declared as joints: paths of its signals."""
+    """One joint of a group that has JOINTS: the paths of its signals."""
 
     name: str
-    """Path of the component whose signals these are."""
+    """Path of the component that contains the signals."""
     position: str | None = None
     velocity: str | None = None
     effort: str | None = None
     set_position: str | None = None
-    """Path of the position to be written, as the two below."""
+    """Path of the signal to write for a position; likewise for velocity and effort below."""
     set_velocity: str | None = None
     set_effort: str | None = None
 
@@ -509,26 +512,26 @@ class Sensor(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class GroupSpec(msgspec.Struct, frozen=True, kw_only=True):
-    """Signals that are read together; published by the gateway where `number` is not None."""
+    """Signals that are read together; the gateway publishes the group if `number` is not None."""
 
     name: str
     number: int | None = None
-    """Its number in the gateway."""
+    """Number of the group in the gateway."""
     divisor: int | None = None
-    """Published at the gateway's base frequency divided by this."""
+    """Divisor of the gateway's base frequency."""
     rate_hz: float | None = None
-    """Published at the nearest rate that the gateway has."""
+    """Requested rate in Hz; the group is published at the nearest rate that the gateway has."""
     published_hz: float | None = None
-    """Samples a second of a gateway that is generated from the spec: of its rates, the one nearest to `rate_hz`."""
+    """Rate in Hz of a gateway that is generated from the spec: the available rate that is nearest to `rate_hz`."""
     trigger: bool = False
-    """Published on the group's external trigger."""
+    """True if the group is published on its external trigger."""
     on_change: bool = False
     immediate: bool = False
     timestamps: bool = False
     signals: tuple[str, ...] = ()
-    """Paths of its signals, in the order of the spec."""
+    """Paths of the signals, in the order of the spec."""
     addresses: tuple[int, ...] = ()
-    """The words of a sample, each address once, in the order of the signals."""
+    """Addresses of the words of a sample, each once, in the order of the signals."""
     joints: tuple[Joint, ...] = ()
     sensors: tuple[Sensor, ...] = ()
     doc: str = ""
@@ -540,7 +543,7 @@ class GroupSpec(msgspec.Struct, frozen=True, kw_only=True):
         return _facts(
             RATE=None if self.rate_hz is None else f"{_number(self.rate_hz)} Hz",
             divisor=None if self.divisor is None else str(self.divisor),
-            # Only there does its number in the gateway matter: each has a trigger of its own.
+            # The group's number matters only with TRIGGER: it selects the trigger input.
             TRIGGER=f"that of number {self.number}" if self.trigger else None,
             ON_CHANGE="given" if self.on_change else None,
             IMMEDIATE="given" if self.immediate else None,
@@ -549,14 +552,14 @@ class GroupSpec(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class Parameter(msgspec.Struct, frozen=True):
-    """A parameter of an interface. Without a value, it is given when the interface is opened."""
+    """A parameter of an interface. If it has no value, the program supplies one when it opens the interface."""
 
     name: str
     value: int | float | str | bool | None = None
 
 
 class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
-    """A public interface: everything behind one gateway."""
+    """A public interface: everything that programs reach through one gateway."""
 
     name: str
     parameters: tuple[Parameter, ...] = ()
@@ -566,46 +569,46 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
     modules: tuple[ModuleSpec, ...] = ()
     groups: tuple[GroupSpec, ...] = ()
     enumerations: tuple[Enumeration, ...] = ()
-    """Those that its signals use."""
+    """The enumerations that the signals use."""
     doc: str = ""
     span: Span = NOWHERE
 
     @functools.cached_property
     def describe(self) -> Callable[[], bytes]:
-        """A function that computes `description`: `unity_link.spec.compile_file` knows the text."""
+        """A function that computes `description`; the compiler sets it, because the model does not keep the text."""
         return bytes
 
     @functools.cached_property
     def describe_open(self) -> Callable[[], bytes]:
-        """As `describe`, but also for an interface whose parameters were given: in its text they are open."""
+        """Like `describe`, but if values of parameters were given, the description is that without the values."""
         return self.describe
 
     @functools.cached_property
     def limits(self) -> tuple[Callable[[int], str], ...]:
-        """Functions that take a clock in Hz, and return why a parameter of a core is not allowed; empty where it is."""
+        """Functions of a clock in Hz; each returns why a core's parameter is not allowed, or an empty string."""
         return ()
 
     def check_clock(self, clock_hz: int) -> None:
-        """Check the parameters of cores for a clock of the gateway.
+        """Check the parameters of cores for the frequency of the gateway's clock.
 
         Raises:
-            ArgumentError: for one that a core cannot have.
+            ArgumentError: if a core does not allow a parameter at this clock.
         """
         if message := self.beyond_limits(clock_hz):
             raise ArgumentError(message)
 
     def beyond_limits(self, clock_hz: int) -> str:
-        """Return why a parameter of a core is not allowed with a clock of the gateway; empty if all are."""
+        """Return why a core does not allow a parameter at a gateway clock in Hz; empty if all are allowed."""
         return next(filter(None, (limit(clock_hz) for limit in self.limits)), "")
 
     @functools.cached_property
     def description(self) -> bytes:
-        """Its text, with those of its cores, as a board carries it; empty where it was made of no text."""
+        """Compressed texts of the spec and its cores, as a board carries them; empty if the model has no text."""
         return self.describe()
 
     @property
     def is_described(self) -> bool:
-        """Return whether a board carries its description: at addresses where neither signals nor modules stand."""
+        """Return whether a board carries the description: it fits, and no signal or module uses its addresses."""
         if not self.description or pages_of(len(self.description), self.data_bits) > MOST_PAGES:
             return False
         first = page_address(self.address_bits)
@@ -619,17 +622,17 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
 
     @functools.cached_property
     def signals(self) -> dict[str, Signal]:
-        """All signals by their paths, in the order of the spec."""
+        """All signals by path, in the order of the spec."""
         return {signal.path: signal for part in self.root.walk() for signal in part.signals}
 
     @functools.cached_property
     def cores(self) -> tuple[ComponentSpec, ...]:
-        """All components with an entity behind them, in the order of the spec."""
+        """All components that are implemented by an entity, in the order of the spec."""
         return tuple(part for part in self.root.walk() if part.core is not None)
 
     @property
     def leases(self) -> tuple[str, ...]:
-        """Paths of the leases that are as this version knows them: no core of the spec's own has this word."""
+        """Paths of the leases that this version supports; a core of the spec itself is never a lease."""
         return tuple(
             part.path
             for part in self.cores
@@ -640,19 +643,19 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
 
     @functools.cached_property
     def misfits(self) -> dict[str, str]:
-        """Why the Python of a core cannot be used, by the paths of components from a board of another version."""
+        """Reasons why the API of a core cannot be used, by path, if the board has another version of the core."""
         return {}
 
     @property
     def vhdl(self) -> tuple[str, ...]:
-        """Files of VHDL of its cores, but for those that are installed with the gateware."""
+        """VHDL files of the cores that are not installed with the gateware."""
         return tuple(dict.fromkeys(path for part in self.cores if part.core is not None for path in part.core.vhdl))
 
     @functools.cached_property
     def stages(self) -> dict[str, range]:
-        """The places of timed signals on the stage of their schedule, by their paths: one for each 32 bits of a value.
+        """Places of timed signals on the stage of their schedule, by path: one place for each 32 bits of a value.
 
-        They are counted from 0 for each schedule, in the order of the addresses.
+        Each schedule counts its places from 0, in the order of the addresses.
         """
         free: dict[str, int] = {}
         found: dict[str, range] = {}
@@ -664,20 +667,20 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
         return found
 
     def schedules_of(self, lease: str) -> tuple[str, ...]:
-        """Return the paths of the schedules that write signals that a lease guards, by its path."""
+        """Return the paths of the schedules that write signals guarded by a lease, given its path."""
         guarded = (one for one in self.signals.values() if one.safe is not None and one.safe.lease == lease)
         return tuple(dict.fromkeys(one.timed for one in guarded if one.timed is not None))
 
     def written_under(self, lease: str) -> frozenset[int]:
-        """Return the addresses that the owner of a lease alone writes: its kick, what it guards, and its schedules."""
+        """Return the addresses that only the owner of a lease writes: kick, guarded signals and their schedules."""
         guarded = [one for one in self.signals.values() if one.safe is not None and one.safe.lease == lease]
         names = [f"{path}.{register}" for path in self.schedules_of(lease) for register in ("entry", "cancel")]
-        # A schedule may be one of another version, without these registers.
+        # A schedule of another version may not have these registers.
         signals = [self.signals[name] for name in (f"{lease}.kick", *names) if name in self.signals] + guarded
         return frozenset(address for signal in signals for address in signal.addresses)
 
     def refused_by(self, lease: str) -> tuple[Signal, ...]:
-        """Return the registers of a lease, by its path, and the signals that its owner alone writes."""
+        """Return the registers of a lease, given its path, and the signals that only its owner writes."""
         written = self.written_under(lease)
         return tuple(
             one
@@ -687,7 +690,7 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
 
     @functools.cached_property
     def written_bits(self) -> dict[int, int]:
-        """The bits of each word that signals write, by its address."""
+        """The bits of each word that belong to writable signals, by address."""
         bits: dict[int, int] = {}
         for signal in self.signals.values():
             if signal.access.writes:
@@ -698,14 +701,14 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
 
     @property
     def open_parameters(self) -> tuple[str, ...]:
-        """Names of the parameters without a value: addresses that are given when it is opened."""
+        """Names of the parameters without a value: addresses that the program supplies when it opens the interface."""
         return tuple(parameter.name for parameter in self.parameters if parameter.value is None)
 
     def check_given(self, values: Mapping[str, int | None]) -> None:
-        """Check values for `open_parameters`; None is for one that is not needed.
+        """Check values for `open_parameters`; None means that the parameter is not needed.
 
         Raises:
-            ArgumentError: for a parameter that there is not, or a value that is no address of the gateway.
+            ArgumentError: for an unknown parameter, or a value that is not an address of the gateway.
         """
         for name, value in values.items():
             if name not in self.open_parameters:
@@ -717,10 +720,10 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
                 raise ArgumentError(f"{name}={value!r} was given, an address from 0 to {last:#x} expected")
 
     def given(self, values: Mapping[str, int]) -> Interface:
-        """Return the interface with values for some of its `open_parameters`, as if they stood in the spec.
+        """Return the interface with values for some of its `open_parameters`, as if the spec contained them.
 
         Raises:
-            ArgumentError: as by `check_given`.
+            ArgumentError: if `check_given` rejects the values.
         """
         self.check_given(values)
         parameters = tuple(
@@ -737,15 +740,15 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
             for module in self.modules
         )
         changed = msgspec.structs.replace(self, parameters=parameters, modules=modules)
-        # No limit names an open parameter: those of cores hold as they are.
+        # No limit names an open parameter, so the limits of cores do not change.
         vars(changed).update(limits=self.limits, describe_open=self.describe_open)
         return changed
 
     @functools.cached_property
     def fingerprint(self) -> int:
-        """32 bits that name the `facts`, in whatever order the spec declares them.
+        """32-bit hash of the `facts`; the order of declarations in the spec does not matter.
 
-        A gateway that was generated from the interface has them as its build identifier.
+        A gateway that was generated from the interface reports it as its build identifier.
         """
         lines = [
             "\n".join([thing, *sorted(f"{what}={value}" for what, value in properties.items())])
@@ -755,11 +758,11 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
 
     @property
     def facts(self) -> dict[str, dict[str, str]]:
-        """All that a read or write by a program depends on, in the words of a spec.
+        """All properties that a read or write by a program depends on, in the words of a spec.
 
-        Properties by the names of signals, groups, members of these, cores and modules. Comments, places in files,
-        names that only people read, pins of the board and how a host polls are no part of them. A property that a thing
-        does not have is left out, so that a later word of the language changes no fingerprint of a spec without it.
+        Keys are the names of signals, groups, members of groups, cores and modules. Comments, places in files, names
+        for display, pins of the board and polling rates are left out. A property with its default value is left out,
+        so that a new word of the language does not change the fingerprint of a spec that does not use it.
         """
         modules = {number: module.called for number, module in enumerate(self.modules) if module.is_hardware}
         widths = {"data bits": str(self.data_bits), "address bits": str(self.address_bits)}
@@ -779,12 +782,12 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
 
 
 def _called(modules: Mapping[int, str], number: int | None) -> str | None:
-    """Return the name of a module, None for one that only holds what stands in it."""
+    """Return the name of a module by its number; None if it only contains other members."""
     return None if number is None else modules.get(number)
 
 
 class SourceFile(msgspec.Struct, frozen=True):
-    """A file that a spec was read from."""
+    """A file that was read to compile a spec."""
 
     name: str
     sha256: str
@@ -795,19 +798,19 @@ class Spec(msgspec.Struct, frozen=True, kw_only=True):
 
     interfaces: tuple[Interface, ...]
     sources: tuple[SourceFile, ...]
-    """The file itself, and then what it imports."""
+    """The file itself, then the imported files."""
     warnings: tuple[Diagnostic, ...] = ()
 
     @property
     def vhdl(self) -> tuple[str, ...]:
-        """Files of VHDL of the cores that are not installed with the gateware."""
+        """VHDL files of the cores that are not installed with the gateware."""
         return tuple(dict.fromkeys(path for interface in self.interfaces for path in interface.vhdl))
 
     def interface(self, name: str | None = None) -> Interface:
-        """Return an interface by its name, or the only one there is.
+        """Return an interface by name, or the only interface.
 
         Raises:
-            ArgumentError: where there is none of that name, or the name is needed.
+            ArgumentError: if there is no interface of that name, or no name is given and there are several.
         """
         names = ", ".join(interface.name for interface in self.interfaces)
         if not names:
@@ -823,7 +826,7 @@ class Spec(msgspec.Struct, frozen=True, kw_only=True):
         """Return the spec with values for some open parameters of an interface.
 
         Raises:
-            ArgumentError: as by `interface` and `Interface.check_given`.
+            ArgumentError: if `interface` or `Interface.check_given` raises one.
         """
         if not values:
             return self

@@ -1,8 +1,8 @@
-"""The hardware modules that a spec can name, and their parameters. A new one is a new row of `MODULES`.
+"""The hardware modules that a spec can name, and their parameters. To add a module, add a row to `MODULES`.
 
-What a module's registers mean is the business of the hardware proxies; here stand only the words that an author writes
-and how many addresses they take, for the checks. Each module has `BASE`, relative to the module around it (0 if it is
-left out), and `SIZE`, which overrides the number of addresses that follows from the other parameters.
+This table has only the words of the language and the number of addresses of each module, for the checks; the meaning of
+a module's registers is in `unity_link.network`. Each module has `BASE`, relative to the module around it (default 0),
+and `SIZE`, which overrides the number of addresses computed from the other parameters.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 TOSNET_NODES = 16
 TOSNET_NODE_WORDS = 64
-"""Words of shared memory of one TosNet node; node n has those from 64 n on."""
+"""Words of shared memory of one TosNet node; the words of node n begin at 64 n."""
 
 
 def _unknown(_: Mapping[str, Any]) -> int | None:
@@ -24,14 +24,14 @@ def _unknown(_: Mapping[str, Any]) -> int | None:
 
 
 class ModuleType(NamedTuple):
-    """A word for a module."""
+    """The definition of a module's word."""
 
     doc: str
     slots: tuple[ArgumentSlot, ...]
     words: Callable[[Mapping[str, Any]], int | None] = _unknown
-    """Number of addresses that it takes, by its arguments; None if that is open."""
+    """Returns the number of addresses for the arguments; None if they do not determine it."""
     offset: Callable[[Mapping[str, Any]], int] = lambda _: 0
-    """Function that gives its first address by itself, before BASE is added."""
+    """Returns the first address for the arguments, before BASE is added."""
 
 
 COMMON = (ArgumentSlot("BASE", Shape.WHOLE, *ADDRESS), ArgumentSlot("SIZE", Shape.WHOLE, 1, ADDRESS[1] + 1))

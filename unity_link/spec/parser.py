@@ -1,7 +1,7 @@
-"""The parser: from text to the syntax tree.
+"""The parser: text to syntax tree.
 
-A text without faults takes the quick way through lark. At the first fault the text is parsed again, token by token, by
-`recovery`, which finds the other ones too. lark's own errors never leave this room.
+lark parses a text at once. If it finds a fault, `recovery` parses the text again, token by token, to find the other
+faults too. No exception of lark leaves this module.
 """
 
 from __future__ import annotations
@@ -48,15 +48,15 @@ if TYPE_CHECKING:
 
 ESCAPES = {"n": "\n", "t": "\t", '"': '"', "\\": "\\"}
 MOST_NESTED = 40
-"""Brackets within brackets. No robot needs more, and each level is a level of recursion from here on."""
+"""Most brackets inside each other. No robot needs more, and each level is a level of recursion in later stages."""
 MOST_CHARACTERS = 16 << 20
-# Tab and line ends are space; the others no language takes in a comment, and a terminal obeys them.
+# Tab and line ends are white space. The other control characters have no use in a comment, and terminals obey them.
 _CONTROL = re.compile(r"[\x00-\x08\x0b\x0e-\x1f\x7f-\x84\x86-\x9f]")
 _BRACKETS = re.compile(r'"(?:\\[^\n]|[^"\\\n])*+"|//[^\n]*|/\*.*?\*/|[(\[{}\])]', re.DOTALL)
 
 
 def parse(source: SourceText, reporter: Reporter) -> File | None:
-    """Parse a source; None where it has faults, which are reported."""
+    """Parse a source; return None if it has faults, which are reported."""
     if not _is_sane(source, reporter):
         return None
     try:
@@ -70,14 +70,14 @@ def parse(source: SourceText, reporter: Reporter) -> File | None:
 
 
 def _is_sane(source: SourceText, reporter: Reporter) -> bool:
-    """Report what is too large or too deep to be a spec."""
+    """Return whether a text is neither too long nor nested too deeply; report it otherwise."""
     if len(source.text) > MOST_CHARACTERS:
         message = f"a spec of {len(source.text):,} characters is too long: {MOST_CHARACTERS:,} are the most"
         reporter.error(source, (0, 1), "too-long", message)
         return False
     control = _CONTROL.search(source.text)
     if control is not None:
-        message = f"the control character U+{ord(control[0]):04X} stands here"
+        message = f"the control character U+{ord(control[0]):04X} is not allowed"
         reporter.error(source, control.span(), "control-character", message, help="leave it out")
         return False
     depth = 0
@@ -87,7 +87,7 @@ def _is_sane(source: SourceText, reporter: Reporter) -> bool:
         elif match[0] in ")]}":
             depth -= 1
         if depth > MOST_NESTED:
-            message = f"more than {MOST_NESTED} brackets stand in each other here"
+            message = f"brackets are nested more than {MOST_NESTED} deep here"
             reporter.error(source, match.span(), "too-deep", message, help="close some, or name a part of it")
             return False
     return True
@@ -95,7 +95,7 @@ def _is_sane(source: SourceText, reporter: Reporter) -> bool:
 
 @functools.cache
 def _parser(*, builds: bool) -> Lark:
-    """Return the parser; one that does not build takes any text in pieces, of which no tree can be made."""
+    """Return the parser; with `builds` False it makes no tree, so that `recovery` can feed it incomplete text."""
     grammar = Path(__file__).with_name("grammar.lark").read_text(encoding="utf-8")
     return Lark(
         grammar, parser="lalr", lexer=TokenLexer, transformer=_Builder() if builds else None, maybe_placeholders=True
@@ -103,7 +103,7 @@ def _parser(*, builds: bool) -> Lark:
 
 
 def word(token: Token) -> Word:
-    """Return a token as a name with its place."""
+    """Return the name in a token, with its place."""
     return Word(token, token.start_pos or 0, token.end_pos or 0)
 
 
@@ -115,7 +115,7 @@ def _unescaped(token: Token) -> str:
 
 
 def _bounds(first: Any, last: Any) -> dict[str, Any]:
-    """Return the place from one token or node to another."""
+    """Return the offsets from the start of one token or node to the end of another."""
     start = first.start_pos if isinstance(first, Token) else first.start
     end = last.end_pos if isinstance(last, Token) else last.end
     return {"start": start, "end": end}
@@ -123,7 +123,7 @@ def _bounds(first: Any, last: Any) -> dict[str, Any]:
 
 @v_args(inline=True)
 class _Builder(Transformer[Token, Any]):
-    """Makes a node of what lark has found for a rule; the methods are named after the rules of the grammar."""
+    """Makes the node of each rule; the methods have the names of the rules of the grammar."""
 
     def start(self, *items: Item) -> list[Item]:
         return list(items)

@@ -1,7 +1,7 @@
-"""The members of a component where it is put: names, arrays, arguments and addresses.
+"""Places a component in another one: names, arrays, arguments and addresses of its members.
 
-`put_component` goes through the members of one component by its `Contents`, and so through each component inside;
-signals and modules are built by the `Builder`.
+`put_component` builds one component from its members, by `Contents`, and recursively each component inside it. The
+`Builder` builds signals and modules.
 """
 
 from __future__ import annotations
@@ -37,17 +37,17 @@ if TYPE_CHECKING:
 
 GATEWAY_WORD = "GATEWAY"
 _NO_PIN = Name(name=Word("none"))
-"""Default of the pins of a component."""
+"""Default value of the address parameters that are pins."""
 _FORMER = {
     "QUADRATURE": "it is the core ENCODER now, one for each channel",
     "COUNTER": "it is the core ENCODER now, with COUNTER=true, one for each channel",
 }
-"""Words of former modules that have another name now."""
+"""Words of removed modules, with the core that replaces each."""
 _EFFORT_OF_A_COMPONENT = 60
 _EFFORT_OF_A_PARAMETER = 3
 MOST_LEVELS = 24
 MOST_ITEMS = 65_536
-"""Most items of an array."""
+"""Most elements of an array."""
 
 
 def put_component(
@@ -58,7 +58,7 @@ def put_component(
     index: int | None = None,
     arguments: Mapping[str, Result] | None = None,
 ) -> ComponentSpec:
-    """Return a component, built where it is put."""
+    """Return the model of a component at the place where it is put."""
     source, node = declared
     evaluator, _ = builder.tools(source)
     builder.context.enter(evaluator, node)
@@ -82,7 +82,7 @@ def put_component(
 
 
 class Contents:
-    """The members of one component while they are built."""
+    """Members of one component while it is built."""
 
     def __init__(self, builder: Builder, declared: Declared[ComponentDeclaration], where: Where) -> None:
         self._builder = builder
@@ -97,7 +97,7 @@ class Contents:
         self._hardware = Hardware(self._evaluator, where, is_interface=self._node.public)
 
     def core(self) -> Core | None:
-        """Return the hardware behind the component, once its members are built; None where it has none."""
+        """Return the hardware of the component, after its members were built; None if it has none."""
         if self.parts or self.modules or any(signal.fifo for signal in self.signals):
             self._hardware.refuse_parts()
         guarded = {signal.name: signal.safe for signal in self.signals if signal.safe is not None}
@@ -110,7 +110,7 @@ class Contents:
         return self._hardware.core(self._node.name, widths)
 
     def fill(self, members: Sequence[SignalDeclaration | Placement], module: int | None, base: int) -> None:
-        """Build members that stand in a module."""
+        """Build members that are addressed relative to `base`, the base of a module."""
         for member in members:
             if member.name is not None:
                 self._take_name(member)
@@ -138,20 +138,20 @@ class Contents:
             return
         source = self._source
         other = source.text[slice(*first)]
-        message = f"'{member.name}' stands twice in {self._node.name}"
+        message = f"'{member.name}' is declared twice in {self._node.name}"
         if other != member.name:
-            message = f"'{member.name}' and '{other}' differ only in case, which VHDL does not tell apart"
+            message = f"'{member.name}' and '{other}' differ only in case, which is the same name in VHDL"
         span = source.span(*first)
         note = (span, "the first one is here", source.line(span.line))
         self._context.reporter.error(source, member.name.place, "name-twice", message, notes=[note])
 
     def _signals(self, member: SignalDeclaration, module: int | None, base: int) -> Iterator[Signal]:
-        """Build a signal, or all of a row."""
+        """Yield a signal, or all signals of a row."""
         if member.count is None:
             alone = self._builder.signal(self._source, member, self._where, module, base)
             yield from () if alone is None else (alone,)
             return
-        # Of a row whose length is not known, one is checked as far as that can be done without its index.
+        # If the length of a row is unknown, check one signal, as far as that is possible without its index.
         for index in self._count(member) or (None,):
             if not self._builder.count(self._evaluator, member.place, self._where):
                 return
@@ -161,7 +161,7 @@ class Contents:
                 yield signal
 
     def _count(self, member: Placement | SignalDeclaration) -> range | None:
-        """Return the indices of an array."""
+        """Return the indices of an array or row; None if its size is unknown."""
         assert member.count is not None
         value = self._evaluator.evaluate(member.count, self._where.scope)
         if value is None:
@@ -176,7 +176,7 @@ class Contents:
 
     def _check_gateway(self, member: Placement) -> None:
         if not self._node.public:
-            message = "GATEWAY stands in a public interface, not in a component"
+            message = "GATEWAY belongs in a public interface, not in a component"
             self._evaluator.fault(member.type.place, "misplaced", message)
         if member.members is not None or member.addresses is not None:
             self._evaluator.fault(member.type.place, "misplaced", "GATEWAY has neither addresses nor members")
@@ -250,7 +250,7 @@ class Contents:
             )
 
     def _core(self, member: Placement) -> FoundCore | None:
-        """Return the core that a placement names, if it names one: the word of a component of the spec is none."""
+        """Return the core that a placement names, or None. A component of the spec hides a core of the same word."""
         if member.type in self._context.declarations.components or not is_word(member.type):
             return None
         core = self._builder.cores.find(self._source, member)
@@ -282,9 +282,9 @@ class Contents:
         return declared
 
     def _can_stand_here(self, member: Placement, declared: Declared[ComponentDeclaration]) -> bool:
-        """Return whether a component or core may be part of this one; report why not."""
+        """Return whether a component or core may be part of this one; otherwise report the reason."""
         chain, place = self._where.chain, member.type.place
-        # Compare declarations: a core may have the word of a component of the spec.
+        # Compare declarations, not names: a core may have the same word as a component of the spec.
         around = next((chain[depth:] for depth, node in enumerate(chain) if node is declared.node), None)
         if around is not None:
             names = " -> ".join(str(node.name) for node in (*around, declared.node))
@@ -293,7 +293,7 @@ class Contents:
             message = f"{member.type} is a public interface, and cannot be part of another one"
             self._evaluator.fault(place, "public-part", message, "leave out 'public' where it is declared")
         elif len(chain) >= MOST_LEVELS:
-            message = f"components stand in each other more than {MOST_LEVELS} levels deep"
+            message = f"components are nested more than {MOST_LEVELS} levels deep"
             self._evaluator.fault(place, "too-deep", message)
         else:
             return True
@@ -318,7 +318,7 @@ class Contents:
         known = dict(self._builder.context_of(declared.source).globals)
         self._context.reporter.spend(_EFFORT_OF_A_COMPONENT + len(known) // 8)
         given: dict[str, Result] = {}
-        # The lines of a core are not the author's, whose arguments are.
+        # Report errors inside a core at the author's arguments, because the author did not write the core.
         placing = Placing(declared.source, node.place, path, {} if core is None else arguments_at)
         with self._context.reporter.placing(placing):
             for parameter in node.parameters:
@@ -345,7 +345,7 @@ class Contents:
         return component if not member.doc else _documented(component, member)
 
     def _warn_of_no_lease(self, member: Placement, component: ComponentSpec) -> None:
-        """Warn of an output that goes on when its program has died."""
+        """Warn of an output without a lease: it stays on if its program dies."""
         core = component.core
         if core is None or "armed" not in core.wants or any(signal.safe is not None for signal in component.signals):
             return
@@ -356,7 +356,7 @@ class Contents:
         self._context.reporter.warning(self._source, member.type.place, "no-lease", message, help=advice)
 
     def _check_stage(self, member: Placement, component: ComponentSpec) -> None:
-        """Refuse a schedule of a gateway whose words are narrower than its own."""
+        """Report a schedule in a gateway whose words are narrower than those of a schedule."""
         bits = self._builder.data_bits
         if component.core is not None and component.core.stages and bits < STAGE_BITS:
             message = f"{member.name} takes words of {STAGE_BITS} bits, and the gateway has {bits}"
@@ -370,7 +370,7 @@ class Contents:
         scope: Mapping[str, Result],
         given: Mapping[str, Result],
     ) -> tuple[dict[str, Address], dict[str, str | LeftOut]]:
-        """Return the addresses of a component, and the pins of the board that it is given."""
+        """Return the addresses of a component, and the board's pins that are connected to its own."""
         parameters = declared.node.addresses or []
         pins = [ParameterNode(name=name, default=_NO_PIN) for name in pins_of(declared.node)]
         bound = self._bind(member, [*parameters, *pins], arguments, scope, "address")
@@ -402,10 +402,10 @@ class Contents:
         scope: Mapping[str, Result],
         word: str,
     ) -> dict[str, tuple[Result, tuple[int, int]]]:
-        """Match what a component is given with what it takes; give values and places by the names of the parameters."""
+        """Match arguments to parameters; return values and places by the names of the parameters."""
         self._context.reporter.spend(_EFFORT_OF_A_PARAMETER * (len(parameters) + len(arguments)))
         names = {str(parameter.name): parameter for parameter in parameters}
-        # Pins are given by name alone.
+        # Pins are given only by name.
         pins = {name for name, parameter in names.items() if parameter.default is _NO_PIN}
         seen: set[str] = set()
         free = (name for name in names if name not in pins and name not in seen)
@@ -451,7 +451,7 @@ class Contents:
 
 
 def _with_base(member: Placement, node: ComponentDeclaration) -> tuple[Sequence[Argument], Sequence[Argument]]:
-    """Return arguments and addresses of a core; an address may stand among its arguments, by its name."""
+    """Return arguments and addresses of a core; its addresses may also be named arguments."""
     names = {str(parameter.name) for parameter in node.addresses or ()}
     addresses = [argument for argument in member.arguments if argument.name in names]
     others = [argument for argument in member.arguments if argument.name not in names]

@@ -1,7 +1,7 @@
-"""The printer of syntax trees: the one way that a spec is laid out, which `unity-link fmt` puts it into.
+"""The printer of syntax trees: it defines the one layout of a spec, which `unity-link fmt` produces.
 
-Two spaces for a level, one statement a line, a line of at most 120 characters where its arguments can be broken;
-numbers and parentheses stay as they were written. What is printed parses to the same tree, and prints the same again.
+Two spaces for a level, one statement a line, at most 120 characters a line if the arguments can be wrapped. Numbers and
+parentheses are printed as written. The output parses to the same tree, and printing that tree gives the same output.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ _ESCAPES = str.maketrans({"\\": "\\\\", '"': '\\"', "\n": "\\n", "\t": "\\t"})
 
 
 def print_file(file: File) -> str:
-    """Return the text of a file; it ends with a line end, unless it is empty."""
+    """Return the text of a file; unless it is empty, it ends with a line end."""
     lines: list[str] = []
     previous: Statement | None = None
     for item in file.items:
@@ -54,7 +54,7 @@ def print_file(file: File) -> str:
 
 
 def _statement(statement: Statement, indent: str, ending: str = "") -> list[str]:
-    """Return the lines of a statement with its comments; `ending` stands behind it, before a comment."""
+    """Return the lines of a statement with its comments; `ending` follows the statement, before a trailing comment."""
     lines = _comments(statement.leading, indent, separate=False)
     lines += [f"{indent}///{' ' * bool(line)}{line}" for line in statement.doc]
     lines += _bare(statement, indent)
@@ -155,7 +155,7 @@ def _placement(placement: Placement, indent: str) -> list[str]:
 
 
 def _wrapped(head: str, lists: Sequence[Sequence[Argument]], ending: str) -> list[str]:
-    """Return a statement in one line; if that is too long, with one argument a line."""
+    """Return a statement in one line, or with one argument a line if it is too long for one line."""
     texts = [[_argument(argument) for argument in arguments] for arguments in lists]
     line = head + " @".join(f"({', '.join(arguments)})" for arguments in texts) + ending
     if len(line) <= LINE_LENGTH or not any(texts):

@@ -1,4 +1,4 @@
-"""Checks that the numbers of a model are such as a spec has, for models that were read from a file."""
+"""Checks that the numbers of a model that was read from a file are ones that a spec could have."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def check_ranges(interface: Interface) -> None:
-    """Raise `ArgumentError` where a number is none that a spec can say."""
+    """Raise `ArgumentError` if a number of the model cannot come from a spec."""
     _check("address_bits", interface.address_bits, *ADDRESS_BITS)
     _check("data_bits", interface.data_bits, *DATA_BITS)
     for signal in interface.signals.values():
@@ -28,7 +28,7 @@ def check_ranges(interface: Interface) -> None:
 def _check_signal(signal: Signal, interface: Interface) -> None:
     _check_kind(signal.path, signal.kind)
     _check(f"{signal.path}: word_bits", signal.word_bits, interface.data_bits, interface.data_bits)
-    # What is longer than a word begins with one.
+    # A value longer than a word begins at bit 0.
     _check(f"{signal.path}: lowest_bit", signal.lowest_bit, 0, max(0, signal.word_bits - signal.width))
     _check(f"{signal.path}: address", signal.address, 0, (1 << interface.address_bits) - signal.words)
     _check(f"{signal.path}: poll_hz", signal.poll_hz, *RATE)

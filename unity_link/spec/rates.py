@@ -1,4 +1,4 @@
-"""Rates of published groups: the base frequency that a gateway of the spec has, and what its divisors make of it."""
+"""Rates of published groups: the base frequency of a gateway that is generated for a spec, and the resulting rates."""
 
 from __future__ import annotations
 
@@ -13,16 +13,17 @@ if TYPE_CHECKING:
     from unity_link.spec.model import GroupSpec
 
 _OWN = 100_000_000
-"""Base frequency of the gateware by itself in mHz, which divisors in specs count from."""
+"""Default base frequency of the gateware in mHz, from which divisors in specs count."""
 _MOST = (1 << 31) - 1
-"""Highest base frequency in mHz: a whole number of VHDL."""
+"""Highest base frequency in mHz: the largest integer of VHDL."""
 
 
 def base_millihertz(groups: Iterable[GroupSpec], usual: int = _OWN) -> int:
-    """Return the base frequency of a gateway that is generated for groups.
+    """Return the base frequency in mHz of a gateway that is generated for groups.
 
-    It is the usual one where that has all rates, else one that they all divide, else one that reaches them all. Where a
-    group has a divisor, it is the gateware's own: the author has counted from that.
+    It is `usual` if that gives all rates exactly. Otherwise it is a frequency that every rate divides, or if none
+    exists, one from which a divisor reaches each rate approximately. If a group has a divisor, it is the default of the
+    gateware, from which the author has counted.
     """
     published = [group for group in groups if group.number is not None]
     rates = [float(group.rate_hz * 1000) for group in published if group.rate_hz is not None]
@@ -38,17 +39,17 @@ def base_millihertz(groups: Iterable[GroupSpec], usual: int = _OWN) -> int:
     if common > highest:
         return start
     if start <= usual and usual % common == 0:
-        # Rates that programs choose divide a part of the usual frequency better than another number.
+        # Prefer a part of the usual frequency: more of the rates that programs may choose later divide it.
         parts = usual // common
         return usual // next(part for part in range(-(-usual // start), parts + 1) if parts % part == 0)
     return max(start // common, 1) * common
 
 
 def published_hz(group: GroupSpec, base: int) -> float | None:
-    """Return the samples a second that a gateway makes of a group; None where they are not periodic.
+    """Return the rate in Hz at which a gateway publishes a group; None if the group is not periodic.
 
     Args:
-        group: of a spec.
+        group: the group as declared in the spec.
         base: the gateway's base frequency in mHz.
     """
     if group.number is None or (group.rate_hz is None and group.divisor is None):
@@ -58,7 +59,7 @@ def published_hz(group: GroupSpec, base: int) -> float | None:
 
 
 def out_of_reach(group: GroupSpec, groups: Sequence[GroupSpec]) -> str:
-    """Return why no gateway of these groups has the rate of one of them; empty where one has it."""
+    """Return why no gateway can publish a group at its rate beside the other groups; empty if one can."""
     if group.number is None or group.rate_hz is None:
         return ""
     others = [one for one in groups if one.number is not None and one is not group]

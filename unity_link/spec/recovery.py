@@ -1,8 +1,8 @@
-"""Finds all faults of a text that is no spec, after the first one too.
+"""Finds the faults of an invalid text after the first one.
 
-The parser is driven token by token. Where it cannot go on, a semicolon is supposed if one fits and the line has ended;
-otherwise the statement is given up: the parser goes back to where the statement began, and the tokens are skipped up to
-its end. The tree of such a text is worth nothing; what counts is what is reported.
+The parser is fed token by token. If a token does not fit, but the line has ended and a semicolon would fit, a semicolon
+is inserted. Otherwise the statement is skipped: the parser returns to its state at the beginning of the statement and
+continues after its end. The resulting tree is discarded; only the reported faults are used.
 """
 
 from __future__ import annotations
@@ -33,11 +33,11 @@ _SIGNS = {name: sign for sign, name in (SIGNS | KEYWORDS).items()}
 _STARTS = {"IMPORT", "ENUM", "GROUP", "PUBLIC"}
 _ENDS = {"SEMICOLON", "LBRACE", "RBRACE"}
 _OPERATORS = {"OPERATOR", "MINUS", "TILDE"}
-_HINTS = {"'": "strings stand in double quotes", "#": "a comment begins with //"}
+_HINTS = {"'": "put strings in double quotes", "#": "a comment begins with //"}
 
 
 def report_faults(parser: Lark, source: SourceText, reporter: Reporter) -> None:
-    """Parse a source that has a fault, and report all that are found."""
+    """Parse a source that has a syntax error, and report all faults."""
     _Recovery(parser, source, reporter).run()
 
 
@@ -51,9 +51,9 @@ class _Recovery:
         self._last_line = 0
 
     def run(self) -> None:
-        """Go through the tokens to the end of the text."""
+        """Parse the tokens to the end of the text."""
         parser, index = self._parser, 0
-        # A checkpoint is the parser at the beginning of a statement, and how many braces are open there.
+        # A checkpoint is the state of the parser at the beginning of a statement; there is one for each open brace.
         checkpoints = [_copy(parser)]
         braces: list[Token] = []
         while index < len(self._tokens) and self._faults < MOST_FAULTS:
@@ -81,7 +81,7 @@ class _Recovery:
             parser.feed_eof()  # type: ignore[no-untyped-call]
         except UnexpectedInput:
             if any(token.type in {"BAD_STRING", "BAD_COMMENT"} for token in self._tokens):
-                # What has no end itself has taken the end of the rest with it.
+                # The string or comment without an end extends to the end of the file, and was reported.
                 return
             if braces:
                 place = (braces[-1].start_pos or 0, braces[-1].end_pos or 0)
@@ -95,20 +95,20 @@ class _Recovery:
     def _recover(
         self, parser: InteractiveParser, index: int, checkpoints: list[InteractiveParser], braces: list[Token]
     ) -> tuple[InteractiveParser, int]:
-        """Report the token that does not fit; return the parser to go on with, and the token to go on at."""
+        """Report the token that does not fit; return the parser and the index of the token to continue with."""
         token = self._tokens[index]
         self._faults += 1
         accepted = _accepted(parser)
         previous = self._tokens[index - 1] if index else None
         if previous is not None and "SEMICOLON" in accepted and self._is_later_line(previous, token):
             place = (max(0, (previous.end_pos or 0) - 1), previous.end_pos or 0)
-            self._reporter.error(self._source, place, "syntax", "a ';' is missing behind this")
+            self._reporter.error(self._source, place, "syntax", "a ';' is missing after this")
             parser.feed_token(Token("SEMICOLON", ";", start_pos=previous.end_pos, end_pos=previous.end_pos))
             checkpoints[-1] = _copy(parser)
             return parser, index
         self._report(token, parser)
         if token.type in _STARTS and "NAME" in accepted and not self._begins_declaration(index):
-            # Go on as if the name were one, so that this is the only fault.
+            # Continue as if the keyword were a name, so that this fault causes no others.
             self._tokens[index] = Token("NAME", token, start_pos=token.start_pos, end_pos=token.end_pos)
             return parser, index
         return self._give_up(index, checkpoints, braces)
@@ -117,7 +117,7 @@ class _Recovery:
         place = (token.start_pos or 0, token.end_pos or 0)
         line = self._source.line_of(place[0])
         if line == self._last_line:
-            # Most likely it only follows from the fault before.
+            # A second fault on a line most likely follows from the first one.
             return
         self._last_line = line
         hint = ""
@@ -137,20 +137,20 @@ class _Recovery:
     def _give_up(
         self, index: int, checkpoints: list[InteractiveParser], braces: list[Token]
     ) -> tuple[InteractiveParser, int]:
-        """Skip to the end of the statement that has the fault."""
+        """Skip to the end of the statement that has the fault; return as `_recover`."""
         depth = 0
         in_enum = self._is_in_enum(index)
         while index < len(self._tokens):
             token = self._tokens[index]
             index += 1
             if depth == 0 and self._begins_declaration(index - 1):
-                # Only a file has these: all blocks are over.
+                # Declarations are only at the top level of a file, so all blocks have ended.
                 del checkpoints[1:]
                 braces.clear()
                 index -= 1
                 break
             if token.type == "LBRACE":
-                # The fault is in the head of a block; what is inside may be sound.
+                # The fault is in the head of a block; the members inside may be valid.
                 if depth == 0 and not in_enum and self._enter_block(checkpoints, braces, token):
                     break
                 depth += 1
@@ -163,12 +163,12 @@ class _Recovery:
                 if depth == 0:
                     break
             elif depth == 0 and token.type in {"SEMICOLON", "BAD_STRING"}:
-                # A string without an end has taken the semicolon of its line.
+                # A string without an end includes the semicolon of its line.
                 break
         return _copy(checkpoints[-1]), index
 
     def _begins_declaration(self, index: int) -> bool:
-        """Return whether a word begins a declaration, and is not a name: by the tokens before and after the word."""
+        """Return whether a keyword begins a declaration instead of being used as a name, by the tokens around it."""
         token, previous = self._tokens[index], self._tokens[index - 1] if index else None
         following = self._tokens[index + 1].type if index + 1 < len(self._tokens) else ""
         if token.type not in _STARTS or following != ("STRING" if token.type == "IMPORT" else "NAME"):
@@ -182,7 +182,7 @@ class _Recovery:
         return False
 
     def _enter_block(self, checkpoints: list[InteractiveParser], braces: list[Token], opening: Token) -> bool:
-        """Go on inside of a block as if its head were a sound one; False where no block can stand."""
+        """Continue inside a block as if its head were valid; return False if no block is allowed there."""
         parser = _copy(checkpoints[-1])
         head = (("NAME", "head"), ("LPAR", "("), ("RPAR", ")"))
         try:
@@ -199,9 +199,9 @@ class _Recovery:
         return "\n" in self._source.text[previous.end_pos : token.start_pos]
 
     def _expected(self, parser: InteractiveParser) -> str:
-        """Return the tokens that could stand at the place that the parser is at, in words."""
+        """Return the tokens that are allowed at the parser's position, as a phrase."""
         accepted = _accepted(parser)
-        # An operator may follow any operand; to say so each time would hide what is missing.
+        # Operators may follow any operand; listing them each time would hide the missing token.
         accepted = accepted - _OPERATORS or accepted
         if {"NAME", "NUMBER", "STRING"} <= accepted:
             accepted -= {"LPAR", "NAME", "NUMBER", "STRING"}

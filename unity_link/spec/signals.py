@@ -1,4 +1,4 @@
-"""A signal's declaration as a `Signal`: bits, kind, access, limits, publishing, and the rules for each."""
+"""Reads a signal's declaration: bits, kind, access, limits and publishing, and checks the rules for each."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ if TYPE_CHECKING:
 
 PLAIN_KINDS = [name.value for name in KindName if name is not KindName.ENUM]
 HOLD = "HOLD"
-"""The word for what has no safe number, in SAFE."""
+"""Word in SAFE for a signal that keeps its value when the lease ends."""
 _NOT_WITH = {
     Effect.CLEAR_ON_READ: ("FIFO", "PUBLISH", "POLL", "GROUP"),
     Effect.WRITE_1_TO_CLEAR: ("FIFO", "SAFE", "TIMED", "MIN", "MAX"),
     Effect.PULSE: ("FIFO", "RESET", "TIMED", "MIN", "MAX"),
 }
-"""Arguments that no signal with an effect has."""
+"""Arguments that exclude each effect."""
 _ACCESS_OF = {
     Effect.CLEAR_ON_READ: (Access.READ,),
     Effect.WRITE_1_TO_CLEAR: (Access.READWRITE,),
@@ -40,21 +40,21 @@ _FIXED = re.compile(r"(\d+)\.(\d+)")
 
 
 class BitRange(NamedTuple):
-    """Bits of a signal in its word."""
+    """Position of a signal's bits in its word."""
 
     lowest: int
     width: int
 
 
 class PublishClause(NamedTuple):
-    """Publication of a signal, as declared."""
+    """Arguments of PUBLISH."""
 
     group: int | str
     divisor: int | None
 
 
 class SignalParts(NamedTuple):
-    """Parts of a declaration, without address and name."""
+    """The evaluated declaration of a signal, without address and name."""
 
     kind: Kind
     lowest_bit: int
@@ -65,15 +65,15 @@ class SignalParts(NamedTuple):
     """Bits after a reset."""
     safe: Safe | None
     timed: str | None
-    """Path of the schedule that can write it."""
+    """Name of the schedule that can write the signal."""
     effect: Effect | None
     laps_of: str | None
-    """Name of the signal whose rounds are counted for it; empty for its own, None where they are not."""
+    """Name of the signal whose overflows extend this one; empty for itself, None without WRAPS."""
     places: Mapping[str, tuple[int, int]]
 
 
 class SignalReader:
-    """Reads the declarations of signals in one source."""
+    """Reads the declarations of signals of one source."""
 
     def __init__(self, evaluator: Evaluator, enumerations: Mapping[str, Enumeration], data_bits: int) -> None:
         self._evaluator = evaluator
@@ -82,7 +82,7 @@ class SignalReader:
         self._data_bits = data_bits
 
     def read(self, node: SignalDeclaration, scope: Mapping[str, Result]) -> SignalParts | None:
-        """Return what a declaration says; None if its kind or access cannot be told."""
+        """Return the evaluated declaration; None if its kind or access is unknown, which is reported."""
         bits = self._bits(node, scope)
         kind = self._kind(node, bits, scope)
         access = self._access(node)
@@ -156,7 +156,7 @@ class SignalReader:
         return self._sized(node, KindName(word), number, bits)
 
     def _width(self, width: Number | Name, scope: Mapping[str, Result]) -> int | LeftOut | None:
-        """Return a width that is written, or that of a parameter; None where there is none, which is reported."""
+        """Return the width of a kind, a number or a parameter; None if it is unknown or invalid, which is reported."""
         value = parse_number(width.text) if isinstance(width, Number) else self._evaluator.evaluate(width, scope)
         if value is LEFT_OUT or (value is None and isinstance(width, Name)):
             return value
@@ -172,7 +172,7 @@ class SignalReader:
         match = _FIXED.fullmatch(width.text) if isinstance(width, Number) else None
         if match is None:
             place = word.place if width is None else width.place
-            message = f"{word} needs the bits before and behind the point"
+            message = f"{word} needs the bits before and after the point"
             self._fault(place, "bad-width", message, f"as in {word} 16.16")
             return None
         before, behind = (min(int(digits[:9]), 999) for digits in match.groups())
@@ -184,7 +184,7 @@ class SignalReader:
         return None if kind is None else Kind(kind.name, kind.width, behind)
 
     def _sized(self, node: SignalDeclaration, name: KindName, width: int | None, bits: BitRange | None) -> Kind | None:
-        """Return a kind its width: the one that is written, that of its bits, or its own."""
+        """Return a kind with its width: as written, otherwise that of the signal's bits, otherwise its default."""
         place = node.name.place if node.kind is None else node.kind.name.place
         if name is KindName.BOOL:
             width = 1 if width is None else width
@@ -209,7 +209,7 @@ class SignalReader:
 
     def _enumerated(self, node: SignalDeclaration, kind: Kind, enumeration: Enumeration) -> Kind | None:
         assert node.kind is not None
-        # Each of the values is compared.
+        # Each value of the enumeration is compared below.
         self._evaluator.reporter.spend(len(enumeration.values) // 32)
         if enumeration.largest >> kind.width:
             needed = enumeration.largest.bit_length()
@@ -240,7 +240,7 @@ class SignalReader:
         scaled = Kind(kind.name, kind.width, kind.fraction, scale, offset)
         if kind.name not in WITHOUT_SCALE and not scaled.is_exact():
             place = binder.places[given] if given is not None else node.name.place
-            message = f"a float cannot tell all values of {scaled} apart"
+            message = f"a float cannot represent all values of {scaled}"
             advice = "it has 53 bits: take fewer bits, or read the whole number and scale it yourself"
             self._fault(place, "inexact", message, advice)
             return kind
@@ -315,7 +315,7 @@ class SignalReader:
         return Safe(self._initial("SAFE", value, kind, access, arguments, binder), lease)
 
     def _unguarded(self, kind: Kind, access: Access, arguments: Bound, binder: Binder) -> int:
-        """Return the bits that a signal with SAFE begins with where its lease is none; 0 for a signal without SAFE."""
+        """Return the initial bits of a signal whose SAFE has the lease `none`; 0 for any other signal."""
         clause: Bound = arguments.get("SAFE", {})
         if "LEASE" in clause or clause.get("VALUE") == HOLD:
             return 0
@@ -334,7 +334,7 @@ class SignalReader:
         return schedule
 
     def _effect(self, kind: Kind, lowest: int, access: Access, arguments: Bound, binder: Binder) -> Effect | None:
-        """Return the effect of a signal; None where it has none, or one that it cannot have."""
+        """Return the effect of a signal; None if it has none, or one that it cannot have, which is reported."""
         word: str | None = arguments.get("EFFECT")
         if word is None:
             return None
@@ -355,7 +355,7 @@ class SignalReader:
         elif not are_bits:
             self._fault(place, "bad-effect", f"a signal with {effect} is bool or unsigned without SCALE, not {kind}")
         elif lowest + kind.width > self._data_bits:
-            self._fault(place, "bad-effect", f"a signal with {effect} stands in one word of {self._data_bits} bits")
+            self._fault(place, "bad-effect", f"a signal with {effect} is within one word of {self._data_bits} bits")
         elif refused is not None:
             advice = "each read clears it, that of a sample too" if effect is Effect.CLEAR_ON_READ else "leave it out"
             self._fault(binder.places[refused], "bad-effect", f"no signal with {effect} has {refused}", advice)
@@ -364,7 +364,7 @@ class SignalReader:
         return None
 
     def _laps_of(self, kind: Kind, arguments: Bound, binder: Binder) -> str | None:
-        """Return the name of the signal whose rounds are counted for one; empty for its own, None without WRAPS."""
+        """Return the name of the signal whose overflows extend a signal; empty for itself, None without WRAPS."""
         clause: Bound | None = arguments.get("WRAPS")
         if clause is None:
             return None
@@ -384,7 +384,7 @@ class SignalReader:
     def _initial(
         self, word: str, value: Value | str | None, kind: Kind, access: Access, arguments: Bound, binder: Binder
     ) -> int:
-        """Return the bits of a value that a signal has by itself, under RESET or SAFE; 0 where there is none."""
+        """Return the bits of the value in RESET or SAFE; 0 if it is missing or invalid, which is reported."""
         if value is None:
             return 0
         if not self._check_begins(word, access, arguments, binder):
@@ -403,11 +403,11 @@ class SignalReader:
             return 0
 
     def _check_begins(self, word: str, access: Access, arguments: Bound, binder: Binder) -> bool:
-        """Return whether a signal is a register, of which RESET and SAFE are; else that is reported."""
+        """Return whether a signal is a register, so that it can have RESET and SAFE; report it otherwise."""
         if access.writes and "FIFO" not in arguments:
             return True
         which = "a FIFO port, which begins empty" if "FIFO" in arguments else "only read"
-        message = f"{word} is the value of a register that nobody has written, and this signal is {which}"
+        message = f"{word} is the value of a register before its first write, and this signal is {which}"
         self._fault(binder.places[word], f"bad-{word.lower()}", message, "leave it out")
         return False
 
@@ -423,7 +423,7 @@ class SignalReader:
 
 
 def _reaches(kind: Kind, limit: float) -> bool:
-    """Return whether a limit beyond a scaled kind's range goes to a number of it: 0.3 times 3 is less than 0.9."""
+    """Return whether a limit just beyond a scaled kind's range rounds to a number in it: 0.3 times 3 is below 0.9."""
     if not kind.is_scaled:
         return False
     try:

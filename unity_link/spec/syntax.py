@@ -1,7 +1,8 @@
-"""The syntax tree: what the author wrote, comments included, and where.
+"""The syntax tree: the statements and comments of a text, with their places.
 
-Nothing is computed or resolved here. `parser` makes it of text, `printer` makes text of it, the checker makes a model
-of it. Two trees are equal if they say the same, wherever it stands. Offsets count characters of the source.
+The tree is not computed or resolved. `parser` makes it from text, `printer` makes text from it, and the checker makes a
+model from it. Trees are equal if their contents are equal, whatever their places. Offsets count characters of the
+source.
 """
 
 from __future__ import annotations
@@ -14,14 +15,14 @@ INDEX_NAME = "i"
 
 
 class Word(str):
-    """A name, which knows where it stands."""
+    """A name with its place."""
 
     __slots__ = ("end", "start")
     start: int
     end: int
 
     def __new__(cls, text: str, start: int = 0, end: int = 0) -> Self:
-        """Make a name; without a place if it was not read from a text."""
+        """Create a name; the place is 0, 0 if it was not read from a text."""
         word = super().__new__(cls, text)
         word.start = start
         word.end = end
@@ -29,20 +30,20 @@ class Word(str):
 
     @property
     def place(self) -> tuple[int, int]:
-        """Line and column."""
+        """Start and end offset."""
         return self.start, self.end
 
 
 @dataclass(slots=True, kw_only=True)
 class Node:
-    """Anything that has a place."""
+    """Base of everything that has a place."""
 
     start: int = field(default=0, compare=False, repr=False)
     end: int = field(default=0, compare=False, repr=False)
 
     @property
     def place(self) -> tuple[int, int]:
-        """Line and column."""
+        """Start and end offset."""
         return self.start, self.end
 
 
@@ -51,14 +52,14 @@ class Node:
 
 @dataclass(slots=True)
 class Number(Node):
-    """A number as it was written: ``0x80``, ``1_000``, ``16.16``."""
+    """A number as written: ``0x80``, ``1_000``, ``16.16``."""
 
     text: str
 
 
 @dataclass(slots=True)
 class Text(Node):
-    """A string, without quotes and escapes."""
+    """A string, with the quotes removed and the escapes resolved."""
 
     value: str
 
@@ -72,7 +73,7 @@ class Name(Node):
 
 @dataclass(slots=True)
 class Call(Node):
-    """A word with arguments of its own: ``PUBLISH(1, 10)``."""
+    """A word with arguments: ``PUBLISH(1, 10)``."""
 
     name: Word
     arguments: list[Argument]
@@ -80,14 +81,14 @@ class Call(Node):
 
 @dataclass(slots=True)
 class Parenthesis(Node):
-    """An expression in parentheses, which are kept."""
+    """An expression in parentheses; the printer keeps the parentheses."""
 
     inner: Expression
 
 
 @dataclass(slots=True)
 class Prefixed(Node):
-    """An operand with signs before it: ``-x``, ``~mask``."""
+    """An operand with prefix operators: ``-x``, ``~mask``."""
 
     prefixes: str
     operand: Expression
@@ -95,7 +96,7 @@ class Prefixed(Node):
 
 @dataclass(slots=True)
 class Chain(Node):
-    """Operands with operators between them, in the order of the text."""
+    """Operands with binary operators between them, in the order of the text."""
 
     operands: list[Expression]
     operators: list[str]
@@ -106,7 +107,7 @@ Expression: TypeAlias = Number | Text | Name | Call | Parenthesis | Prefixed | C
 
 @dataclass(slots=True)
 class Argument(Node):
-    """One argument, with a name or by its place."""
+    """One argument; `name` is None if it is given by position."""
 
     name: Word | None
     value: Expression
@@ -117,35 +118,35 @@ class Argument(Node):
 
 @dataclass(slots=True)
 class Comment:
-    """A comment as it was written, with ``//`` or ``/*``."""
+    """A comment as written, including ``//`` or ``/*``."""
 
     text: str
     blank_before: bool = field(default=False, compare=False)
-    """True if an empty line stands before it."""
+    """True if an empty line precedes it."""
 
 
 @dataclass(slots=True, kw_only=True)
 class Statement(Node):
-    """Statement that a comment can belong to."""
+    """Base of statements, to which comments are attached."""
 
     doc: list[str] = field(default_factory=list)
     """Lines of its doc string, without ``///``."""
     leading: list[Comment] = field(default_factory=list)
-    """Comments on the lines before it, and within it."""
+    """Comments on the lines before the statement, and within it."""
     trailing: list[Comment] = field(default_factory=list)
-    """Comments on the line that it ends on."""
+    """Comments on the line on which the statement ends."""
     blank_before: bool = field(default=False, compare=False)
-    """True if an empty line stands before it and its comments."""
+    """True if an empty line precedes the statement and its comments."""
 
 
 @dataclass(slots=True, kw_only=True)
 class BlockStatement(Statement):
-    """A statement with others inside."""
+    """A statement that contains other statements."""
 
     open: int = field(default=0, compare=False, repr=False)
-    """Offset at which the inside begins."""
+    """Offset of the first character inside the block."""
     dangling: list[Comment] = field(default_factory=list)
-    """Comments after the last statement inside."""
+    """Comments after the last statement in the block."""
 
 
 @dataclass(slots=True)
@@ -157,7 +158,7 @@ class Import(Statement):
 
 @dataclass(slots=True)
 class EnumValueDeclaration(Statement):
-    """One value of an enumeration; without a number it is one more than the one before."""
+    """One value of an enumeration; without a number, it is the previous value plus one."""
 
     name: Word
     value: Expression | None = None
@@ -181,7 +182,7 @@ class GroupDeclaration(Statement):
 
 @dataclass(slots=True)
 class ParameterDeclaration(Node):
-    """One parameter of a component, perhaps with the value it has where none is given."""
+    """One parameter of a component, with its default value if it has one."""
 
     name: Word
     default: Expression | None = None
@@ -197,7 +198,7 @@ class Bits:
 
 @dataclass(slots=True)
 class KindSpecifier:
-    """The word for a kind, and its width, which a parameter may have."""
+    """The word for a kind and its width: a number or the name of a parameter."""
 
     name: Word
     width: Number | Name | None = None
@@ -218,7 +219,7 @@ class SignalDeclaration(Statement):
 
 @dataclass(slots=True)
 class Placement(BlockStatement):
-    """A component or a module that is put into another one: ``name[count]: type(...) @(...);``."""
+    """A component or a module that is placed in another one: ``name[count]: type(...) @(...);``."""
 
     name: Word | None
     count: Expression | None

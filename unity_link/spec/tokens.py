@@ -1,7 +1,7 @@
 """The tokens of a text: the groups of one regular expression are the terminals of `grammar.lark`.
 
-lark asks for its lexer here. What begins no token becomes one of its own (`BAD_STRING`, `BAD_COMMENT`, `BAD`), which no
-rule of the grammar takes: so text that is no spec is a fault of the grammar, found at its place like any other one.
+lark uses `TokenLexer` as its lexer. Invalid text becomes a token of type `BAD_STRING`, `BAD_COMMENT` or `BAD`, which no
+rule of the grammar accepts, so that the parser reports it at its place like any other syntax error.
 """
 
 from __future__ import annotations
@@ -32,8 +32,8 @@ SIGNS = {
     "~": "TILDE",
 }
 SPACE = " \t\r\n\f\ufeff"
-# A possessive `*+` needs no memory for each character of a string.
-# Whatever begins like a number is one token, so that 0x1G and 12bit are named as what they are.
+# A possessive `*+` in STRING uses no memory per character.
+# Text that begins like a number is one token, so that the message for 0x1G or 12bit shows all of it.
 _TOKEN = re.compile(
     r"""
     (?P<SPACE>[ \t\r\n\f\ufeff]+)
@@ -55,7 +55,7 @@ _COMMENT = re.compile(r'"(?:\\[^\n]|[^"\\\n])*+"|//[^\n]*|/\*.*?\*/', re.DOTALL)
 
 
 class TextPlace(NamedTuple):
-    """A comment and where it stands."""
+    """A comment and its offsets."""
 
     text: str
     start: int
@@ -63,23 +63,23 @@ class TextPlace(NamedTuple):
 
 
 def find_comments(text: str) -> list[TextPlace]:
-    """Return the comments of a text that has no faults."""
+    """Return the comments of a text that was parsed without faults."""
     return [TextPlace(match[0].rstrip(), *match.span()) for match in _COMMENT.finditer(text) if match[0][0] == "/"]
 
 
 class TokenLexer(Lexer):
-    """The lexer of a text, as lark wants it."""
+    """The lexer with the interface that lark expects."""
 
     def __init__(self, lexer_conf: object) -> None:
-        """Take lark's configuration, which has nothing to configure here."""
+        """Accept lark's configuration, which this lexer does not use."""
 
-    def lex(self, text: str) -> Iterator[Token]:  # type: ignore[override]  # lark's own lexers take a state instead
-        """Return the tokens of a text."""
+    def lex(self, text: str) -> Iterator[Token]:  # type: ignore[override]  # lark's own lexers receive a state instead
+        """Yield the tokens of a text."""
         return tokenize(text)
 
 
 def tokenize(text: str) -> Iterator[Token]:
-    """Return the tokens of a text, without space and comments."""
+    """Yield the tokens of a text, without white space and comments."""
     keyword, sign = KEYWORDS.get, SIGNS
     for match in _TOKEN.finditer(text):
         kind = match.lastgroup

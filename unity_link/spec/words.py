@@ -1,4 +1,4 @@
-"""The hardware of a spec in words, as `show` and generated documents have it."""
+"""Describes the hardware of a spec in words, for `show` and generated documents."""
 
 from __future__ import annotations
 
@@ -19,30 +19,30 @@ EFFECTS = {
     Effect.WRITE_1_TO_CLEAR: "cleared by writing 1",
     Effect.PULSE: "a pulse of one clock cycle",
 }
-"""Effects of accesses, as people read them."""
+"""Effects of accesses, for display."""
 _WAYS = {Access.READ: Way.IN, Access.WRITE: Way.OUT, Access.READWRITE: Way.OUT}
 
 
 def entity(core: Core) -> str:
-    """Write an entity as VHDL names it, with its generics: ``unity_link.ul_pwm(width => 12)``."""
+    """Format an entity and its generics like VHDL: ``unity_link.ul_pwm(width => 12)``."""
     generics = ", ".join(f"{name} => {vhdl_literal(value)}" for name, value in core.generics.items())
     return f"{core.library}.{core.entity}" + (f"({generics})" if generics else "")
 
 
 def site(pin: Pin) -> str:
-    """Write where a pin is: the board's name of it; that it is not wired, or that the spec does not say."""
+    """Return the board's name of a pin, or that it is not wired, or that the spec names no pin."""
     if not pin.is_used:
         return "not wired"
     return "no pin of a board yet" if pin.at is None else pin.at
 
 
 def triggered(trigger: Trigger) -> str:
-    """Write what a trigger does."""
+    """Return the name of the group that a trigger publishes, as a phrase."""
     return "no group" if trigger.group is None else f"group {trigger.group}"
 
 
 def at_hardware(signal: Signal) -> Iterator[str]:
-    """Return what hardware has of a register beside its bits: effect, reset, safe value, wrap, schedule, pins."""
+    """Yield phrases for the hardware properties of a register: effect, reset, safe value, wrap, schedule, pins."""
     if signal.effect is not None:
         yield EFFECTS[signal.effect]
     if signal.safe is not None and signal.safe.bits is not None:
@@ -60,7 +60,7 @@ def at_hardware(signal: Signal) -> Iterator[str]:
 
 
 def wired(interface: Interface) -> Iterator[tuple[str, str, str]]:
-    """Return the pins of the board that a spec names: each pin, its direction, and the port or signal at it."""
+    """Yield the pins of the board that a spec names: the pin, its direction, and the port or signal that it carries."""
     for component in interface.root.walk():
         for signal in component.signals:
             if signal.pin is not None:
@@ -71,7 +71,7 @@ def wired(interface: Interface) -> Iterator[tuple[str, str, str]]:
 
 
 def _value(signal: Signal, bits: int) -> str:
-    """Write the value that bits of a signal have, in its unit; a name of an enumeration."""
+    """Format the value of a signal's bits with its unit; for an enumeration, its name."""
     value = signal.kind.decode(bits)
     if signal.kind.enumeration is not None:
         return next((one.name for one in signal.kind.enumeration.values if one.value == value), str(value))

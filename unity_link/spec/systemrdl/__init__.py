@@ -1,14 +1,14 @@
-"""SystemRDL, the register language of the field: a spec out of it, and out of a spec.
+"""Conversion from and to SystemRDL, a common language for registers.
 
-Out of an interface goes one flat address map, a register for each word. What SystemRDL has no word for (IDs, units,
-scales, publishing) goes along in properties of our own, `ul_...`, which other tools pass over and which `import_file`
-reads again. Such a map comes back with all its signals, paths and groups; arrays come back as single components,
-``legs[2]`` as ``legs_2``, and modules do not.
+An interface is exported as one flat address map with a register for each word. Properties that SystemRDL lacks (IDs,
+units, scales, publishing) are exported as user-defined properties, `ul_...`, which other tools ignore and `import_file`
+reads. Such a map is imported with all its signals, paths and groups; arrays become single components, ``legs[2]``
+becomes ``legs_2``, and modules are lost.
 
-Any other SystemRDL comes in with its own tree: address maps and register files become components, arrays arrays, a
-register of several fields a component, memories `MEMORY`. Addresses become word addresses.
+Any other SystemRDL is imported with its own hierarchy: address maps, register files and registers of several fields
+become components, arrays become arrays, and memories become `MEMORY`. Byte addresses become word addresses.
 
-The extra ``rdl`` installs the compiler, which is imported only here.
+The extra ``rdl`` installs the SystemRDL compiler; it is imported only by this package.
 """
 
 from __future__ import annotations

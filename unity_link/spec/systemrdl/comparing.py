@@ -1,4 +1,4 @@
-"""Proof of an import: the spec is compiled and compared, field by field, with the tree of the SystemRDL compiler."""
+"""Verifies an import: compiles the spec and compares it, field by field, with the tree of the SystemRDL compiler."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class _Seen(NamedTuple):
-    """Properties of a field that both sides know."""
+    """The properties of a field that are compared."""
 
     address: int
     """Address of its first word."""
@@ -30,19 +30,19 @@ class _Seen(NamedTuple):
     signed: bool = False
     step: float = 1
     values: tuple[int, ...] = ()
-    """Numbers of its enumeration."""
+    """Numbers of its enumeration, sorted."""
     reset: int = 0
-    """Bits after a reset, of what is written."""
+    """Bits of a writable field after a reset."""
     effect: Effect | None = None
 
 
 def compare(text: str, top: Any, names: Mapping[str, str]) -> list[Diagnostic]:
-    """Return what is wrong with a spec that was made of SystemRDL: what `check` refuses, or what differs.
+    """Return errors of a spec that was made from SystemRDL: errors of its compilation, or differences.
 
     Args:
         text: the spec.
-        top: the compiler's address map.
-        names: of nodes in the spec, by their flat paths.
+        top: node of the address map, from the SystemRDL compiler.
+        names: names of nodes in the spec, by their flat paths.
     """
     from unity_link.spec import compile_text
 
@@ -54,11 +54,11 @@ def compare(text: str, top: Any, names: Mapping[str, str]) -> list[Diagnostic]:
 
 
 def _refused(one: Diagnostic, top: Any, names: Mapping[str, str]) -> Diagnostic:
-    """Return the diagnostic of a spec at the place in SystemRDL of what is declared in its line."""
+    """Return an error of the spec as an error at the SystemRDL node that was declared in the same line."""
     declared = re.match(r"\s*@?(\w+)", one.text)
     name = declared[1] if declared is not None else ""
     node = next((node for node in top.descendants() if names.get(flat_path(node)) == name), top)
-    return about("error", one.code, f"{one.message}: no spec can say so", node)
+    return about("error", one.code, f"{one.message}: a spec cannot express this", node)
 
 
 def _differing_fields(interface: Interface, top: Any, names: Mapping[str, str]) -> list[Diagnostic]:
@@ -69,11 +69,11 @@ def _differing_fields(interface: Interface, top: Any, names: Mapping[str, str]) 
             continue
         ours = node.get_property("ul_path") if "ul_path" in node.list_properties() else None
         if ours is None and not names:
-            # The second word of a signal that was exported from a spec.
+            # This field is a further word of a signal that was exported from a spec; the first word was compared.
             continue
         together = [] if ours is not None else cleared_together(node.parent, interface.data_bits)
         if together and node.inst_name != together[0].inst_name:
-            # One signal has all of them.
+            # The fields are cleared together and became one signal, which was compared at the first field.
             continue
         path = spec_path(node, names) if ours is None else re.sub(r"\[(\d+)\]", r"_\1", ours)
         expected = _expected(node, interface.data_bits, whole=ours is None)
@@ -117,7 +117,7 @@ def _differing_memories(interface: Interface, top: Any) -> list[Diagnostic]:
     width = interface.data_bits // 8
     found = sorted((one.base, one.words or 0) for one in interface.modules if one.type == "MEMORY")
     nodes = [node for node in top.descendants(unroll=True) if type(node).__name__ == "MemNode"]
-    # The elements of an array are one memory in a spec.
+    # All elements of an array are one memory in a spec.
     first = [node for node in nodes if not any(node.current_idx or ())]
     expected = sorted((node.absolute_address // width, -(-node.total_size // width)) for node in first)
     if found == expected:

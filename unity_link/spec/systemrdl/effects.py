@@ -1,4 +1,4 @@
-"""Side effects of accesses: those that UL-spec has words for, and warnings of all others that SystemRDL has."""
+"""Side effects of accesses in SystemRDL: conversion to the effects of UL-spec, and warnings for all others."""
 
 from __future__ import annotations
 
@@ -28,11 +28,11 @@ _WRITING = {
 
 
 def effect_of(node: Any, bits: int) -> Effect | None:
-    """Return the effect that a field has as a signal; None where it has none, or one that no signal has in its word.
+    """Return the effect of a field's signal; None if it has none, or none that a signal in its word can have.
 
     Args:
         node: the field.
-        bits: those of a word.
+        bits: width of a word.
     """
     if node.low // bits != node.high // bits or not are_bits(node):
         return None
@@ -48,11 +48,11 @@ def effect_of(node: Any, bits: int) -> Effect | None:
 
 
 def cleared_together(register: Any, bits: int) -> list[Any]:
-    """Return the fields of a register that is nothing but bits of one word which a read clears; none of any other.
+    """Return the fields of a register if all are bits of one word that a read clears; otherwise an empty list.
 
     Args:
-        register: its node.
-        bits: those of a word.
+        register: node of the register.
+        bits: width of a word.
     """
     fields = [one for one in register.fields() if one.is_sw_readable or one.is_sw_writable]
     words = {place // bits for one in fields for place in (one.low, one.high)}
@@ -61,7 +61,7 @@ def cleared_together(register: Any, bits: int) -> list[Any]:
 
 
 def _word_of(node: Any) -> Effect | None:
-    """Return the one effect that accesses to a field have, where UL-spec has a word for it."""
+    """Return the effect that UL-spec has for the side effects of a field; None if there is none."""
     onread, onwrite, sw = (node.get_property(name) for name in ("onread", "onwrite", "sw"))
     has_pulse = node.get_property("singlepulse")
     words = {
@@ -74,7 +74,7 @@ def _word_of(node: Any) -> Effect | None:
 
 
 def effects(node: Any, effect: Effect | None) -> Iterator[str]:
-    """Return a doc string's sentences on what reading or writing a field does beside the effect that its signal has."""
+    """Yield sentences for a doc string on the side effects of a field that its signal does not have."""
     for word, name in (("Reading", "onread"), ("Writing", "onwrite")):
         other = node.get_property(name)
         if other is not None and effect is None:
@@ -82,7 +82,7 @@ def effects(node: Any, effect: Effect | None) -> Iterator[str]:
 
 
 def warnings(node: Any, effect: Effect | None) -> Iterator[Diagnostic]:
-    """Return a warning for each side effect of a field that an access by its signal has too, but for its `effect`."""
+    """Yield a warning for each side effect of a field that is not the `effect` of its signal."""
     for code, message in _messages(node, effect):
         yield about("warning", code, f"{flat_path(node)}: {message}", node)
 
@@ -113,5 +113,5 @@ def _neighbours(node: Any) -> str:
 
 
 def _written_beside(node: Any) -> list[str]:
-    """Return the names of the other fields of its register that are written."""
+    """Return the names of the writable other fields in the register of a field."""
     return [one.inst_name for one in node.parent.fields() if one.is_sw_writable and one.inst_name != node.inst_name]

@@ -1,4 +1,4 @@
-"""Out: an interface as one flat address map."""
+"""Export: writes an interface as one flat address map."""
 
 from __future__ import annotations
 
@@ -30,14 +30,14 @@ _KEYWORDS = frozenset(
     ref reg regalign regfile rset ruser rw rw1 shortint shortreal signal signed string struct sw this true type
     unsigned w w1 wclr with within woclr woset wot wr wset wuser wzc wzs wzt""".split()  # noqa: SIM905  (a line for each word would be a page)
 )
-"""Words of SystemRDL 2.0; as a name, one is written with a backslash."""
+"""Keywords of SystemRDL 2.0; as a name, a keyword is written with a backslash."""
 
 
 def export_text(interface: Interface) -> str:
-    """Write an interface as SystemRDL.
+    """Return an interface as SystemRDL.
 
     Raises:
-        UnsupportedError: where its words have a width that SystemRDL does not know, or there is nothing to write.
+        UnsupportedError: if SystemRDL does not support the width of its words, or it has neither signals nor memories.
     """
     bits = interface.data_bits
     if bits & (bits - 1):
@@ -81,7 +81,7 @@ def export_text(interface: Interface) -> str:
 
 
 def _memories(interface: Interface) -> Iterator[ModuleSpec]:
-    """Return the memories of known size in which nothing else stands."""
+    """Yield the memories of known size that contain no signals and no modules."""
     taken = {address for signal in interface.signals.values() for address in signal.addresses}
     around = {module.parent for module in interface.modules}
     for index, module in enumerate(interface.modules):
@@ -100,15 +100,15 @@ def _memory(memory: ModuleSpec, bits: int, names: set[str]) -> Iterator[str]:
 
 
 def _in_order(interface: Interface) -> list[str]:
-    """Return the paths of the signals of groups in one order that all of the groups have.
+    """Return the paths of the signals of groups in one order that agrees with the order in each group.
 
-    Of each component, all signals stand side by side, as a component is written in one place.
+    The signals of a component are adjacent, because a spec declares a component in one place.
     """
     before: dict[str, dict[str, None]] = {}
     rows = [*(group.signals for group in interface.groups), [group.signals[0] for group in interface.groups]]
     for row in rows:
         for one, other in itertools.pairwise(row):
-            # What parts them are two members of one component.
+            # Compare the two members of a common component at which the paths differ.
             levels = zip(_levels(one), _levels(other), strict=False)
             for first, second in levels:
                 if first != second:
@@ -120,7 +120,7 @@ def _in_order(interface: Interface) -> list[str]:
 
 
 def _levels(path: str) -> list[str]:
-    """Return the paths of a signal and of all components around it, the outermost first."""
+    """Return the paths of a signal and of the components around it, the outermost first."""
     return list(itertools.accumulate(path.split("."), "{}.{}".format))
 
 
@@ -162,7 +162,7 @@ def _properties(signal: Signal, part: int) -> Iterator[tuple[str, str]]:
     yield "ul_id", _string(signal.id)
     yield "ul_kind", _string(str(signal.kind))
     if enumeration is not None and signal.words > 1:
-        # The field of one word is not wide enough for what it is to encode.
+        # A field of one word is too narrow for the values, so `encode` cannot be used.
         yield "ul_values", _string(values_text((one.name, one.value, one.doc) for one in enumeration.values))
     if signal.unit:
         yield "ul_unit", _string(signal.unit)
@@ -172,7 +172,7 @@ def _properties(signal: Signal, part: int) -> Iterator[tuple[str, str]]:
 
 
 def _arguments(signal: Signal) -> Iterator[str]:
-    """Write the arguments of a signal that are no strings."""
+    """Yield the arguments of a signal that are not strings."""
     if signal.kind.scale != 1:
         yield f"SCALE={_number(signal.kind.scale)}"
     if signal.kind.offset != 0:
@@ -195,7 +195,7 @@ def _arguments(signal: Signal) -> Iterator[str]:
 
 
 def _value(signal: Signal) -> str:
-    """Return what a signal is after a reset, as a spec writes it."""
+    """Return the value of a signal after a reset in the syntax of a spec."""
     value = signal.kind.decode(signal.reset)
     if isinstance(value, bool):
         return str(value).lower()
@@ -232,7 +232,7 @@ def _sensors(group: GroupSpec) -> Iterator[str]:
 
 
 def _number(value: float) -> str:
-    """Write a number so that it reads as the same one."""
+    """Format a number so that reading it gives the same number."""
     return repr(value)
 
 
@@ -242,6 +242,6 @@ def _identifier(path: str, suffix: str = "") -> str:
 
 
 def _string(text: str) -> str:
-    # A control character would end the text.
+    # A control character would end the string.
     text = "".join(character for character in text if character >= " " or character in "\n\t")
     return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'

@@ -1,4 +1,4 @@
-"""In: an address map as the text of a spec, by way of a tree of components to be."""
+"""Import: converts an address map to a tree of components, and that to the text of a spec."""
 
 from __future__ import annotations
 
@@ -29,14 +29,14 @@ if TYPE_CHECKING:
 _RESERVED = {"import", "enum", "group", "public"}
 _PERL_REFUSED = "this is Perl, a program: it is run only by `import rdl --perl`"
 _KINDS = {kind.value for kind in KindName}
-"""Names that no enumeration can have."""
+"""Words for kinds, which cannot be names of enumerations."""
 
 
 @dataclass
 class _Field:
     name: str
     address: int
-    """Relative to the part that it stands in."""
+    """Word address relative to the part that contains the field."""
     bits: str
     kind: str
     access: Access
@@ -46,14 +46,14 @@ class _Field:
 
 @dataclass
 class _Part:
-    """A component to be."""
+    """A component of the spec to be written."""
 
     type_name: str
     members: list[_Field | _Placed] = field(default_factory=list)
     memories: list[_Memory] = field(default_factory=list)
     doc: str = ""
     taken: set[str] = field(default_factory=set)
-    """Names of its members, in small letters."""
+    """Names of its members, in lower case."""
 
 
 @dataclass
@@ -71,34 +71,34 @@ class _Memory:
     address: int
     words: int
     entries: _Placed | None = None
-    """The registers that are declared in it."""
+    """The registers that are declared inside the memory."""
     doc: str = ""
 
 
 class Imported(NamedTuple):
-    """A spec that was made of SystemRDL."""
+    """A spec that was made from SystemRDL."""
 
     text: str
     warnings: tuple[Diagnostic, ...] = ()
-    """Side effects that the spec does not say, with their places in the SystemRDL."""
+    """Renamed nodes, and side effects that the spec cannot express, with their places in the SystemRDL."""
 
 
 def import_file(*paths: Path, top: str | None = None, include: Sequence[Path] = (), perl: bool = False) -> Imported:
-    """Write a SystemRDL description as a spec, which was read back and compared with what the compiler knows.
+    """Convert a SystemRDL description to a spec, and compare the compiled spec with the tree of the SystemRDL compiler.
 
-    Neither time nor memory is bounded: macros of a few lines can ask for any amount of both, and the command
-    `import rdl` runs in a process of its own for that.
+    Time and memory are not limited here: macros of a few lines can use any amount of both. The command `import rdl`
+    therefore runs this function in a process of its own.
 
     Args:
-        paths: one file, or several of which later ones use what earlier ones declare.
-        top: name of the address map to take; None takes the last one.
-        include: folders in which files that others include are looked for.
-        perl: runs the Perl in them, in the compiler's compartment, for 5 seconds at most.
+        paths: one file, or several if later ones use declarations of earlier ones.
+        top: name of the address map to convert; None converts the last one.
+        include: folders that are searched for included files.
+        perl: execute the Perl in the files, in the compiler's sandbox, for at most 5 seconds.
 
     Raises:
-        SpecError: where the files are no SystemRDL, with what its compiler says; or have what no spec can say, or Perl
-            that is not to be run.
-        UnsupportedError: where the extra ``rdl`` is not installed.
+        SpecError: with the errors of the compiler; or if the files contain something that a spec cannot express, or
+            Perl that must not be executed.
+        UnsupportedError: if the extra ``rdl`` is not installed.
     """
     root = _compiled(paths, top, include, perl=perl)
     importer = _Importer(root.top)
@@ -115,7 +115,7 @@ def _compiled(paths: Sequence[Path], top: str | None, include: Sequence[Path], *
         try:
             return _elaborated(paths, top, include, undeclared, perl=perl)
         except SpecError as error:
-            # The compiler stops at the first property that is not declared.
+            # The compiler stops at the first undeclared property, so declare PeakRDL's properties one by one.
             more = [name for name in PEAKRDL if name not in undeclared and f"property '{name}'" in str(error)]
             if not more:
                 raise
@@ -135,7 +135,7 @@ def _elaborated(
 
     class Collector(MessagePrinter):
         def print_message(self, severity: Severity, text: str, src_ref: Any) -> None:
-            # The last one only says that there were errors.
+            # A fatal message after others only repeats that there were errors.
             if severity < Severity.ERROR or (severity is Severity.FATAL and found):
                 return
             found.append(diagnostic("error", "systemrdl", text, src_ref, str(path)))
@@ -164,7 +164,7 @@ def _elaborated(
 
 
 class _Importer:
-    """Makes a spec of one address map; what no spec can say becomes a fault, and the rest goes on."""
+    """Makes a spec from one address map. Parts that a spec cannot express are collected in `faults`."""
 
     def __init__(self, top: Any) -> None:
         self._top = top
@@ -172,19 +172,19 @@ class _Importer:
         registers = [node for node in nodes if _is(node, "RegNode")]
         self._bits = _word_bits(registers, [node for node in nodes if _is(node, "MemNode")])
         self._enumerations: dict[str, str] = {}
-        """Text between the braces of each, by their names."""
+        """Text between the braces of each enumeration, by name."""
         self._components: dict[str, str] = {}
-        """Names of components by what stands in them."""
+        """Names of components, by the text of their bodies."""
         self._docs: dict[str, str] = {}
         self._names: set[str] = set()
         self.is_ours = self._ours(top, "address_bits") is not None
         self.names: dict[str, str] = {}
-        """The names of nodes in the spec, by their flat paths; empty for a field that is its register's signal."""
+        """Names of nodes in the spec, by flat path; empty for a field that is the only signal of its register."""
         self.faults: list[Diagnostic] = []
         self.warnings: list[Diagnostic] = []
 
     def text(self) -> str:
-        """Return the spec, in its canonical layout."""
+        """Return the spec in its canonical layout."""
         from unity_link.spec import format_text
 
         top = self._top
@@ -229,7 +229,7 @@ class _Importer:
         return part
 
     def _call(self, node: Any, part: _Part) -> str:
-        """Return the name that a node gets in its part: its own, or near it where that is no name of a spec."""
+        """Return the name of a node in its part: its own, changed if a spec does not allow it or it is taken."""
         name = self.names[flat_path(node)] = unique_name(_name(node.inst_name), part.taken)
         if name != node.inst_name:
             message = f"{flat_path(node)} is called {name}: names of specs differ by more than case, and some are words"
@@ -243,7 +243,7 @@ class _Importer:
         return _Placed(name, part, address, node.n_elements, self._word(node.array_stride, node))
 
     def _word(self, byte_address: int, node: Any) -> int:
-        """Return the word address of a byte address."""
+        """Return the word address for a byte address; report one that is not aligned."""
         address, rest = divmod(byte_address, self._bits // 8)
         if rest:
             self._fault(node, f"byte {byte_address:#x} is not at the beginning of a word of {self._bits} bits")
@@ -287,7 +287,7 @@ class _Importer:
             part.members.append(only)
 
     def _add_cleared(self, part: _Part, inner: _Part, node: Any) -> None:
-        """Add a register of several fields that each read clears, as one signal: a read of one would take the rest."""
+        """Add a register whose fields are all cleared by a read as one signal: reading one field clears the others."""
         fields = cleared_together(node, self._bits)
         low, high = min(one.low for one in fields), max(one.high for one in fields)
         first, width = low % self._bits, high - low + 1
@@ -310,7 +310,7 @@ class _Importer:
             part.members.append(only)
 
     def _has_words(self, node: Any) -> bool:
-        """Return whether a register's bits are those of a gateway's words; report what is in the way."""
+        """Return whether a gateway can access the bits of a register as its words; report the reason otherwise."""
         width, access = node.get_property("regwidth"), node.get_property("accesswidth")
         if node.is_msb0_order and any(node.fields()):
             self._fault(node, "its fields count bits from the most significant one (msb0): write them as [high:low]")
@@ -328,7 +328,7 @@ class _Importer:
         return False
 
     def _field(self, node: Any) -> _Field | None:
-        """Return a field of a register that software reads or writes; None for one that no signal can be."""
+        """Return a readable or writable field of a register; None if a signal cannot represent it."""
         reads, writes = node.is_sw_readable, node.is_sw_writable
         if not reads and not writes:
             return None
@@ -355,7 +355,7 @@ class _Importer:
         return _Field(node.inst_name, address, bits, kind, access, arguments, doc)
 
     def _kind(self, node: Any) -> tuple[str, list[str]]:
-        """Return the kind of a field, and the arguments that belong to it."""
+        """Return the kind of a field and the arguments that belong to the kind."""
         number, width = number_of(node), node.width
         encode = node.get_property("encode")
         if encode is not None:
@@ -379,7 +379,7 @@ class _Importer:
         return self._named(f"{name}_" if name in _KINDS or name in MODULES else name, values)
 
     def _named(self, name: str, values: str) -> str:
-        """Return the name of the enumeration of these values, where that name is free."""
+        """Return the name of the enumeration with these values; underscores are appended if the name is taken."""
         while self._enumerations.setdefault(name, values) != values:
             name += "_"
         self._names.add(name.lower())
@@ -390,7 +390,7 @@ class _Importer:
     def _part_of_paths(self) -> _Part:
         whole = _Part("top", doc=_desc(self._top))
         fields = [node for node in self._top.descendants() if _is(node, "FieldNode")]
-        # The signals of groups have the order that their groups have, and the others follow by their addresses.
+        # The signals of groups are in the exported order; the others follow, sorted by address.
         last = len(fields)
         for node in sorted(fields, key=lambda node: last if (place := self._ours(node, "order")) is None else place):
             path = self._ours(node, "path")
@@ -410,21 +410,21 @@ class _Importer:
         return whole
 
     def _complete(self, found: _Field, node: Any, path: str) -> None:
-        """Add to a field what our own properties tell of it."""
+        """Complete a field from the `ul_` properties of its node."""
         kind, values = self._ours(node, "kind"), self._ours(node, "values")
         if kind is not None and node.get_property("encode") is None:
             word, _, bits = kind.partition(" ")
             found.kind = kind if values is None else f"{self._named(word, values)} {bits}"
             width = sum(int(part) for part in re.findall(r"\d+", bits)) or 1
-            # A signal of several words is as wide as its kind; its field is only the first of them.
+            # A signal of several words has the width of its kind; its field is only the first word.
             if width > self._bits:
                 found.bits = ""
         arguments = self._ours(node, "arguments")
-        # The port of a queue has the whole word, however wide its values are.
+        # The port of a queue is a whole word, whatever the width of its values.
         if arguments is not None and re.search(r"(^|, )FIFO", arguments):
             found.bits = ""
         identity, unit = self._ours(node, "id"), self._ours(node, "unit")
-        # The same stands among our own arguments, for values of several words too.
+        # The exported arguments repeat RESET and EFFECT, and have them for signals of several words too.
         found.arguments = [one for one in found.arguments if not one.startswith(("RESET=", "EFFECT="))]
         if identity is not None and identity != path:
             found.arguments.append(f"ID={_quoted(identity)}")
@@ -434,7 +434,7 @@ class _Importer:
         found.doc = _desc(node)
 
     def _ours(self, node: Any, name: str) -> Any:
-        """Return one of our own properties; None where the node has it not."""
+        """Return a `ul_` property of a node; None if the node does not have it."""
         name = f"ul_{name}"
         return node.get_property(name) if name in node.list_properties() else None
 
@@ -447,7 +447,7 @@ class _Importer:
         return "".join([*(self._memory(one, base) for one in part.memories), *members])
 
     def _memory(self, one: _Memory, base: str) -> str:
-        # What stands in a module is addressed from its base on.
+        # Members of a module have addresses relative to its base.
         entries = ";\n" if one.entries is None else f" {{\n{self._placement(one.entries, '')}}}\n"
         module = f"MEMORY(BASE={base}{one.address:#x}, SIZE={one.words})"
         return f"{doc_lines(one.doc)}{one.name}: {module}{entries}"
@@ -474,13 +474,13 @@ class _Importer:
 
 
 def _bits_of(node: Any, lowest: int) -> str:
-    """Write where a field is in a signal, whose bits count from 0."""
+    """Return the position of a field within a signal as a phrase; bits count from 0."""
     high, low = node.high - lowest, node.low - lowest
     return f"bit {low}" if high == low else f"bits {high}:{low}"
 
 
 def _part_at(whole: _Part, path: str) -> tuple[_Part, str]:
-    """Return the part in which what has a path stands, and its name there; arrays become single components."""
+    """Return the part that contains a path, and the name in that part; ``legs[2]`` becomes ``legs_2``."""
     *components, name = re.sub(r"\[(\d+)\]", r"_\1", path).split(".")
     for component in components:
         whole = _part_named(whole, component)
@@ -488,7 +488,7 @@ def _part_at(whole: _Part, path: str) -> tuple[_Part, str]:
 
 
 def _part_named(around: _Part, name: str) -> _Part:
-    """Return the part of a name, which is put into the part around where it is not there yet."""
+    """Return the part with a name inside another part; it is added if it does not exist."""
     for one in around.members:
         if isinstance(one, _Placed) and one.name == name:
             return one.part
@@ -498,7 +498,7 @@ def _part_named(around: _Part, name: str) -> _Part:
 
 
 def _rebase(part: _Part) -> None:
-    """Make the absolute addresses in a part's parts relative to the lowest one of each."""
+    """Make absolute addresses relative: each part gets the lowest address inside it, its members the distance to it."""
     for placed in part.members:
         if isinstance(placed, _Placed):
             _rebase(placed.part)
@@ -514,7 +514,7 @@ def _desc(node: Any) -> str:
 
 
 def _is(node: Any, *types: str) -> bool:
-    """Return whether a node is of one of the compiler's classes, which are imported with the compiler only."""
+    """Return whether a node has one of these classes, given by name: the compiler may not be installed."""
     return type(node).__name__ in types
 
 
@@ -525,9 +525,9 @@ def _map_around(node: Any) -> Any:
 
 
 def _word_bits(registers: Sequence[Any], memories: Sequence[Any]) -> int:
-    """Return the width of the gateway's words: that of the narrowest register, else of the narrowest memory.
+    """Return the word width in bits for a gateway: of the narrowest register, or without registers of the memories.
 
-    A register that is wider than any gateway's word is accessed in smaller parts.
+    A register that is wider than the widest gateway word counts with its accesswidth.
     """
     widths: list[int] = [node.get_property("regwidth") for node in registers]
     narrow: list[int] = [
@@ -543,7 +543,7 @@ def _name(name: str) -> str:
 
 
 def _value_name(name: str) -> str:
-    """Return the name of a value, which Python's enumerations have as well."""
+    """Return a name for a value of an enumeration that is allowed in Python's enumerations too."""
     return f"v{name}" if name.startswith("_") else f"{name}_" if name == "mro" else _name(name)
 
 

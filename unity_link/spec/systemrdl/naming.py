@@ -1,4 +1,4 @@
-"""Names that are told apart, and the values of an enumeration as a spec writes them, for both directions."""
+"""Unique names, doc strings and enumeration values for the import from and the export to SystemRDL."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ _CONTROLS = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028\u2029]")
 
 
 def unique_name(name: str, taken: set[str]) -> str:
-    """Return a name that is not taken yet, and take it.
+    """Return a name that differs from all taken names, and add it to them.
 
-    ``a.b`` and ``a_b`` would be the same, and so are ``A`` and ``a``, which VHDL does not tell apart.
+    Numbers are appended until the name differs: ``a.b`` and ``a_b`` give the same identifier, and VHDL ignores case.
 
     Args:
-        name: the one that is wanted.
-        taken: those that are taken, in small letters.
+        name: the preferred name.
+        taken: the taken names, in lower case.
     """
     number, unique = 1, name
     while unique.lower() in taken:
@@ -29,10 +29,10 @@ def unique_name(name: str, taken: set[str]) -> str:
 
 
 def doc_lines(text: str) -> str:
-    """Return a doc string as it stands in a spec; nothing for an empty one. Control characters become spaces."""
+    """Return a doc string in the syntax of a spec; empty for an empty one. Control characters become spaces."""
     return "".join(f"/// {_CONTROLS.sub(' ', line)}\n" for line in text.split("\n")) if text else ""
 
 
 def values_text(values: Iterable[tuple[str, int, str]]) -> str:
-    """Return what stands between the braces of an enumeration, of names, numbers and doc strings."""
+    """Return the text between the braces of an enumeration, from names, numbers and doc strings."""
     return ", ".join(f"{doc_lines(doc)}{name} = {number}" for name, number, doc in values)

@@ -1,6 +1,6 @@
 """Numbers in SystemRDL's fields: PeakRDL's properties `is_signed`, `intwidth` and `fracwidth`, and enumerations.
 
-Files use PeakRDL's properties with or without a declaration of their own, for PeakRDL declares them itself.
+PeakRDL declares its properties itself, so that a file may use them with or without a declaration.
 """
 
 from __future__ import annotations
@@ -15,18 +15,18 @@ PEAKRDL = ("is_signed", "intwidth", "fracwidth")
 
 
 class Number(NamedTuple):
-    """A field's number."""
+    """The number format of a field."""
 
     signed: bool
     fraction: int | None
-    """Bits after the binary point, negative or more than there are bits too; None of a whole number."""
+    """Bits after the binary point; may be negative or larger than the width. None for a whole number."""
 
 
 def number_of(node: Any) -> Number:
-    """Return the number that a field is.
+    """Return the number format of a field.
 
     Raises:
-        ValueError: where its widths contradict each other or its enumeration.
+        ValueError: if its widths contradict each other or its enumeration.
     """
     signed = _property(node, "is_signed")
     whole, fraction = _property(node, "intwidth"), _property(node, "fracwidth")
@@ -38,7 +38,7 @@ def number_of(node: Any) -> Number:
 
 
 def are_bits(node: Any) -> bool:
-    """Return whether a field has no other meaning than that of its bits."""
+    """Return whether a field is plain bits: no enumeration, and neither signed nor fixed-point."""
     try:
         return number_of(node) == Number(signed=False, fraction=None) and node.get_property("encode") is None
     except ValueError:
@@ -46,10 +46,10 @@ def are_bits(node: Any) -> bool:
 
 
 def reset_of(node: Any) -> str:
-    """Return the value of a field after a reset, as a spec writes it; empty for 0, and where no number says it.
+    """Return the value of a field after a reset in the syntax of a spec; empty if it is 0 or not a number.
 
     Raises:
-        ValueError: as by `number_of`.
+        ValueError: if `number_of` raises one.
     """
     bits = node.get_property("reset")
     if not isinstance(bits, int) or not bits:
@@ -65,12 +65,12 @@ def _property(node: Any, name: str) -> int | None:
     if name not in node.list_properties():
         return None
     value = node.get_property(name)
-    # A property that was declared without a default has none where it is named without a value.
+    # A property that was declared without a default, and is used without a value, has a value of another type.
     return value if isinstance(value, int) else None
 
 
 def declare(compiler: Any, names: Iterable[str]) -> None:
-    """Declare properties of PeakRDL's to a compiler."""
+    """Declare properties of PeakRDL to a SystemRDL compiler."""
     from systemrdl.component import Field
     from systemrdl.udp import UDPDefinition
 

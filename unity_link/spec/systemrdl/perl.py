@@ -1,4 +1,4 @@
-"""Perl in a SystemRDL file: where it stands, before its compiler runs it."""
+"""Finds Perl in a SystemRDL file, before the SystemRDL compiler executes it."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ if TYPE_CHECKING:
 
 
 def first_perl(environment: Any, path: Path, include: list[str]) -> tuple[Span, str] | None:
-    """Return the place and the line of the first piece of Perl in a file and what it includes; None without any.
+    """Return place and source line of the first Perl in a file or its includes; None if there is no Perl.
 
     Args:
-        environment: of the compiler.
+        environment: environment of the SystemRDL compiler.
         path: the file.
-        include: folders in which files that it includes are looked for.
+        include: folders that are searched for included files.
 
     Raises:
-        RDLCompileError: where a file that is included cannot be found, or includes itself.
-        OSError: where a file cannot be read.
+        RDLCompileError: if an included file cannot be found, or includes itself.
+        OSError: if a file cannot be read.
     """
     from systemrdl.preprocessor.perl_preprocessor import PerlPreprocessor, PPPUnalteredSegment
 
     file = PerlPreprocessor(environment, str(path), include)
-    # The compiler's own search: it knows comments, and follows what is included.
+    # The compiler's own scanner recognizes comments and follows includes.
     segments, has_perl = file.get_perl_segments(file.tokenize())
     if not has_perl:
         return None

@@ -1,4 +1,4 @@
-"""Places in SystemRDL, as diagnostics name them, and the paths that its nodes get in a spec."""
+"""Places in SystemRDL for diagnostics, and the paths of its nodes in a spec."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ if TYPE_CHECKING:
 
 
 def diagnostic(severity: Severity, code: str, message: str, where: Any, file: str = "") -> Diagnostic:
-    """Return a diagnostic about a place that the SystemRDL compiler names.
+    """Return a diagnostic at a place that the SystemRDL compiler reports.
 
     Args:
         severity: of the diagnostic.
         code: of the rule.
         message: one sentence.
-        where: the compiler's reference to a source; None where it has none.
-        file: the file to be named where the compiler names none.
+        where: the compiler's reference to a source; None if it has none.
+        file: file to name if the compiler names none.
     """
     line = getattr(where, "line", None)
     if line is None:
@@ -29,12 +29,12 @@ def diagnostic(severity: Severity, code: str, message: str, where: Any, file: st
 
 
 def about(severity: Severity, code: str, message: str, node: Any) -> Diagnostic:
-    """Return a diagnostic at the place where a node is put; of the top, which is put nowhere, where it is declared."""
+    """Return a diagnostic at the place where a node is instantiated; for the top node, at its declaration."""
     return diagnostic(severity, code, message, node.inst_src_ref or node.def_src_ref)
 
 
 def chain(node: Any) -> list[Any]:
-    """Return a node and all around it, the outermost below the top first."""
+    """Return a node and the nodes around it without the top node, the outermost first."""
     nodes = []
     while node.parent is not None and node.parent.parent is not None:
         nodes.append(node)
@@ -43,13 +43,13 @@ def chain(node: Any) -> list[Any]:
 
 
 def flat_path(node: Any) -> str:
-    """Return the path of a node without the indices of arrays, which is that of all elements."""
+    """Return the path of a node without array indices; all elements of an array have the same."""
     path: str = node.get_path(array_suffix="", empty_array_suffix="")
     return path
 
 
 def spec_path(node: Any, names: Mapping[str, str]) -> str:
-    """Return the path that a single field has in a spec, where `names` has the names of all around it."""
+    """Return the path of one field in the spec; `names` has the names of the field and the nodes around it."""
     return ".".join(_items(node, names))
 
 
@@ -62,7 +62,7 @@ def _items(node: Any, names: Mapping[str, str]) -> Iterator[str]:
 
 
 def _flat_index(node: Any) -> int:
-    """Return the index in the one array that SystemRDL's array of several dimensions becomes."""
+    """Return the index of an element in the one-dimensional array that replaces an array of several dimensions."""
     index = 0
     for place, size in zip(node.current_idx, node.array_dimensions, strict=True):
         index = index * size + place
