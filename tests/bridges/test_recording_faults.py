@@ -164,7 +164,7 @@ def test_a_chunk_that_was_damaged_costs_no_other(tmp_path: Path) -> None:
 
     kept = sequence_in(path)
     assert result.returncode == 0
-    assert f"{path} is damaged: what is sound in it was exported" in result.stderr
+    assert f"{path} is damaged: its undamaged part was exported" in result.stderr
     assert kept[0] == 0
     assert kept[-1] == done.samples - 1
     assert 1 < len(kept) < done.samples
@@ -329,7 +329,7 @@ def test_a_chunk_that_would_fill_the_memory_is_left_out(
     assert sequences == [sequence_in(recorded), [row.at for row in Recording(recorded).in_order()]]
     assert most < 32 << 20
     result = run("export", path, "--csv", "-o", tmp_path)
-    assert f"{path} is damaged: what is sound in it was exported" in result.stderr
+    assert f"{path} is damaged: its undamaged part was exported" in result.stderr
 
 
 @pytest.mark.slow

@@ -109,7 +109,7 @@ def test_of_a_file_that_was_cut_what_is_whole_is_shown_and_the_rest_is_one_sente
         (["text"], "text is no snoop: one that ?snoop=FILE or UNITY_LINK_SNOOP wrote was expected"),
         (["other"], "other is no snoop of unity-link, but of dumpcap"),
         (["later"], "later is of another version, 'Unity-Link snoop 2'"),
-        (["text", "--from", "2", "--to", "1"], "--to 1 is not behind --from 2"),
+        (["text", "--from", "2", "--to", "1"], "--to 1 is not after --from 2"),
         (["text", "--from", "inf"], "--from inf: a number of seconds was expected"),
     ],
     ids=lambda value: " ".join(value) if isinstance(value, list) else "",

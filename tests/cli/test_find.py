@@ -217,7 +217,7 @@ def test_foreign_datagrams_are_no_boards() -> None:
     with boards([]) as port:
         result = find("--port", str(port), "--wait", "0.2")
     assert result.returncode == 1
-    assert result.stderr.startswith(f"error: no board has answered at port {port}: is one in the network, and ")
+    assert result.stderr.startswith(f"error: no board has answered at port {port}: is a board on the network, and ")
 
 
 @pytest.mark.parametrize(

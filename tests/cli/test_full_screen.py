@@ -196,7 +196,7 @@ def test_watch_into_a_file_tells_that_the_gateway_is_away_and_back(terminal: Win
     with served(counting_gateway(), tmp_path):
         terminal.enter("unity-link watch unix:gateway 0x10 --count 1000 >samples; echo code $?")
         terminal.wait_until(lambda _: (tmp_path / "samples").exists() and len((tmp_path / "samples").read_text()) > 50)
-    terminal.wait_for("^the gateway has gone away")
+    terminal.wait_for("^the gateway has disconnected")
     with served(counting_gateway(), tmp_path):
         terminal.wait_for("^the gateway is back")
         terminal.press("C-c")

@@ -48,7 +48,7 @@ def test_help_names_the_extra_to_install(command: str, extra: str) -> None:
             ["generate", "ros3", "x.ul"],
             "docs, matlab, python, ros1, ros2, verilog, vhdl was expected; did you mean 'ros2' or 'ros1'?",
         ),
-        (["read", "sim:", "-1"], "-1 is no option: where a negative number is meant, write -- before it"),
+        (["read", "sim:", "-1"], "-1 is no option: to give a negative number, write -- before it"),
         (
             ["live", "sim:", "--watch", "abc"],
             "'abc' is not a whole number like 10, 0x0A or 0b1010; did you mean 0xabc?",

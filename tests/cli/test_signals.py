@@ -143,7 +143,7 @@ def test_without_a_spec_a_name_is_answered_by_what_to_give() -> None:
         (["zenoh", SCARA, "sim:scara", "--prefix", "a"], "URL and SPEC are swapped: sim:scara"),
         (["show", "sim:scara"], "the gateway of sim:scara carries no description of its own"),
         (["info", SCARA], "is no URL of a gateway: it is a spec"),
-        (["read", "0x10", "sim:scara"], "it is a URL, which stands before the addresses"),
+        (["read", "0x10", "sim:scara"], "it is a URL, which goes before the addresses"),
     ],
 )
 def test_a_url_and_a_spec_that_are_swapped_are_told(arguments: list[str], said: str) -> None:

@@ -163,7 +163,7 @@ def test_noise_is_shown_and_does_nothing_to_the_screen(terminal: Window, tmp_pat
         portal.wrap_async_context_manager(listen_unix(Noise, tmp_path / "gateway")),
     ):
         terminal.enter("unity-link terminal unix:gateway; echo code $?")
-        terminal.wait_for("^The gateway does not say what it is", PROMPT)
+        terminal.wait_for("^The gateway does not identify itself", PROMPT)
         terminal.enter("R0A")
         terminal.wait_for("^The gateway", r"^\\x1b\[2J\\x1b\[31m\[bold\]\\xff +not a message", PROMPT)
         terminal.enter("quit")
@@ -176,7 +176,7 @@ def test_an_echo_alone_is_no_gateway_and_ends_nothing(terminal: Window, tmp_path
         portal.wrap_async_context_manager(listen_unix(Echo, tmp_path / "gateway")),
     ):
         terminal.enter("unity-link terminal unix:gateway; echo code $?")
-        screen = terminal.wait_for("^The gateway does not say what it is", PROMPT)
+        screen = terminal.wait_for("^The gateway does not identify itself", PROMPT)
         assert "Traceback" not in screen
         terminal.enter("quit")
         terminal.wait_for("^code 0$")

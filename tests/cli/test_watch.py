@@ -101,7 +101,7 @@ async def test_watch_into_a_file_tells_that_a_gateway_behind_a_server_is_away_an
         away = capsys.readouterr().err
         gateway.come_back()
         await watching
-    assert away == "the gateway has gone away: it is waited for\n"
+    assert away == "the gateway has disconnected: waiting until it is back\n"
     assert capsys.readouterr().err.splitlines()[0] == "the gateway is back"
 
 

@@ -413,8 +413,8 @@ def run(*arguments: object) -> subprocess.CompletedProcess[str]:
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (["good", "--to", "1", "--from", "2"], "--to 1 is not behind --from 2"),
-        (["good", "--rtl", "--to", "1", "--from", "2"], "--to 1 is not behind --from 2"),
+        (["good", "--to", "1", "--from", "2"], "--to 1 is not after --from 2"),
+        (["good", "--rtl", "--to", "1", "--from", "2"], "--to 1 is not after --from 2"),
         (["good", "--rtl", "--connection", "7"], "there is no connection 7: the file has 0"),
         (["good", "--rtl", "--vcd", "missing/a.vcd"], "missing/a.vcd can't be made (No such file or directory)"),
         (["missing", "--rtl"], "missing cannot be read: No such file or directory"),

@@ -1,29 +1,29 @@
 """The command line: `unity-link`.
 
-One file for each family of commands. They parse, show and explain; what they do, a program does by
-`unity_link.connect`.
+Each module has one family of commands. A command parses its arguments, uses the same Python API as programs
+(`unity_link.connect`), and prints the result.
 
-- `families` says which file has which command, and imports it when the command is typed
-- `running` runs a command's coroutine until it is done or a signal comes, `output` says what stdout and stderr are for
-- `arguments` and `words` read and write addresses and values, `wrong_use` says which of them cannot be
-- `signals` has get and set, by names; `completion` tells a shell how an argument may go on,
-  `manual` makes the manual page of all commands; `watched` is what `watch` watches
-- `doctor` finds what is slow or wrong, `find` which boards are on the network
-- `info`, `access` (read, write), `watch`, `simulate`, `terminal`, `demo` with `demo_view` are commands
-- `spec` has the commands about specs: check, fmt, show, import; `generate` writes code from one
-- `build` makes bitstreams of boards, `gateware` gives the VHDL away
-- `recording` has record and replay; `export` is about recordings and specs; `ros` has the bridges to ROS
+- `families` lists which module has which command, and imports the module when the command is used
+- `running` runs the coroutine of a command until it ends or a signal arrives; `output` writes stdout and stderr
+- `arguments` and `words` parse addresses and values; `wrong_use` words the errors of wrong command lines
+- `signals` has get and set; `completion` completes arguments in a shell; `manual` makes the manual page;
+  `watched` has the sources of `watch`
+- `doctor` checks for slow or wrong settings; `find` lists the boards on the network
+- `info`, `access` (read, write), `watch`, `simulate`, `stop`, `terminal`, `demo` with `demo_view` are commands
+- `spec` has the commands for specs: check, fmt, show, import; `generate` writes code from a spec
+- `build` makes bitstreams for boards; `gateware` copies the VHDL
+- `recording` has record and replay; `export` exports recordings and specs; `ros` has the bridges to ROS
 - `zenoh` has the bridge to Zenoh
-- `snoop` has explain and retrace, for files of what passed on a connection
-- `ft232h` has those about the chip's EEPROM
-- `live` shows signals on a page; `serve` shares a link; `service` tells systemd of a command that runs for long
-- `plots` draws curves, `full_screen` gives a picture the whole terminal for a while
+- `snoop` has explain and retrace, for recorded traffic of a connection
+- `ft232h` has the commands for the EEPROM of FT232H chips
+- `live` serves plots of signals; `serve` shares a link; `service` notifies systemd
+- `plots` draws curves; `full_screen` shows a picture on the whole terminal
 
-Modules import at their top only what each of their commands needs, and this one what every command needs; what is slow
-to load is imported where it is used.
+Modules import at their top only modules that each of their commands needs, and this module only modules that every
+command needs; slow imports are inside functions.
 
-Exit codes: 0 done; 1 failed, as the one sentence on stderr says; 2 wrong use; 128 and the number of the signal where
-one ended it (130 for Ctrl-C).
+Exit codes: 0 success; 1 failure, with one sentence on stderr; 2 wrong use; 128 plus the number of a signal that ended
+the command (130 for Ctrl-C).
 """
 
 from __future__ import annotations
@@ -74,17 +74,17 @@ def _options(
         bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version and exit.")
     ] = False,
 ) -> None:
-    """Take the options that stand before a command."""
+    """Accept the options before the command."""
 
 
 _UNWRITABLE = {errno.EBADF, errno.EDQUOT, errno.EFBIG, errno.EIO, errno.ENOSPC, errno.EPIPE}
-"""Errors of a file, pipe or terminal that cannot take a write."""
+"""Errors of writes to a file, pipe or terminal."""
 
 
 def main(program: typer.Typer = app, name: str = NAME) -> None:
-    """Run a command line, and exit with its code; `name` is what users type to get there."""
+    """Run a command line and exit with its code; `name` is the command that users type."""
     for number in SIGNALS:
-        # What `nohup` ignores stays ignored.
+        # A signal that `nohup` ignores stays ignored.
         if signal.getsignal(number) is signal.SIG_DFL:
             signal.signal(number, signal.default_int_handler if number == signal.SIGINT else _end)
     _open_what_is_closed()
@@ -93,19 +93,19 @@ def main(program: typer.Typer = app, name: str = NAME) -> None:
 
 
 def _end(number: int, _: object) -> NoReturn:
-    """End the program by a signal as by an error, so that `finally` blocks remove unfinished files."""
+    """End the program by SystemExit, so that `finally` blocks remove unfinished files."""
     sys.exit(SIGNALLED + number)
 
 
 def _open_what_is_closed() -> None:
-    """Open what takes all that is printed, for a program that was started without stdout or stderr."""
+    """Open the null device as stdout or stderr if the program was started without it."""
     for name in ("stdout", "stderr"):
         if getattr(sys, name) is None:
-            setattr(sys, name, Path(os.devnull).open("w"))  # noqa: SIM115  (it stays open to the end)
+            setattr(sys, name, Path(os.devnull).open("w"))  # noqa: SIM115  (it stays open until the process exits)
 
 
 def _run(program: typer.Typer, name: str = NAME) -> int:
-    # A character that the terminal does not know, such as the µ of µs, is no reason to end.
+    # Escape characters that the terminal's encoding lacks, such as the µ of µs, instead of failing.
     if isinstance(sys.stdout, io.TextIOWrapper):
         sys.stdout.reconfigure(errors="backslashreplace")
     quote_logs()
@@ -115,7 +115,7 @@ def _run(program: typer.Typer, name: str = NAME) -> int:
     except typer.TyperException as error:
         from unity_link.cli.wrong_use import sentence_about
 
-        # Without any argument the help has been printed, and there is nothing to add.
+        # Without arguments the help was printed, and the message is empty.
         if message := sentence_about(error):
             print_error(message, hint=_usage_hint(error))
         return error.exit_code
@@ -136,15 +136,15 @@ def _run(program: typer.Typer, name: str = NAME) -> int:
 
 
 def _tell(error: OSError) -> None:
-    """Print what the system refused."""
-    # What a command writes to files it answers for itself; what was open before it is stdout.
+    """Print an error of the operating system."""
+    # Commands report errors of files that they write; without a file name, an unwritable stdout is the cause.
     if error.filename is not None or error.errno not in _UNWRITABLE:
         place = f"{error.filename}: " if error.filename is not None else ""
         print_error(f"{place}{error.strerror or error}")
         return
-    # What is still buffered must not be tried again at exit.
+    # Replace stdout, so that the interpreter does not write the buffered rest again at exit.
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-    # If the reader of the output has gone, there is nothing to tell.
+    # If the reader of a pipe has closed it, print no error: that is how `head` ends a command.
     if not isinstance(error, BrokenPipeError):
         print_error(f"standard output cannot be written: {error.strerror}")
 

@@ -1,4 +1,4 @@
-"""Arguments and options that several commands have, under one name and with one meaning."""
+"""Arguments and options that several commands share."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from unity_link.protocol.wire.numbers import MOST_SECONDS
 
 
 def number(text: str) -> int:
-    """Read a number of the command line."""
+    """Parse a number of the command line."""
     try:
         return parse_number(text)
     except ValueError as error:
@@ -41,7 +41,7 @@ Timeout = Annotated[
     ),
 ]
 Json = Annotated[bool, typer.Option("--json", help="Print JSON for programs, one object a line.")]
-Overwrite = Annotated[bool, typer.Option("--overwrite", help="Replace what Unity-Link did not make.")]
+Overwrite = Annotated[bool, typer.Option("--overwrite", help="Replace files that Unity-Link did not make.")]
 DEFAULT_TIMEOUT = 5.0
 
 
@@ -49,7 +49,7 @@ def check_poll(hertz: float | None) -> None:
     """Check the rate of ``--poll``.
 
     Raises:
-        ArgumentError: where it is no rate.
+        ArgumentError: if it is not a finite number above 0.
     """
     if hertz is not None and not 0 < hertz < math.inf:
         raise ArgumentError(f"--poll {hertz:g}: more than 0 Hz was expected")

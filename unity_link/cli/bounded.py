@@ -1,4 +1,4 @@
-"""A call in a process of its own, for input that can ask for any amount of time and memory."""
+"""Calls a function in a process of its own, for input that can require any amount of time and memory."""
 
 from __future__ import annotations
 
@@ -18,26 +18,26 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 _MOST_BYTES = 2 << 30
-"""Memory that the new process may take beyond what this one has."""
+"""Memory in bytes that the new process may use in addition to that of this one."""
 _TOO_LARGE = 3
-"""Exit code of the process where memory ran out."""
+"""Exit code of the new process if it has no memory left."""
 
 
 class TooMuchError(UnityLinkError):
-    """Input asks for more time or memory than a command gives it."""
+    """Input requires more time or memory than a command allows."""
 
 
 def call_bounded(function: Callable[[], T], name: str, seconds: int) -> T:
-    """Call a function in a new process, which is ended at a bound, and return its result.
+    """Call a function in a new process with limited time and memory, and return its result.
 
     Args:
-        function: returns or raises what can be pickled.
-        name: of what is read, for the message.
-        seconds: processor time that the new process may take, at least 1.
+        function: returns or raises objects that can be pickled.
+        name: name of the input, for messages.
+        seconds: processor time that the new process may use, at least 1.
 
     Raises:
-        UnityLinkError: what the function raises.
-        TooMuchError: where it took more time or memory than it may.
+        UnityLinkError: if the function raises it.
+        TooMuchError: if it needs more time or memory.
     """
     sys.stdout.flush()
     sys.stderr.flush()
@@ -52,12 +52,12 @@ def call_bounded(function: Callable[[], T], name: str, seconds: int) -> T:
     code = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
     if code == -signal.SIGXCPU:
         raise TooMuchError(f"{name} takes more than {seconds} s of processor time; `--seconds` gives it more")
-    # A library in C++ that finds no memory ends the process.
+    # A C++ library that cannot allocate memory kills the process by a signal.
     if code == _TOO_LARGE or code < 0:
         raise TooMuchError(f"{name} takes more than {_MOST_BYTES >> 30} GiB of memory")
     if code:
         raise UnityLinkError(f"{name} cannot be read: the process that reads it has ended with {code}")
-    result, error = pickle.loads(answer)  # noqa: S301  (what this program has written)
+    result, error = pickle.loads(answer)  # noqa: S301  (written by the child process)
     if error is not None:
         raise error
     made: T = result
@@ -65,7 +65,7 @@ def call_bounded(function: Callable[[], T], name: str, seconds: int) -> T:
 
 
 def _answer(function: Callable[[], object], writing: int, seconds: int) -> None:
-    """Write the result of a function, or its error, in the new process, and end that."""
+    """In the new process: write the pickled result of the function, or its error, and exit."""
     import resource
 
     code = 1
@@ -83,7 +83,7 @@ def _answer(function: Callable[[], object], writing: int, seconds: int) -> None:
         code = 0
     except MemoryError:
         code = _TOO_LARGE
-    except Exception:  # noqa: BLE001  (told here, and by the exit code)
+    except Exception:  # noqa: BLE001  (reported here, and by the exit code)
         traceback.print_exc()
     finally:
         sys.stdout.flush()
@@ -92,7 +92,7 @@ def _answer(function: Callable[[], object], writing: int, seconds: int) -> None:
 
 
 def _address_space() -> int:
-    """Return the bytes of address space that this process has, by proc(5); 0 on systems without."""
+    """Return the size in bytes of this process's address space, from proc(5); 0 on systems without it."""
     try:
         pages = int(Path("/proc/self/statm").read_text().split()[0])
     except OSError:

@@ -1,4 +1,4 @@
-"""`unity-link build SPEC --board NAME`: a bitstream from a spec, and into the board."""
+"""`unity-link build SPEC --board NAME`: makes a bitstream from a spec, and programs the board."""
 
 from __future__ import annotations
 
@@ -37,9 +37,11 @@ def build(  # noqa: PLR0913  (each is an option)
         ),
     ],
     output: Annotated[
-        Path, typer.Option("--output", "-o", metavar="DIR", help="Where to write; made where it is not there.")
+        Path, typer.Option("--output", "-o", metavar="DIR", help="Where to write; created if it does not exist.")
     ] = Path(),
-    program: Annotated[bool, typer.Option("--program", help="Then put it into the board, by openFPGALoader.")] = False,
+    program: Annotated[
+        bool, typer.Option("--program", help="Then program the board with it, by openFPGALoader.")
+    ] = False,
     top: Annotated[
         Path | None,
         typer.Option(
@@ -53,7 +55,7 @@ def build(  # noqa: PLR0913  (each is an option)
         typer.Option(
             "--vhdl",
             metavar="FILE.vhd",
-            help="What the top needs beside, or entities that the spec names; again for each, in compile order.",
+            help="Other files that the top needs, or entities of the spec; may be repeated, in compile order.",
         ),
     ] = None,
     unchecked: Annotated[
@@ -64,10 +66,10 @@ def build(  # noqa: PLR0913  (each is an option)
     ] = False,
     mac: Annotated[
         str | None,
-        typer.Option(metavar="MAC", help="Of an Ethernet port: its own address, such as 02:55:4c:00:00:02."),
+        typer.Option(metavar="MAC", help="Of an Ethernet port: its MAC address, such as 02:55:4c:00:00:02."),
     ] = None,
     ip: Annotated[
-        str | None, typer.Option(metavar="ADDRESS", help="Of an Ethernet port: the address of IP after a reset.")
+        str | None, typer.Option(metavar="ADDRESS", help="Of an Ethernet port: its IP address after a reset.")
     ] = None,
     interface: Name = None,
     overwrite: Overwrite = False,
@@ -75,11 +77,11 @@ def build(  # noqa: PLR0913  (each is an option)
 ) -> None:
     """Build a bitstream from a spec: gateway, registers and cores at the pins of a board.
 
-    Signals that no core and no pin has are on a chain of shift registers at four further pins.
+    Signals that neither a core nor a pin uses are connected to a chain of shift registers at four further pins.
     With --top, VHDL of your own is at the pins: its ports have the names of the board's LEDs, buttons and headers.
     Prints the bitstream and its report of size, speed and pins. Takes a minute or two. Needs pip install
-    "unity-link[build]", and GHDL 4 or later. For a board that only Vivado or Quartus places it writes a project, and
-    prints the file to open.
+    "unity-link[build]", and GHDL 4 or later. For a board that needs Vivado or Quartus it writes a project, and prints
+    the file to open.
     """
     from unity_link.boards.build import build as make
     from unity_link.boards.build import loader
@@ -113,7 +115,7 @@ def build(  # noqa: PLR0913  (each is an option)
 
 
 def _addressed(name: str, board: Board, mac: str | None, ip: str | None) -> Board:
-    """Return a board with the addresses that its Ethernet port is to have."""
+    """Return a board with the given addresses of its Ethernet port."""
     from unity_link.gateware.limits import ETHERNET
     from unity_link.protocol.wire.discovery import parse_ip, parse_mac
 

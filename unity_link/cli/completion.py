@@ -1,7 +1,7 @@
-"""Completions of arguments for the shell: URLs that were used before, schemes, ports, signals.
+"""Completes arguments in a shell: URLs that were used before, schemes, ports, signals.
 
-URLs that a command has used with success are remembered in a file of the user's own, but for those with a token. No
-gateway is asked: completion is quick, and nothing happens on a wire.
+URLs that a command has used successfully are stored in a file of the user, except for those with a token. Completion
+connects to no gateway, so it is quick.
 """
 
 from __future__ import annotations
@@ -21,15 +21,15 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
 MEMORY_VARIABLE = "UNITY_LINK_MEMORY"
-"""Environment variable with the path of the file with the URLs; empty for none."""
+"""Environment variable with the path of the file of URLs; empty to store none."""
 _MOST = 20
-"""URLs that are remembered."""
+"""Most URLs that are stored."""
 _ASKED, _BY_BASH = "_UNITY_LINK_COMPLETE", "complete_bash"
 """Environment variables that typer's scripts for shells set."""
 _BREAKS = (":", "=")
-"""Characters that break words in bash and occur in URLs and assignments."""
+"""Characters at which bash splits words, and which occur in URLs and assignments."""
 _LISTS = ("names", "assignments", "signals")
-"""Parameters of commands that are specs and signals."""
+"""Parameters of commands that contain specs and signals."""
 _SUFFIX = ".ul"
 _SECRET = re.compile(r"[?&]token=")
 SCHEMES = ("serial:", "tcp://", "unix:", "udp://", "zenoh:", "ftdi://", "ftdi-async://", "sim:", "rtl:")
@@ -38,18 +38,18 @@ _DEVICES = ("ttyUSB*", "ttyACM*")
 
 
 _used: list[str] = []
-"""The URL of the command that runs."""
+"""URL of the running command, if it has one."""
 
 
 def note(url: str) -> str:
-    """Take down the URL of the command that runs, and return it."""
+    """Store the URL of the running command in memory, and return it."""
     _used[:] = [url]
     return url
 
 
 def remember_used() -> None:
-    """Remember the URL of a command that has done its work, the newest first; where that cannot be done is no error."""
-    # A token must not end up in a file that the user does not know of.
+    """Write the URL of a successful command to the file, the newest first. Failing to write it is no error."""
+    # Do not store a token in a file that the user may not know about.
     for url in _used:
         path = _memory()
         if path is None or _SECRET.search(url) or "\n" in url:
@@ -64,7 +64,7 @@ def remember_used() -> None:
 
 
 def remembered() -> list[str]:
-    """Return the URLs that were used before, the newest first."""
+    """Return the stored URLs, the newest first."""
     path = _memory()
     try:
         return [] if path is None else path.read_text(encoding="utf-8", errors="surrogateescape").splitlines()
@@ -73,21 +73,25 @@ def remembered() -> list[str]:
 
 
 def _memory() -> Path | None:
-    """Return the file with the URLs, in the user's state or where the environment says; None where it says none."""
+    """Return the path of the file of URLs; None if the environment disables it or the user has no home directory."""
     named = os.environ.get(MEMORY_VARIABLE)
     if named is not None:
         return Path(named) if named else None
     try:
         state = os.environ.get("XDG_STATE_HOME") or Path.home() / ".local" / "state"
     except RuntimeError:
-        # The system does not know the user, and nothing says where its files are.
+        # The user has no home directory.
         return None
     return Path(state) / "unity-link" / "urls"
 
 
 @contextlib.contextmanager
 def words_of_bash() -> Iterator[None]:
-    """Answer bash as other shells are: it takes `:` and `=` for words, and replaces what stands behind the last."""
+    """Make completion in bash work as in other shells, although bash splits words at `:` and `=`.
+
+    The split words are joined before completion, and the part up to the last such character is removed from the
+    answers, because bash replaces only the text after it.
+    """
     if os.environ.get(_ASKED) != _BY_BASH:
         yield
         return
@@ -104,9 +108,9 @@ def words_of_bash() -> Iterator[None]:
 
 
 def _joined(words: list[str], place: int) -> tuple[list[str], int]:
-    """Join words with the breaks beside them; return them, and which of them the word at a place has become a part of.
+    """Return the words joined at breaks, and the index of the joined word that contains the word at `place`.
 
-    What stands behind a break is taken for a part of the same word: bash does not tell whether a space was between.
+    Words after a break are always joined: bash does not report whether a space was between them.
     """
     joined: list[str] = []
     at = 0
@@ -121,7 +125,7 @@ def _joined(words: list[str], place: int) -> tuple[list[str], int]:
 
 
 def _ways(incomplete: str, known: Iterable[str]) -> list[str]:
-    """Return how an argument may go on, each way once, but for names that a shell would obey: zsh evaluates them."""
+    """Return the completions that begin with a text, each once, without characters that zsh would evaluate."""
     return [
         text
         for text in dict.fromkeys(known)
@@ -130,7 +134,7 @@ def _ways(incomplete: str, known: Iterable[str]) -> list[str]:
 
 
 def complete_url(incomplete: str) -> list[str]:
-    """Return URLs that begin so: those that were used, the ports of this computer, and the schemes."""
+    """Return URLs that begin with a text: stored URLs, ports of this computer, and schemes."""
     ports = [f"serial:{port}" for pattern in _DEVICES for port in sorted(Path("/dev").glob(pattern))]
     known = [*remembered(), *ports, *(f"sim:{robot}" for robot in complete_robot("")), *SCHEMES]
     return _ways(incomplete, known)
@@ -144,19 +148,19 @@ def complete_robot(incomplete: str) -> list[str]:
 
 
 def complete_simulated(incomplete: str) -> list[str]:
-    """Return what `simulate` can have behind the bus: specs of this folder, and robots by name."""
+    """Return the robots that `simulate` accepts: specs of this folder, and robots by name."""
     return _ways(incomplete, [*complete_robot(""), *sorted(_specs(incomplete))])
 
 
 def complete_board(incomplete: str) -> list[str]:
-    """Return the names of the boards that are known."""
+    """Return the names of the known boards."""
     from unity_link.boards.loading import board_names
 
     return _ways(incomplete, board_names())
 
 
 def complete_signal(ctx: Any, args: list[str], incomplete: str) -> list[str]:  # noqa: ARG001  (typer's)
-    """Return specs of this folder as the first argument behind the URL, and then signals of the spec."""
+    """Return specs of this folder for the first argument after the URL, and then signals of that spec."""
     given = [text for name in _LISTS for text in ctx.params.get(name) or ()]
     specs = [text for text in given if text.endswith(_SUFFIX)]
     specs += list(filter(None, [os.environ.get("UNITY_LINK_SPEC")]))
@@ -177,7 +181,7 @@ def _paths(spec: Path) -> list[str]:
     from unity_link.errors import UnityLinkError
     from unity_link.spec import compile_file
 
-    # Whatever is wrong with it, the command itself will say.
+    # The command itself will report faults of the spec.
     with contextlib.suppress(UnityLinkError, OSError, ValueError):
         return [path for one in compile_file(spec).interfaces for path in one.signals]
     return []

@@ -1,7 +1,7 @@
-"""`unity-link demo`: what Unity-Link does, in ten seconds and without hardware.
+"""`unity-link demo`: shows Unity-Link in ten seconds and without hardware.
 
-The virtual SCARA moves between poses while its positions stream in at 100 Hz and reads measure the round trip.
-`demo_run` does that and keeps what happened; `demo_view` draws it.
+The virtual SCARA moves between poses while its positions are streamed at 100 Hz and reads measure the round trip.
+`demo_run` runs it and records the results; `demo_view` draws them.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ def add_to(app: typer.Typer) -> None:
 
 
 def demo(
-    url: Annotated[str, typer.Argument(metavar="[URL]", help="A gateway with the SCARA behind it.")] = "sim:scara",
+    url: Annotated[str, typer.Argument(metavar="[URL]", help="A gateway with the SCARA robot.")] = "sim:scara",
     *,
     duration: Annotated[
         float,
@@ -59,10 +59,10 @@ async def _demo(url: str, duration: float, *, json: bool) -> None:
 
 
 async def _check_robot(url: str, link: Link) -> None:
-    """Check that a SCARA is there by what its registers hold, before anything is written.
+    """Check by the contents of its registers that the robot is a SCARA, before anything is written.
 
     Raises:
-        UnsupportedError: where there is none.
+        UnsupportedError: if it is not.
     """
     from unity_link.virtual import scara
 

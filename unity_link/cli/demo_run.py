@@ -1,4 +1,4 @@
-"""One run of `unity-link demo` on a link, and what happened in it; `demo_view` draws it."""
+"""Runs `unity-link demo` on a link and records the results; `demo_view` draws them."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ if TYPE_CHECKING:
 RATE_HZ = 100
 FRAMES_PER_SECOND = 20
 BATCH = 10_000
-"""Requests of the one batch that shows how many can be in flight."""
+"""Number of requests in the batch that shows pipelining."""
 ROUND_TRIPS = 30
-"""Reads that are measured at a time, one after the other."""
+"""Number of reads in one measurement, one after the other."""
 PAUSE = 0.05
-"""Seconds between these times; the reads would otherwise load the processor to no use."""
+"""Seconds between measurements; measuring without a pause would only load the processor."""
 HISTORY = 6.0
-"""Seconds of motion that are kept."""
+"""Seconds of motion that are stored for the plots."""
 STEP = 0.7
 """Seconds from one set point to the next."""
 POSES = (
@@ -50,7 +50,7 @@ POSES = (
 
 
 class DemoStep(msgspec.Struct):
-    """One call of the library, and what came of it."""
+    """One call of the library, and a text for its result."""
 
     code: str
     result: str = ""
@@ -65,11 +65,11 @@ class Summary(msgspec.Struct, kw_only=True):
     samples: int
     samples_lost: int
     round_trip_median_s: float | None
-    """None where the run was ended before anything was measured."""
+    """None if the run ended before the first measurement."""
     round_trip_99_percent_s: float | None
 
     def describe(self) -> list[tuple[str, str]]:
-        """Return it as pairs of a name and a text."""
+        """Return the results as pairs of a name and a text."""
         pairs = [
             ("requests", f"{self.requests:,} executed exactly once, {self.repetitions:,} of them sent again"),
             ("samples", f"{self.samples:,} at {RATE_HZ} Hz, {self.samples_lost:,} lost"),
@@ -89,9 +89,9 @@ class Demo:
         self.duration = duration
         self.steps: list[DemoStep] = []
         self.history: deque[tuple[float, list[int]]] = deque(maxlen=int(HISTORY * RATE_HZ))
-        """Time of arrival in seconds since the motion began, and the positions in counts."""
+        """Seconds from the start of the motion to the arrival of a sample, and the positions in counts."""
         self.targets: list[tuple[float, tuple[float, ...]]] = []
-        """Instant at which each pose became the set point, and the pose."""
+        """Seconds from the start of the motion to the write of a set point, and the pose."""
         self.began: float | None = None
         self._link = link
         self._round_trips: list[float] = []
@@ -104,21 +104,21 @@ class Demo:
         return 0.0 if self.began is None else time.monotonic() - self.began
 
     async def run(self, say: Callable[[str], None] | None = None, picture: Callable[[], None] | None = None) -> None:
-        """Do all of it.
+        """Run the whole demo.
 
         Args:
-            say: takes lines for where there is no picture.
-            picture: is called when there is something new to draw, `FRAMES_PER_SECOND` times a second.
+            say: called with each line of text, for output without a picture.
+            picture: called after a change of the results, about `FRAMES_PER_SECOND` times a second.
         """
         self._say, self._picture = say, picture
         await self._take_steps()
         await self._move()
 
     def summary(self) -> Summary:
-        """Sum up."""
+        """Return the results."""
         seen = self._link.statistics
         times = self._round_trips
-        # Of a single one there are no quantiles.
+        # Quantiles need at least two values.
         cuts = statistics.quantiles(times, n=100) if len(times) > 1 else None
         return Summary(
             duration_s=self.elapsed,
@@ -132,7 +132,7 @@ class Demo:
 
     @property
     def counts(self) -> tuple[int, int, int, float | None]:
-        """Return requests, samples, samples lost and the median round trip in seconds so far."""
+        """Requests, samples, lost samples and the median round trip in seconds so far."""
         seen = self._link.statistics
         median = statistics.median(self._round_trips) if self._round_trips else None
         return seen.requests, seen.samples, seen.samples_lost, median
@@ -143,7 +143,7 @@ class Demo:
         link = self._link
         self._begin_step(f"await link.read({scara.POSITION:#x})")
         position = await link.read(scara.POSITION)
-        self._end_step(f"the shoulder stands at {position} counts")
+        self._end_step(f"the shoulder is at {position} counts")
 
         speeds = [joint.most_speed // 2 for joint in scara.JOINTS]
         self._begin_step(f"await link.write_block({scara.SPEED_SET_POINT:#x}, speeds)")
@@ -195,7 +195,7 @@ class Demo:
         self.history.append((self.elapsed, signed_words(sample.values, self.gateway.data_bits)))
 
     async def _command(self) -> None:
-        """Write one pose after the other as set points."""
+        """Write the poses as set points, one after the other."""
         from unity_link.virtual import scara
 
         number = 0
@@ -210,7 +210,7 @@ class Demo:
             await asyncio.sleep(STEP)
 
     async def _measure(self) -> None:
-        """Read again and again, one read at a time, and draw in between."""
+        """Measure round trips of single reads, and draw after each measurement."""
         from unity_link.virtual import scara
 
         while True:
@@ -222,7 +222,7 @@ class Demo:
             await asyncio.sleep(PAUSE)
 
     async def _report(self) -> None:
-        """Print the robot's position once a second."""
+        """Print the positions of the joints once a second."""
         from unity_link.virtual import scara
 
         while True:

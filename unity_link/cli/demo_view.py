@@ -1,4 +1,4 @@
-"""The picture of `demo`: the calls and what they gave, the robot from above, and its four positions over time."""
+"""The picture of `demo`: the calls with their results, the robot from above, and its four positions over time."""
 
 from __future__ import annotations
 
@@ -21,28 +21,28 @@ if TYPE_CHECKING:
     from rich.console import ConsoleDimensions
 
 COLORS: tuple[Rgb, ...] = ((86, 182, 232), (240, 160, 80), (126, 200, 120), (220, 130, 190))
-"""One for each joint; told apart by people who see red and green alike."""
+"""One colour for each joint; they differ also for people with red-green blindness."""
 TARGET: Rgb = (110, 110, 125)
 TRAIL: Rgb = (95, 110, 140)
 UPPER_ARM, FOREARM = 0.55, 0.45
-"""Lengths of the drawn links; together 1."""
+"""Lengths of the two drawn arms; their sum is 1."""
 _TRAIL_SAMPLES = 150
 _CODE_WIDTH = 46
 _WIDEST, _TALLEST_PLOT, _SHORTEST_PLOT = 110, 5, 2
 _NARROWEST = 70
-"""Columns for the robot beside the plots, and for what the calls gave beside the calls."""
+"""Columns from which the robot is shown beside the plots, and the results beside the calls."""
 _AROUND_PLOTS = 13
-"""Rows of everything but the plots, with the summary that follows."""
+"""Rows of everything but the plots, including the summary below."""
 _FRAME, _STEPS = 3, 5
-"""Rows of the frame with the progress, and of the calls."""
+"""Rows of the frame with the progress bar, and of the calls."""
 
 
 def render(show: Demo, size: ConsoleDimensions) -> RenderableType:
-    """Draw the demo for a terminal of `size`."""
+    """Return the picture for a terminal of `size`."""
     width = min(size.width, _WIDEST)
     joints = len(JOINTS)
     height = min(max((size.height - _AROUND_PLOTS) // joints - 1, _SHORTEST_PLOT), _TALLEST_PLOT)
-    # On a low terminal the plots go first and then the calls: the numbers stay.
+    # On a low terminal, leave out the calls, then the plots, and keep the numbers.
     height = min(height, max((size.height - _FRAME - _STEPS) // joints - 1, 0))
     rows = joints * (height + 1)
     above: list[RenderableType] = []
@@ -66,7 +66,7 @@ def render(show: Demo, size: ConsoleDimensions) -> RenderableType:
 
 
 def render_summary(summary: Summary) -> RenderableType:
-    """Draw the end."""
+    """Return the summary as a table."""
     table = Table.grid(padding=(0, 2))
     table.add_column(style="bold green", no_wrap=True)
     for name, text in summary.describe():
@@ -120,7 +120,7 @@ def _joints(show: Demo, width: int, height: int) -> Table:
 
 
 def _set_points(show: Demo, number: int, now: float) -> Curve:
-    """Return the set point of a joint as a staircase."""
+    """Return the set point of a joint over time, as steps."""
     xs, ys = [], []
     ends = [*(start for start, _ in show.targets[1:]), now]
     for (start, pose), end in zip(show.targets, ends, strict=False):
@@ -138,7 +138,7 @@ def _positions(show: Demo, number: int, color: Rgb, most: int) -> Curve:
 
 
 def _arm(show: Demo, width: int, height: int) -> Text:
-    """Draw the robot from above, with the way that its tool came."""
+    """Draw the robot from above, with the path of its tool."""
     samples = list(show.history)[-_TRAIL_SAMPLES:]
     ways = [_elbow_and_tool(counts) for _, counts in samples[::2]]
     elbow, tool = _elbow_and_tool(samples[-1][1]) if samples else ((0.0, UPPER_ARM), (0.0, 1.0))
@@ -150,14 +150,14 @@ def _arm(show: Demo, width: int, height: int) -> Text:
         _circle(elbow, 0.04, COLORS[1]),
         _circle(tool, 0.05, COLORS[3]),
     ]
-    # A dot is as high as it is wide, so both axes have the same scale.
+    # A dot is as high as it is wide, so use the same scale for both axes.
     reach = 1.1
     across = reach * width * DOTS_ACROSS / (height * 4)
     return draw(width, height, curves, (-across, across), (-reach, reach))
 
 
 def _elbow_and_tool(counts: list[int]) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Return the places of elbow and tool; at 0 both links point up."""
+    """Return the positions of elbow and tool; for angles of 0 both arms point up."""
     shoulder, elbow = (math.radians(counts[number] / JOINTS[number].counts_per_unit) for number in (0, 1))
     x, y = UPPER_ARM * math.sin(shoulder), UPPER_ARM * math.cos(shoulder)
     return (x, y), (x + FOREARM * math.sin(shoulder + elbow), y + FOREARM * math.cos(shoulder + elbow))

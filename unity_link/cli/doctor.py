@@ -1,4 +1,4 @@
-"""`unity-link doctor`: what is slow or wrong, and what to do about it."""
+"""`unity-link doctor`: finds slow or wrong settings, and gives advice."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def doctor(
         str | None, typer.Argument(metavar="[URL]", help="Where the gateway is; without it, this computer alone.")
     ] = None,
     spec: Annotated[
-        Path | None, typer.Argument(metavar="[SPEC]", help="The spec that programs take the gateway for.")
+        Path | None, typer.Argument(metavar="[SPEC]", help="The spec that programs use for the gateway.")
     ] = None,
     *,
     interface: Name = None,
@@ -44,11 +44,11 @@ def doctor(
         typer.Option("--duration", metavar="SECONDS", min=0.001, help="How long pauses of this computer are measured."),
     ] = _MEASURED,
 ) -> None:
-    """Find what is slow or wrong: this computer, the port, the line, the gateway; and say what to do.
+    """Find slow or wrong settings of this computer, the port, the line and the gateway, and give advice.
 
-    Nothing on the gateway's bus is read or written, but the spec that a board carries is read where SPEC is another.
-    Exits with 1 where something is wrong. Under --json each finding is an object: "check", "text", and where something
-    is wrong its name as "fault" and "advice".
+    Nothing on the gateway's bus is read or written, except that the spec of the board is read if SPEC is a different
+    one. Exits with 1 if something is wrong. Under --json each finding is an object: "check", "text", and if
+    something is wrong its name as "fault", and "advice".
     """
     expected: Interface | None = None
     if spec is not None:

@@ -1,6 +1,6 @@
-"""`unity-link export`: a spec or a recording in another form. `export rdl SPEC`, `export RECORDING --parquet`.
+"""`unity-link export`: converts a spec or a recording. `export rdl SPEC`, `export RECORDING --parquet`.
 
-A first argument that is no name of a form is a recording: what people export most needs the fewest words.
+If the first argument is not the name of a format, it is a recording: the most frequent export needs the fewest words.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ _RECORDING = "recording"
 
 
 class _Export(TyperGroup):
-    """The group of the forms."""
+    """The group of the formats."""
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
-        """Take what is not the name of a form as a recording."""
+        """Treat a first argument that is not the name of a format as a recording."""
         if args and args[0] not in self.commands and args[0] not in ctx.help_option_names:
             args = [_RECORDING, *args]
         return super().parse_args(ctx, args)
@@ -30,7 +30,7 @@ def add_to(app: typer.Typer) -> None:
     """Add the commands of this file."""
     exporting = typer.Typer(
         cls=_Export,
-        help="Make tables of a recording (export RECORDING --parquet or --csv), or SystemRDL of a spec.",
+        help="Convert a recording to tables (export RECORDING --parquet or --csv), or a spec to SystemRDL.",
         no_args_is_help=True,
     )
     exporting.command("rdl")(export_rdl)

@@ -1,6 +1,6 @@
-"""The commands of `unity-link`, each made when it is asked for: `read` does not wait for what only `live` needs.
+"""The commands of `unity-link`, each imported only when it is used: `read` does not wait for the imports of `live`.
 
-A family is a file of commands, which its ``add_to`` adds to an app. `PANELS` lists the commands of each family, so that
+A family is a module with commands, which its ``add_to`` adds to an app. `PANELS` lists the commands of each family:
 one family is imported to run a command, and all of them to show the help.
 """
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 MARKUP: Any = "markdown"
-"""Markup of help texts; "rich" would take the brackets of unity-link[zenoh] for its own."""
+"""Markup of help texts; "rich" would interpret the brackets of unity-link[zenoh] as markup."""
 PANELS = {
     "Robots": {
         "demo": "demo",
@@ -61,20 +61,20 @@ PANELS = {
         "gateware": "gateware",
     },
 }
-"""The panels of the help, and in each the commands with their families, in the order of the help."""
+"""The panels of the help, and for each the commands with their families, in the order of the help."""
 FAMILIES = {name: family for commands in PANELS.values() for name, family in commands.items()}
 """The family of each command."""
 
 
 class Commands(TyperGroup):
-    """The group of all commands. Until a command is asked for, typer has its name alone."""
+    """The group of all commands. Before a command is used, typer has only its name."""
 
     def __init__(self, **settings: Any) -> None:
         super().__init__(**settings)
         self.commands: Any = dict.fromkeys(FAMILIES)
 
     def get_command(self, ctx: Any, cmd_name: str) -> Any:
-        """Return a command, and make it where it is asked for the first time; None for a name that there is not."""
+        """Return a command, created at its first use; None for an unknown name."""
         if cmd_name in FAMILIES and self.commands[cmd_name] is None:
             made = _commands_of(FAMILIES[cmd_name])
             for name, command in made.items():
@@ -84,37 +84,37 @@ class Commands(TyperGroup):
         return super().get_command(ctx, cmd_name)
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
-        """Take the options before the command."""
+        """Parse the options before the command."""
         _convert_sparingly(self, ctx)
         return super().parse_args(ctx, args)
 
 
 def _commands_of(family: str) -> dict[str, Any]:
-    """Import a family, and return its commands."""
+    """Import a family and return its commands by name."""
     app = typer.Typer(rich_markup_mode=MARKUP)
     importlib.import_module(f"unity_link.cli.{family}").add_to(app)
     return {**get_group(app).commands}
 
 
 def _convert_sparingly(command: Any, ctx: Any) -> None:
-    """Make typer's converters only for values that need them.
+    """Create typer's converters only for values that need them.
 
-    They are pydantic's, whose import takes a third of the time of a read, and typer asks for one also where there is
-    nothing to convert: for an option that was not given, for text. Should a version of it ask in another way, this
-    changes nothing.
+    They are from pydantic, whose import takes a third of the time of a read. typer requests one even if there is
+    nothing to convert: for a missing option, or for text. If a later version of typer uses other attributes, this
+    function has no effect.
     """
     for parameter in command.get_params(ctx):
         parameter.get_runtime_param = functools.partial(_Converter, parameter.get_runtime_param)
 
 
 class _Converter:
-    """Converts a value of a parameter as typer does: what is nothing to convert by itself, the rest by typer's own."""
+    """Converts a value of a parameter like typer, but loads typer's converter only if it is needed."""
 
     def __init__(self, usual: Callable[[], Any]) -> None:
         self._usual = usual
 
     def coerce(self, value: Any, param: Any, ctx: Any) -> Any:
-        """Return a value as the command is to have it."""
+        """Return a value converted for the command."""
         kind, parse = param.type_descriptor.annotation, param.type_descriptor.parameter_info.parser
         several = param.multiple or param.nargs != 1
         if not several and (value is None or (kind is str and isinstance(value, str))):

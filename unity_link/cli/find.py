@@ -1,4 +1,4 @@
-"""`unity-link find`: which boards are on the network, and an address for one of them."""
+"""`unity-link find`: lists the boards on the network, and assigns addresses to them."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from unity_link.transport.finding import FoundBoard
 
 _MOST_NAMED = 4
-"""Boards of one address that a note names."""
+"""Most boards of one address that a note names."""
 _EXAMPLE = "02:55:4c:00:00:01=192.168.1.101"
 
 
@@ -32,8 +32,8 @@ def find(
         list[str] | None,
         typer.Argument(
             metavar="ADDRESS",
-            help="Whom to ask: the broadcast address of a network, such as 192.168.1.255, or one machine. All networks "
-            "of this machine, and itself, without.",
+            help="Where to search: the broadcast address of a network, such as 192.168.1.255, or one machine. All "
+            "networks of this machine, and itself, without.",
             show_default=False,
         ),
     ] = None,
@@ -54,15 +54,15 @@ def find(
 ) -> None:
     """List the boards with an Ethernet port that answer on the network.
 
-    Each with its URL, the address of its MAC, its name, the fingerprint of its map, and whether a program has opened a
-    session with it since its reset. Boards that have the same address are told.
+    Prints for each its URL, MAC address, name and the fingerprint of its map, and whether a program has opened a
+    session with it since its reset. Boards with the same address are reported.
     """
     wanted = _wanted(assign or [])
     run(_find(where or [], port, wanted, patience=wait, json=json))
 
 
 def _wanted(texts: list[str]) -> dict[bytes, bytes]:
-    """Return which MAC is to have which address."""
+    """Return the addresses to assign, by MAC."""
     wanted: dict[bytes, bytes] = {}
     for text in texts:
         mac, equals, address = text.partition("=")
@@ -88,16 +88,16 @@ async def _find(places: list[str], port: int, wanted: dict[bytes, bytes], *, pat
             _check_free(boards, mac, address)
         for mac, ip in wanted.items():
             await find(places, port, patience=patience, mac=mac, ip=ip)
-        # Only a new list shows the boards that took an address, and other boards that have taken it since.
+        # Search again: this shows which boards accepted an address, and whether other boards have the same one.
         boards = await find(places, port, patience=patience)
         for mac, address in addresses.items():
             _check_free(boards, mac, address)
         boards = [_taken(boards, mac, address, port) for mac, address in addresses.items()]
     if not boards:
         raise ConnectError(
-            f"no board has answered at port {port}: is one in the network, and does no firewall drop what comes from "
-            "there? Linux drops what comes from addresses of no network of its own where rp_filter is 1; --assign "
-            "gives a board one of them"
+            f"no board has answered at port {port}: is a board on the network, and does a firewall drop its packets? "
+            "With rp_filter 1, Linux drops packets from addresses that are in none of its networks; --assign gives a "
+            "board an address in one of them"
         )
     if json:
         for board in boards:
@@ -109,10 +109,10 @@ async def _find(places: list[str], port: int, wanted: dict[bytes, bytes], *, pat
 
 
 def _check_free(boards: list[FoundBoard], mac: bytes, address: str) -> None:
-    """Check that an address can be given.
+    """Check that an address can be assigned.
 
     Raises:
-        ConnectError: where another board has it, or several are meant.
+        ConnectError: if another board has it, or several boards have the MAC.
     """
     meant = [board for board in boards if board.found.mac == mac]
     if any(board.doubled for board in meant) or len({board.found.name for board in meant}) > 1:
@@ -123,10 +123,10 @@ def _check_free(boards: list[FoundBoard], mac: bytes, address: str) -> None:
 
 
 def _taken(boards: list[FoundBoard], mac: bytes, address: str, port: int) -> FoundBoard:
-    """Return the board that has taken an address.
+    """Return the board that accepted an address.
 
     Raises:
-        ConnectError: where none has.
+        ConnectError: if no board did.
     """
     meant = [board for board in boards if board.found.mac == mac]
     if not meant:
@@ -173,7 +173,7 @@ def _print(boards: list[FoundBoard]) -> None:
 
 
 def _notes(boards: list[FoundBoard]) -> list[str]:
-    """Return what is wrong between boards: one address for several."""
+    """Return notes on boards that share a MAC or IP address."""
     by_address, by_mac = defaultdict(list), defaultdict(list)
     for board in boards:
         by_address[board.address].append(board)

@@ -55,7 +55,7 @@ def info(
     *,
     json: Json = False,
 ) -> None:
-    """List the chips that are plugged in, or show what the EEPROM of one says."""
+    """List the connected chips, or show the EEPROM content of one."""
     if url is None:
         _list(json=json)
         return
@@ -100,10 +100,10 @@ def _list(*, json: bool) -> None:
 def configure(
     url: ChipUrl,
     *,
-    mode: Annotated[Literal["fifo", "uart"], typer.Option(help="What the pins are to be: FT245 FIFO, or UART.")],
+    mode: Annotated[Literal["fifo", "uart"], typer.Option(help="Function of the pins: FT245 FIFO, or UART.")],
     yes: Annotated[bool, typer.Option("--yes", help="Write without asking.")] = False,
 ) -> None:
-    """Write into the chip's EEPROM what the pins of a port are to be."""
+    """Write the function of a port's pins into the chip's EEPROM."""
     from unity_link.transport.ft232h.eeprom import read_info, write_channel_type
 
     kind: Literal["FIFO", "UART"] = "FIFO" if mode == "fifo" else "UART"

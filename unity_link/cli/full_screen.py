@@ -1,7 +1,7 @@
-"""A picture that fills the terminal while a command runs, and then gives the terminal back as it was.
+"""Shows a picture on the whole terminal while a command runs, and restores the terminal afterwards.
 
-It is drawn on the alternate screen, where a resize leaves no pieces of earlier pictures. At the end its last state is
-printed below what stood on the terminal before.
+The picture is on the alternate screen, so that resizing leaves no remains of earlier ones. At the end its last state
+is printed below the earlier content of the terminal.
 """
 
 from __future__ import annotations
@@ -24,15 +24,15 @@ if TYPE_CHECKING:
     from rich.console import RenderableType
 
 _ENOUGH = b"qQ\x04"
-"""The keys that end the picture; the last is Ctrl-D."""
+"""Keys that end the picture: q, Q and Ctrl-D."""
 
 
 @asynccontextmanager
 async def full_screen(render: Callable[[ConsoleDimensions], RenderableType]) -> AsyncIterator[Callable[[], None]]:
-    """Show a picture while the block runs, which ends where the user types q; return what draws it anew.
+    """Show a picture while the block runs; cancel the block if the user types q; yield a function that redraws it.
 
     Args:
-        render: makes the picture for a terminal of a size.
+        render: returns the picture for a terminal of a given size.
     """
     limit = asyncio.timeout(None)
     screen = _Screen(render, end=lambda: limit.reschedule(0))
@@ -49,7 +49,7 @@ async def full_screen(render: Callable[[ConsoleDimensions], RenderableType]) -> 
 
 
 class _Screen:
-    """The terminal, taken and given back."""
+    """The terminal while the picture is shown."""
 
     def __init__(self, render: Callable[[ConsoleDimensions], RenderableType], end: Callable[[], None]) -> None:
         self._render = render
@@ -76,13 +76,13 @@ class _Screen:
 
     def _picture(self) -> RenderableType:
         size = os.get_terminal_size(self._console.file.fileno())
-        # COLUMNS and LINES, which rich would rather believe, do not follow the window. A serial console knows no size.
+        # Measure the size: rich prefers COLUMNS and LINES, which do not follow the window. A serial console has size 0.
         if all(size):
             self._console.size = ConsoleDimensions(*size)
         return self._render(self._console.size)
 
     def _pause(self) -> None:
-        """Leave the terminal to the shell after Ctrl-Z, until it lets the program go on."""
+        """Restore the terminal for the shell after Ctrl-Z, and show the picture again when the program continues."""
         self._taken.close()
         signal.raise_signal(signal.SIGTSTP)
         self.take()
@@ -90,7 +90,7 @@ class _Screen:
 
 @contextmanager
 def _keys_unseen(end: Callable[[], None]) -> Iterator[None]:
-    """Take what is typed, so that it neither spoils the picture nor is left to the shell; Ctrl-C stays a signal."""
+    """Read all keys, so that they neither disturb the picture nor reach the shell later; Ctrl-C stays a signal."""
     if sys.stdin is None or not sys.stdin.isatty():
         yield
         return

@@ -1,4 +1,4 @@
-"""`unity-link gateware`: the VHDL that this package brings."""
+"""`unity-link gateware`: copies the VHDL of this package."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from unity_link.cli.output import may_overwrite, print_result
 
 def add_to(app: typer.Typer) -> None:
     """Add the commands of this file."""
-    commands = typer.Typer(help="Take the gateware's VHDL into a design of your own.", no_args_is_help=True)
-    # With one command alone, typer would leave out its name.
+    commands = typer.Typer(help="Use the gateware's VHDL in a design of your own.", no_args_is_help=True)
+    # With a single command, typer would leave out its name, unless there is a callback.
     commands.callback()(lambda: None)
     commands.command()(copy)
     app.add_typer(commands, name="gateware")
@@ -24,7 +24,7 @@ def copy(
     folder: Annotated[
         Path,
         typer.Argument(
-            metavar="DIR", help="Where to write; must not be there, or be empty or such a copy.", show_default=False
+            metavar="DIR", help="Where to write: a new or empty folder, or an earlier copy.", show_default=False
         ),
     ],
     *,

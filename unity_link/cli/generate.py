@@ -1,4 +1,4 @@
-"""`unity-link generate TARGET SPEC`: clients in other languages, gateware and documents from a spec."""
+"""`unity-link generate TARGET SPEC`: generates clients in other languages, gateware and documents from a spec."""
 
 from __future__ import annotations
 
@@ -25,15 +25,16 @@ def generate(  # noqa: PLR0913  (each is an option)
     spec: SpecFile,
     *,
     output: Annotated[
-        Path, typer.Option("--output", "-o", metavar="DIR", help="Where to write; made where it is not there.")
+        Path, typer.Option("--output", "-o", metavar="DIR", help="Where to write; created if it does not exist.")
     ] = Path(),
     interface: Name = None,
     given: Given = None,
     maintainer: Annotated[
-        str | None, typer.Option(metavar="'NAME <EMAIL>'", help="Of a package of ROS.", show_default=False)
+        str | None,
+        typer.Option(metavar="'NAME <EMAIL>'", help="For a ROS package: its maintainer.", show_default=False),
     ] = None,
     licence: Annotated[
-        str | None, typer.Option(metavar="NAME", help="Of a package of ROS.", show_default=False)
+        str | None, typer.Option(metavar="NAME", help="For a ROS package: its licence.", show_default=False)
     ] = None,
     clock_hz: Annotated[
         int | None,
@@ -60,7 +61,7 @@ def generate(  # noqa: PLR0913  (each is an option)
     overwrite: Overwrite = False,
     json: Json = False,
 ) -> None:
-    """Generate code from a spec: typed proxies, clients in C, C++ and MATLAB, VHDL, packages of ROS, documents."""
+    """Generate code from a spec: typed proxies, clients in C, C++ and MATLAB, VHDL, ROS packages, documents."""
     from unity_link.generate import generate as make
     from unity_link.generate import write
 

@@ -1,4 +1,4 @@
-"""`unity-link info`: what a gateway is."""
+"""`unity-link info`: shows the configuration of a gateway."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ if TYPE_CHECKING:
     from unity_link.protocol.wire.configuration import GatewayInfo
 
 ROUND_TRIPS = 25
-"""Fences that are measured: enough for a median, and quick on a slow serial line."""
+"""Number of fences that are measured: enough for a median, and quick on a slow serial line."""
 _OF_FRAMES = frozenset({"protocol", "message IDs", "CRC", "blocks", "clock", "FIFOs", "build"})
-"""Rows of `info` that a bus mapped into memory does not have."""
+"""Rows of `info` that do not apply to a bus mapped into memory."""
 
 
 def add_to(app: typer.Typer) -> None:
@@ -28,7 +28,7 @@ def add_to(app: typer.Typer) -> None:
 
 
 def info(url: Url, *, json: Json = False, timeout: Timeout = DEFAULT_TIMEOUT) -> None:
-    """Show what a gateway is: widths, clock, features, and how quickly it answers."""
+    """Show the widths, clock and features of a gateway, and how quickly it answers."""
     run(_info(url, json=json, timeout=timeout))
 
 
@@ -53,7 +53,7 @@ async def _info(url: str, *, json: bool, timeout: float) -> None:  # noqa: ASYNC
 
 
 async def _round_trip(link: Link) -> float:
-    """Return the median round trip of a lone request, in seconds."""
+    """Return the median round trip of single requests, in seconds."""
     times = []
     for _ in range(ROUND_TRIPS):
         start = time.perf_counter()
@@ -76,7 +76,7 @@ def _print(url: str, rows: list[tuple[str, str]], round_trip: float) -> None:
 
 
 def describe(gateway: GatewayInfo) -> list[tuple[str, str]]:
-    """Return the description of a gateway, as pairs of a name and a text with units."""
+    """Return the configuration of a gateway as pairs of a name and a text with units."""
     from unity_link.protocol.wire.configuration import Feature
 
     base = gateway.base_frequency_hz

@@ -1,4 +1,4 @@
-"""`unity-link live`: signals as pictures, on a page of this machine."""
+"""`unity-link live`: shows signals as live plots on a web page of this computer."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 PORT = 8421
 FOXGLOVE_PORT = 8765
-"""Port on which the Foxglove app looks by default."""
+"""Default port of the Foxglove app."""
 _FOXGLOVE = "Foxglove"
 
 
@@ -52,7 +52,10 @@ def live(  # noqa: PLR0913  (its options)
     ] = None,
     rate: Annotated[float, typer.Option("--rate", metavar="HZ", help="Of --watch: samples a second.")] = 100.0,
     poll: Annotated[
-        float, typer.Option("--poll", metavar="HZ", help="How often to read what nothing samples; 0: not at all.")
+        float,
+        typer.Option(
+            "--poll", metavar="HZ", help="Rate at which signals that no group samples are read; 0: not at all."
+        ),
     ] = 10.0,
     allow_writes: Annotated[
         bool, typer.Option("--allow-writes", help="Let the page that knows the printed token write signals.")
@@ -80,9 +83,9 @@ def live(  # noqa: PLR0913  (its options)
     json: Json = False,
     timeout: Timeout = DEFAULT_TIMEOUT,
 ) -> None:
-    """Show signals as moving pictures, on a page of this machine.
+    """Show signals as live plots on a web page of this machine.
 
-    Prints the address of the page and opens it. Gateway and browser may go and come back. Ctrl-C ends it.
+    Prints the address of the page and opens it. Gateway and browser may disconnect and come back. Ctrl-C ends it.
     """
     if spec is not None and watch:
         raise ArgumentError("a SPEC was expected, or words by --watch ADDRESS, not both")
@@ -101,7 +104,7 @@ def live(  # noqa: PLR0913  (its options)
 
 
 class _Shown:
-    """Signals and groups that the user wants to see."""
+    """Signals and groups to show."""
 
     def __init__(
         self, spec: Spec | None, interface: str | None, words: list[int], rate: float, poll: float | None
@@ -113,7 +116,7 @@ class _Shown:
         self._poll = poll
 
     async def behind(self, link: Link) -> tuple[Robot, list[SampledGroup]]:
-        """Return the robot behind a link, and its groups."""
+        """Return the robot of a link, and the groups to show."""
         if self._spec is None:
             from unity_link.bridges.live import robot_of_words
 
@@ -175,12 +178,12 @@ def _announce(listener: socket.socket, token: str | None, foxglove: object, *, b
     if browser and _has_screen():
         import webbrowser
 
-        # Some browsers hold up who starts them until they end, which is no reason not to end before.
+        # Open it in a thread: some browsers block their caller until they end, and the command may end before.
         threading.Thread(target=webbrowser.open, args=(address,), daemon=True).start()
 
 
 def _has_screen() -> bool:
-    """Return whether a browser would have a window; one in the terminal would be in the way."""
+    """Return whether a browser can open a window; a browser in the terminal would disturb the output."""
     return sys.platform in {"darwin", "win32"} or any(os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY"))
 
 

@@ -1,6 +1,6 @@
-"""The manual page, made from the commands: `python -m unity_link.cli.manual > unity-link.1`.
+"""Makes the manual page from the commands: `python -m unity_link.cli.manual > unity-link.1`.
 
-It says what `--help` says, so it is never behind.
+It has the same texts as `--help`, so it is always up to date.
 """
 
 from __future__ import annotations
@@ -21,11 +21,14 @@ if TYPE_CHECKING:
 NAME = "unity-link"
 _FILES = (
     ("~/.local/state/unity-link/urls", "URLs that were used with success, for completion"),
-    ("/etc/udev/rules.d/70-ft232h.rules", "lets a user open an FT232H or FT2232H; unity-link doctor tells the line"),
+    (
+        "/etc/udev/rules.d/70-ft232h.rules",
+        "lets a user open an FT232H or FT2232H; unity-link doctor prints its contents",
+    ),
 )
 _ENVIRONMENT = (
-    ("UNITY_LINK_SPEC", "the spec of get, set and watch where none is given"),
-    ("UNITY_LINK_SNOOP", "a file for all that passes on links whose URL names none"),
+    ("UNITY_LINK_SPEC", "the spec of get, set and watch if none is given"),
+    ("UNITY_LINK_SNOOP", "a file for the traffic of links whose URL names none"),
     ("UNITY_LINK_TOKEN", "the token of serve and live"),
     ("UNITY_LINK_MEMORY", "the file with the URLs for completion; empty for none"),
     ("NO_COLOR", "no colours"),
@@ -39,7 +42,7 @@ _EXITS = (
 
 
 def page() -> str:
-    """Return the manual page in the language of man(7)."""
+    """Return the manual page in man(7) format."""
     group: Any = get_group(app)
     context = group.make_context(NAME, [], resilient_parsing=True)
     assert isinstance(group, Commands)
@@ -88,7 +91,7 @@ def _options(command: Any, context: Any) -> Iterator[str]:
 
 
 def _text(text: str | None) -> str:
-    """Return paragraphs."""
+    """Return a text with its paragraphs as man(7) paragraphs."""
     paragraphs = re.split(r"\n\s*\n", (text or "").strip())
     return "\n.PP\n".join(_escaped(" ".join(paragraph.split())) for paragraph in paragraphs)
 

@@ -1,8 +1,8 @@
-"""The output of commands.
+"""Writes the output of commands.
 
-stdout has what was asked for, and under `--json` nothing but one JSON object a line. stderr has errors and summaries.
-Colours and moving pictures are for terminals alone; rich sees to that, and to `NO_COLOR`. Strings of specs, gateways,
-recordings and other machines are printed so that no terminal obeys them.
+stdout has only the results; under `--json` it has only JSON objects, one a line. stderr has errors and summaries.
+Colours and live displays are only for terminals; rich decides that, also by `NO_COLOR`. Control characters in strings
+of specs, gateways, recordings and other programs are quoted, so that they cannot control a terminal.
 """
 
 from __future__ import annotations
@@ -26,17 +26,17 @@ if TYPE_CHECKING:
     from unity_link.files import Overwrite
 
 _LATE_CONTROL = re.compile("[\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]")
-"""Characters that JSON may have as they are, and some terminals obey."""
+"""Characters that JSON may contain unescaped, but that control some terminals."""
 
 
 def out() -> Console:
-    """Return the console of stdout; a pipe gets whole lines, however long."""
-    # It looks for stdout at each print: a prompt puts another one in its place.
+    """Return the console of stdout; in a pipe it does not wrap lines."""
+    # Without a file, the console uses the current sys.stdout at each print; a prompt replaces sys.stdout.
     return console_on(None, soft_wrap=not sys.stdout.isatty())
 
 
 def console_on(stream: TextIO | None, *, soft_wrap: bool = False) -> Console:
-    """Return a console that prints strings from outside as a terminal shows and does not obey them; None for stdout."""
+    """Return a console for a stream, or for stdout, that quotes the control characters in printed strings."""
     return _console_class()(file=stream, highlight=False, markup=False, emoji=False, soft_wrap=soft_wrap)
 
 
@@ -52,10 +52,10 @@ def _console_class() -> type[Console]:
     return Quoting
 
 
-def _is_no_report_of_a_command(record: logging.LogRecord) -> bool:
-    """Return whether a record is shown on stderr: warnings of links, samples and leases are not.
+def _is_shown(record: logging.LogRecord) -> bool:
+    """Return whether a log record is shown on stderr: warnings of links, samples and leases are not.
 
-    Commands report lost connections and samples by themselves.
+    Commands report lost connections and lost samples themselves.
     """
     return record.levelname != "WARNING" or record.name not in {
         "unity_link.link",
@@ -65,7 +65,7 @@ def _is_no_report_of_a_command(record: logging.LogRecord) -> bool:
 
 
 def quote_logs() -> None:
-    """Make the warnings and errors that are logged on stderr such that a terminal shows and does not obey them."""
+    """Quote the control characters in warnings and errors that are logged on stderr."""
     import logging
 
     class Quoting(logging.Formatter):
@@ -74,24 +74,24 @@ def quote_logs() -> None:
 
     if logging.lastResort is not None:
         logging.lastResort.setFormatter(Quoting())
-        logging.lastResort.addFilter(_is_no_report_of_a_command)
+        logging.lastResort.addFilter(_is_shown)
 
 
 def is_live() -> bool:
-    """Return whether stdout is a terminal that can show a moving picture."""
+    """Return whether stdout is a terminal that can show a live display."""
     console = out()
-    # Colours that are forced on a pipe still want lines in it; and without Unicode there are no dots to draw with.
+    # Check isatty too: rich treats a pipe with forced colours as a terminal. Curves need Braille, and so Unicode.
     return sys.stdout.isatty() and not console.is_dumb_terminal and console.encoding.startswith("utf")
 
 
 def print_line(text: str) -> None:
-    """Print a line on stdout at once, so that a program that reads it does not wait."""
+    """Print a line on stdout, and flush it for a program that reads the other end of a pipe."""
     sys.stdout.write(terminal(text) + "\n")
     sys.stdout.flush()
 
 
 def print_json(value: Any) -> None:
-    """Print a JSON object as one line on stdout, at once."""
+    """Print a value as one line of JSON on stdout, and flush it."""
     import msgspec
 
     try:
@@ -102,7 +102,7 @@ def print_json(value: Any) -> None:
 
 
 def _in_utf_8(value: Any) -> Any:
-    """Return what JSON can say of a value with names of files that are no UTF-8: they are written as in a terminal."""
+    """Return a value with all strings encodable as UTF-8; other bytes of file names become backslash escapes."""
     if isinstance(value, str):
         return value.encode(errors="backslashreplace").decode()
     if isinstance(value, dict):
@@ -111,7 +111,7 @@ def _in_utf_8(value: Any) -> Any:
 
 
 def print_result(name: str, value: object, *, json: bool) -> None:
-    """Print a result: its text alone, or for programs as the only field of an object."""
+    """Print a result: only its text, or under `--json` an object with it as the only field."""
     if json:
         print_json({name: str(value)})
     else:
@@ -119,15 +119,15 @@ def print_result(name: str, value: object, *, json: bool) -> None:
 
 
 def print_note(text: str) -> None:
-    """Print a line for people on stderr."""
-    # A stderr that cannot be written, such as a pipe without a reader, ends no command.
+    """Print a note on stderr."""
+    # A stderr that cannot be written, such as a pipe without a reader, must not end the command.
     with contextlib.suppress(OSError):
-        print(terminal(text), file=sys.stderr, flush=True)  # noqa: T201  (this is where commands print)
+        print(terminal(text), file=sys.stderr, flush=True)  # noqa: T201  (a command prints)
 
 
 def print_error(text: str, hint: str = "") -> None:
-    """Print what went wrong, and in a second line what may help."""
-    # Without stderr, the exit code is all that tells.
+    """Print an error on stderr, and a hint on a second line."""
+    # Without stderr, the exit code is the only report.
     with contextlib.suppress(OSError):
         print_parts(("error: ", "bold red"), text, on=sys.stderr)
         if hint:
@@ -135,11 +135,11 @@ def print_error(text: str, hint: str = "") -> None:
 
 
 def print_parts(*parts: str | tuple[str, str], on: TextIO | None = None) -> None:
-    """Print a line of parts, some with a style of rich, which is imported where styles may be seen.
+    """Print a line of parts, some of them styled. rich is imported only if styles can be visible.
 
     Args:
         parts: texts, or pairs of a text and its style.
-        on: stdout or stderr.
+        on: stdout or stderr; None for stdout.
     """
     stream = sys.stdout if on is None else on
     if not (stream.isatty() or any(name in os.environ for name in _COLOURING)):
@@ -157,7 +157,7 @@ def _console(stream: TextIO) -> Console:
 
 
 def is_confirmed(question: str) -> bool:
-    """Ask on stderr; no answer at all is a no."""
+    """Ask a yes-or-no question on stderr; return False if there is no answer."""
     import typer
 
     try:
@@ -167,7 +167,7 @@ def is_confirmed(question: str) -> bool:
 
 
 def may_overwrite(overwrite: bool) -> Overwrite:
-    """Return whether files may go that Unity-Link did not make: asked on a terminal, where the option was not given."""
+    """Return which existing files may be replaced: all, none, or on a terminal those that the user confirms."""
     if overwrite or not (sys.stdin.isatty() and sys.stderr.isatty()):
         return overwrite
     from unity_link.files import in_the_way
@@ -176,4 +176,4 @@ def may_overwrite(overwrite: bool) -> Overwrite:
 
 
 _COLOURING = ("FORCE_COLOR", "TTY_COMPATIBLE")
-"""Environment variables by which rich colours output that is no terminal."""
+"""Environment variables that make rich colour output to a pipe."""

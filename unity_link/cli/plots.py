@@ -1,7 +1,7 @@
-"""Curves in Braille dots: plotext draws, rich shows.
+"""Draws curves in Braille dots: plotext draws, rich shows.
 
-A cell of a terminal holds 2 by 4 dots. plotext has one figure for the whole process; it is cleared before each use, and
-its axes are left out, because the commands write their own beside it.
+A cell of a terminal has 2 by 4 dots. plotext has one figure for the whole process; it is cleared before each use. Its
+axes are left out, because the commands print their own.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
 FARTHEST = 1e300
-"""Bounds of the numbers that plotext can draw: where a double does not hold how far limits are apart, it ends the
+"""Largest number that plotext can draw; if the difference of two limits exceeds the range of a double, it ends the
 process.
 """
 DOTS_ACROSS = 2
@@ -24,7 +24,7 @@ Limits = tuple[float, float]
 
 
 class Curve:
-    """Points that a line joins, in the order given; colour in red, green and blue from 0 to 255."""
+    """Points joined by lines, in the order given; the colour has red, green and blue from 0 to 255."""
 
     def __init__(self, xs: Sequence[float], ys: Sequence[float], color: Rgb) -> None:
         self.xs = xs
@@ -33,12 +33,12 @@ class Curve:
 
 
 def draw(width: int, height: int, curves: Iterable[Curve], x_limits: Limits, y_limits: Limits) -> Text:
-    """Draw curves, the later ones over the earlier ones.
+    """Draw curves, later ones over earlier ones.
 
     Args:
         width: columns of the terminal.
-        height: rows.
-        curves: what is drawn, by finite numbers; one without points is left out.
+        height: rows of the terminal.
+        curves: curves of finite numbers; one without points is skipped.
         x_limits: values at the left and the right edge.
         y_limits: values at the lower and the upper edge.
     """
@@ -68,6 +68,6 @@ def _signal(figure: Any, marker: Any, curve: Curve) -> Any:
 
 
 def _apart(limits: Limits) -> Limits:
-    """Return limits that are not the same; a flat curve runs through the middle."""
+    """Return limits that differ, so that a flat curve is drawn in the middle."""
     low, high = limits
     return limits if low < high else (low - 1, high + 1)

@@ -1,4 +1,4 @@
-"""`unity-link record`, `replay`, `export RECORDING`: what a robot published, on the disk and back."""
+"""`unity-link record`, `replay`, `export RECORDING`: recordings of the samples that a robot publishes."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ REFRESHES_PER_SECOND = 4
 
 
 def add_to(app: typer.Typer) -> None:
-    """Add the commands of this file; `export` belongs to specs, too, and is added by them."""
+    """Add the commands of this file; `unity_link.cli.export` adds `export`."""
     app.command()(record)
     app.command()(replay)
 
@@ -46,7 +46,8 @@ def record(  # noqa: PLR0913  (each is an option)
         typer.Option("--output", "-o", metavar="FILE", help="The recording, such as run.mcap.", show_default=False),
     ],
     poll: Annotated[
-        float | None, typer.Option(metavar="HZ", help="Also record what nothing publishes, by reading it so often.")
+        float | None,
+        typer.Option(metavar="HZ", help="Also record signals that no group publishes, by reading them at this rate."),
     ] = None,
     duration: Annotated[
         float | None,
@@ -58,10 +59,10 @@ def record(  # noqa: PLR0913  (each is an option)
     json: Json = False,
     timeout: Timeout = DEFAULT_TIMEOUT,
 ) -> None:
-    """Record all that a robot publishes; Ctrl-C ends it.
+    """Record all signals that a robot publishes; Ctrl-C ends it.
 
-    The recording is an MCAP file, which Foxglove and PlotJuggler open. Whatever ends the program, what was recorded
-    up to a second before is in it. A gateway that goes away is waited for.
+    The recording is an MCAP file, which Foxglove and PlotJuggler open. Even if the program is killed, the file has all
+    samples up to a second before. If the gateway disconnects, the command waits until it is back.
     """
     from unity_link.bridges.recording.files import check_name
 
@@ -150,7 +151,7 @@ def _bytes(size: int) -> str:
 
 @contextmanager
 def _shown(text: Callable[[], str]) -> Iterator[Callable[[], Any]]:
-    """Show a line that changes, on a terminal; return what refreshes it."""
+    """Show a status line if stderr is a terminal; yield a coroutine function that refreshes it until cancelled."""
     console = console_on(sys.stderr)
     status = console.status(text()) if console.is_terminal else None
 
@@ -179,14 +180,16 @@ def replay(
     unix: Annotated[
         Path | None, typer.Option(metavar="PATH", help="A Unix socket, removed at the end.", rich_help_panel=_PANEL)
     ] = None,
-    speed: Annotated[float, typer.Option(metavar="FACTOR", help="How many times as fast as it was.")] = 1.0,
+    speed: Annotated[
+        float, typer.Option(metavar="FACTOR", help="Speed of playback; 1 is that of the recording.")
+    ] = 1.0,
     loop: Annotated[bool, typer.Option("--loop", help="Begin again at the end.")] = False,
     json: Json = False,
 ) -> None:
     """Serve a gateway that answers as the recorded one did.
 
-    Prints one line, its URL, when it is ready. Time begins with the first access of a program; at the end of the
-    recording all stays as it was last. A write to what was recorded is refused. Ctrl-C ends it.
+    Prints one line, its URL, when it is ready. Playback begins with the first access of a program; after the end of the
+    recording all signals keep their last values. A write to a recorded signal is refused. Ctrl-C ends it.
     """
     if sum((pty, tcp is not None, unix is not None)) != 1:
         raise ArgumentError("one of --pty, --tcp and --unix was expected")
@@ -226,12 +229,12 @@ def export_recording(
     parquet: Annotated[bool, typer.Option("--parquet", help="Parquet, with units as metadata.")] = False,
     csv: Annotated[bool, typer.Option("--csv", help="CSV, for spreadsheets.")] = False,
     output: Annotated[
-        Path, typer.Option("--output", "-o", metavar="DIR", help="Where to write; made where it is not there.")
+        Path, typer.Option("--output", "-o", metavar="DIR", help="Where to write; created if it does not exist.")
     ] = Path(),
     overwrite: Overwrite = False,
     json: Json = False,
 ) -> None:
-    """Make tables of a recording: a file for each group, a row for each sample, a column for each signal."""
+    """Convert a recording to tables: a file for each group, a row for each sample, a column for each signal."""
     if parquet == csv:
         raise ArgumentError("one of --parquet and --csv was expected")
     from rich.markup import escape
@@ -251,8 +254,8 @@ def export_recording(
             overwrite=may_overwrite(overwrite),
         )
     if read.was_damaged:
-        print_note(f"{recording} is damaged: what is sound in it was exported")
+        print_note(f"{recording} is damaged: its undamaged part was exported")
     elif read.was_cut:
-        print_note(f"{recording} was not finished: what is in it was exported")
+        print_note(f"{recording} was not finished: the part that was written was exported")
     for path in paths:
         print_result("file", path, json=json)

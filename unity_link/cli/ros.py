@@ -1,4 +1,4 @@
-"""`unity-link ros1`, `ros2`: a robot as a node of ROS."""
+"""`unity-link ros1`, `ros2`: runs a robot as a ROS node."""
 
 from __future__ import annotations
 
@@ -38,11 +38,14 @@ BridgeUrl = Annotated[
 ]
 LinkUrl = Annotated[str | None, typer.Option("--link", metavar="URL", help="The URL, as in SPEC --link URL.")]
 Namespace = Annotated[
-    str | None, typer.Option("--namespace", metavar="NAME", help="Before all topics; the interface's name without.")
+    str | None,
+    typer.Option("--namespace", metavar="NAME", help="Namespace of all topics; the interface's name without."),
 ]
 Poll = Annotated[
     float | None,
-    typer.Option("--poll", metavar="HZ", help="Also publish what nothing samples, by reading it so often."),
+    typer.Option(
+        "--poll", metavar="HZ", help="Also publish signals that no group samples, by reading them at this rate."
+    ),
 ]
 AllowArm = Annotated[
     bool,
@@ -101,10 +104,10 @@ def ros1(  # noqa: PLR0913  (each is an option)
     interface: Name = None,
     given: Given = None,
 ) -> None:
-    """Be a node of ROS 1: signals that are sampled are topics, signals that can be written are subscribed to.
+    """Run a ROS 1 node: publish sampled signals as topics, and write signals from topics.
 
-    Needs rospy of the distribution; ROS_MASTER_URI says where the master is. Master and gateway may come and go. Takes
-    remappings as any node does: __ns:=/left, scara/j1/pos_sp:=elbow.
+    Needs rospy of the distribution; ROS_MASTER_URI is the address of the master. Master and gateway may come and go.
+    Accepts remappings like any node: __ns:=/left, scara/j1/pos_sp:=elbow.
     """
     from unity_link.bridges.ros_settings import BridgeSettings
 
@@ -147,17 +150,17 @@ def ros2(  # noqa: PLR0913  (each is an option)
     ] = None,
     domain: Annotated[int | None, typer.Option(metavar="N", help="The DDS domain; ROS_DOMAIN_ID without.")] = None,
     network: Annotated[
-        bool, typer.Option("--network", help="Speak to other machines, too, not to this one alone.")
+        bool, typer.Option("--network", help="Communicate with other machines, not only within this one.")
     ] = False,
     interface: Name = None,
     given: Given = None,
 ) -> None:
-    """Be a node of ROS 2, or on its topics without a ROS installation: signals that are sampled or can be written.
+    """Publish sampled signals as ROS 2 topics, and write signals from topics; a ROS installation is not needed.
 
-    A Python that has rclpy makes a node; otherwise CycloneDDS publishes and subscribes: pip install "unity-link[ros2]".
+    With a Python that has rclpy it is a node; otherwise it uses CycloneDDS: pip install "unity-link[ros2]".
 
-    Options go before --params. After --ros-args stand names and parameters as of any node of ROS 2: -r __ns:=/left,
-    -p poll_hz:=5, --params-file FILE.
+    Options override --params. Names and parameters of the node follow --ros-args, as for any node of ROS 2:
+    -r __ns:=/left, -p poll_hz:=5, --params-file FILE.
     """
     from unity_link.bridges.ros2.arguments import read_arguments
     from unity_link.bridges.ros2.domain import find_dds
@@ -208,7 +211,7 @@ def ros2(  # noqa: PLR0913  (each is an option)
 
 
 def _with_settings(spec: Spec, interface: str | None, settings: BridgeSettings) -> Spec:
-    """Return the spec with the parameters of the file that were not given by option."""
+    """Return the spec with the parameters from the file that were not given by --give."""
     known = {parameter.name: parameter.value for parameter in spec.interface(interface).parameters}
     left = {name: value for name, value in settings.given.items() if value != -1 and known.get(name) is None}
     return spec.given(left, interface)
@@ -232,7 +235,7 @@ async def _ros2(
 
 
 async def run_and_sum_up(bridge: Ros1Bridge | Ros2Bridge | ZenohBridge) -> None:
-    """Run a bridge, and say at its end what it has carried, unless it could not begin."""
+    """Run a bridge; at the end print its counts, unless it failed before it carried anything."""
     could_not = False
     try:
         await bridge.run()

@@ -1,7 +1,7 @@
-"""Runs the coroutine of a command until it is done or a signal asks it to end.
+"""Runs the coroutine of a command until it returns or a signal arrives.
 
-A signal cancels the coroutine, so its `finally` blocks close links, restore the terminal and print summaries. One that
-comes `PATIENCE` later ends the program at once, should that take too long.
+The first signal cancels the coroutine, so that its `finally` blocks close links, restore the terminal and print
+summaries. A second signal after at least `PATIENCE` ends the program at once, in case that takes too long.
 """
 
 from __future__ import annotations
@@ -19,17 +19,17 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 SIGNALLED = 128
-"""Exit codes of a program that a signal ended begin here."""
+"""Exit code of a program that a signal ended, minus the number of the signal."""
 INTERRUPTED = SIGNALLED + signal.SIGINT
 PATIENCE = 1.0
-"""Seconds for which further signals change nothing: `timeout` sends two at once, and so do hands."""
+"""Seconds in which further signals are ignored: `timeout` sends two at once, and a user may press Ctrl-C twice."""
 
 
 def run(command: Coroutine[None, None, T]) -> T:
-    """Run `command` to its end, and return what it returns.
+    """Run `command` until it returns, and return its result.
 
     Raises:
-        typer.Exit: where a signal ended it, with 128 and the signal's number, as shells expect.
+        typer.Exit: if a signal ended it, with 128 plus the signal's number, as shells expect.
     """
     return asyncio.run(_until_signal(command))
 
@@ -52,7 +52,7 @@ async def _until_signal(command: Coroutine[None, None, T]) -> T:
             signal.signal(number, handler)
 
     before = {number: signal.getsignal(number) or signal.SIG_DFL for number in SIGNALS}
-    # What `nohup` ignores stays ignored.
+    # A signal that `nohup` ignores stays ignored.
     watched = {number: handler for number, handler in before.items() if handler is not signal.SIG_IGN}
     for number in watched:
         loop.add_signal_handler(number, stop, number)
@@ -71,7 +71,7 @@ async def _until_signal(command: Coroutine[None, None, T]) -> T:
 
 
 def _end_at_next(watched: Iterable[signal.Signals]) -> None:
-    """End the program by the next signal that comes after `PATIENCE`, whatever it is doing then."""
+    """Let the next signal after `PATIENCE` end the program with the signal's default action."""
     earliest = time.monotonic() + PATIENCE
 
     def end(number: int, _: object) -> None:

@@ -1,4 +1,4 @@
-"""`unity-link serve`: one link for several programs."""
+"""`unity-link serve`: shares one link between several programs."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from unity_link.bridges import serve as bridge
     from unity_link.spec.model import Interface
 
-_PANEL = "Where it is served (a Unix socket if nothing is said)"
+_PANEL = "Where it is served (a Unix socket by default)"
 _LEASES = "Leases"
 _DEFAULT_NAME = "unity-link.sock"
 
@@ -65,7 +65,7 @@ def serve(  # noqa: PLR0913  (its options)
         str,
         typer.Option(
             metavar="ADDRESS",
-            help="Of --tcp: the network address to listen at. Any but this machine's own wants a token.",
+            help="Of --tcp: the network address to listen at. Any but this machine's own needs a token.",
             rich_help_panel=_PANEL,
         ),
     ] = LOOPBACK,
@@ -82,8 +82,8 @@ def serve(  # noqa: PLR0913  (its options)
         Path | None,
         typer.Option(
             metavar="SPEC",
-            help="The spec of the gateway, such as robot.ul: with it a lease is that of one client, and ends with it. "
-            "Default: the one that the gateway carries, or of which the URL has it made, as in sim:robot.ul.",
+            help="The spec of the gateway, such as robot.ul: with it a lease belongs to one client, and ends with it. "
+            "Default: the spec that the gateway carries, or the one in a URL such as sim:robot.ul.",
             rich_help_panel=_LEASES,
         ),
     ] = None,
@@ -96,7 +96,7 @@ def serve(  # noqa: PLR0913  (its options)
     """Share one link between several programs.
 
     Prints a line for each URL under which it is served: give that to programs and to other commands. The gateway may be
-    away at first and in between: clients are told, and go on when it is back. Ctrl-C ends it.
+    away at first and in between: clients are notified, and continue when it is back. Ctrl-C ends it.
     """
     if tcp is None and (host != LOOPBACK or token_file is not None):
         raise ArgumentError("--host and --token-file go with --tcp alone")
@@ -112,7 +112,7 @@ def serve(  # noqa: PLR0913  (its options)
 
 
 def _map_of(url: str, spec: Path | None, interface: str | None) -> Interface | None:
-    """Return the map of the gateway, None where nothing says it."""
+    """Return the interface of the gateway; None if neither the options nor the URL name a spec."""
     if spec is None and interface is not None:
         raise ArgumentError("--interface goes with --spec alone")
     named = spec or spec_in(url)
@@ -153,7 +153,7 @@ def _default_path() -> Path:
 def _places(
     url: str, nodes: list[int], unix: Path | None, tcp: int | None
 ) -> list[tuple[int | None, str, Path | None, int | None]]:
-    """Return what is served: node, URL, Unix socket and TCP port; each node has its own."""
+    """Return node, URL, Unix socket and TCP port of each server; each node has its own."""
     if not nodes:
         return [(None, url, unix, tcp)]
     from unity_link.transport import parse_url
@@ -161,7 +161,7 @@ def _places(
     if parse_url(url).node is not None:
         raise ArgumentError(f"{url} names a node, and so does --node: leave node= out of the URL")
     if len(set(nodes)) < len(nodes):
-        raise ArgumentError("a node is named twice: --node wants each once")
+        raise ArgumentError("a node is named twice: give each --node once")
     joint = "&" if "?" in url else "?"
     return [
         (
@@ -214,7 +214,7 @@ async def _serve(
                 target, unix=socket, tcp=port, host=host, token=token, interface=described, report=reporter(node)
             )
             servers.append(await stack.enter_async_context(serving))
-            # What prints its URL is taken for ready.
+            # Look for the gateway first: when the URL is printed, programs consider the server ready.
             await servers[-1].look()
         for (node, *_), server in zip(places, servers, strict=True):
             for place in server.urls:
@@ -235,7 +235,7 @@ async def _serve(
 
 
 async def _first_end(servers: list[bridge.Server]) -> None:
-    """Wait until a link has ended for good; raise why."""
+    """Wait until a link has ended for good, and raise its error."""
     waiting = [asyncio.ensure_future(server.wait()) for server in servers]
     try:
         done, _ = await asyncio.wait(waiting, return_when=asyncio.FIRST_COMPLETED)

@@ -1,7 +1,7 @@
-"""Notifications to the service manager that started a command, by sd_notify of systemd.
+"""Notifies the service manager that started a command, by the protocol sd_notify of systemd.
 
-The protocol is datagrams of ``NAME=value`` lines to the socket that `NOTIFY_SOCKET` names (sd_notify(3)); where it
-names none, nothing is said. `WATCHDOG_USEC` asks for a sign of life within so many microseconds
+Notifications are datagrams of ``NAME=value`` lines to the socket in `NOTIFY_SOCKET` (sd_notify(3)); without that
+variable no notification is sent. `WATCHDOG_USEC` is the longest time between two keep-alive notifications, in µs
 (sd_watchdog_enabled(3)).
 """
 
@@ -17,11 +17,11 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 SLOWEST = 5.0
-"""Seconds after which a status is told anew."""
+"""Longest time in seconds between two status notifications."""
 
 
 class Service:
-    """This process, as its service manager sees it."""
+    """The connection of this process to its service manager."""
 
     def __init__(self) -> None:
         self._address = os.environ.get("NOTIFY_SOCKET", "")
@@ -34,7 +34,7 @@ class Service:
         self._pause = min(SLOWEST, int(microseconds) / 2e6) if self._watched else SLOWEST
 
     def tell(self, *lines: str) -> bool:
-        """Send lines such as ``READY=1``; return whether the manager takes them now, for it may be busy or gone."""
+        """Send lines such as ``READY=1``; return whether they were sent: the manager may be busy or absent."""
         if not self._address:
             return False
         with contextlib.suppress(OSError), socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as notify:
@@ -44,12 +44,12 @@ class Service:
         return False
 
     def status(self, text: str) -> None:
-        """Send a status, if it differs from the last that was taken."""
+        """Send a status if it differs from the last one that was sent."""
         if text != self._told and self.tell(f"STATUS={text}"):
             self._told = text
 
     async def live(self, status: Callable[[], str]) -> None:
-        """Send signs of life and the status until cancelled; the event loop that stands still gives none."""
+        """Send keep-alive notifications and the status until cancelled; a blocked event loop sends none."""
         while self._address:
             self.status(status())
             if self._watched:

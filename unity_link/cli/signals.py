@@ -1,4 +1,4 @@
-"""`unity-link get` and `unity-link set`: signals by the names of a spec, with values in their units."""
+"""`unity-link get` and `unity-link set`: read and write signals by the names of a spec, in their units."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def get(
         typer.Argument(
             metavar="[SPEC] [SIGNAL]...",
             help="A spec, such as robot.ul, and signals: j1.position, a part as j1, a pattern as '*.position'; "
-            "without one, all that can be read but queues and what a read clears.",
+            "without one, all readable signals except queues and signals that a read clears.",
             autocompletion=complete_signal,
         ),
     ] = None,
@@ -54,10 +54,10 @@ def get(
     json: Json = False,
     timeout: Timeout = DEFAULT_TIMEOUT,
 ) -> None:
-    """Read signals by their names, in their units. All are read in one go.
+    """Read signals by name, in their units. All are read at once.
 
-    Without a SPEC, UNITY_LINK_SPEC in the environment names it. Under --json the values are those of the spec: numbers,
-    true or false, and of an enumeration its names.
+    Without a SPEC, the environment variable UNITY_LINK_SPEC names it. Under --json the values are those of the spec:
+    numbers, true or false, and for an enumeration its names.
     """
     spec, signals = split(url, names or [])
     run(_get(url, robot_of(spec, interface), signals, values_only=values_only, json=json, timeout=timeout))
@@ -112,9 +112,10 @@ def set_(
     json: Json = False,
     timeout: Timeout = DEFAULT_TIMEOUT,
 ) -> None:
-    """Write signals by their names, in their units and within their limits, in the order of the arguments.
+    """Write signals by name, in their units and within their limits, in the order of the arguments.
 
-    All values are checked before the first is written. Without a SPEC, UNITY_LINK_SPEC in the environment names it.
+    All values are checked before the first one is written. Without a SPEC, the environment variable UNITY_LINK_SPEC
+    names it.
     """
     spec, given = split(url, assignments)
     robot_type = robot_of(spec, interface)
@@ -148,16 +149,17 @@ async def _set(
         print_value(proxy, value, max(len(proxy.path) for proxy in written))
 
 
-# What the commands with names have in common
+# Shared by the commands that take names of signals
 
 
 def split(url: str, arguments: Sequence[str]) -> tuple[str, list[str]]:
-    """Return the spec that arguments name, or else the environment or the URL, and the arguments behind it.
+    """Return the spec and the arguments after it.
 
-    Where nothing names one it is the URL: that of a board which carries its own.
+    The spec is the first argument, otherwise that of the environment or of the URL, otherwise the URL itself: the board
+    may carry its spec.
 
     Raises:
-        ArgumentError: for arguments that are swapped, or an address in the place of a signal.
+        ArgumentError: if URL and spec are swapped, or an argument is an address instead of a signal.
     """
     if arguments and is_spec(arguments[0]):
         return arguments[0], list(arguments[1:])
@@ -170,33 +172,33 @@ def split(url: str, arguments: Sequence[str]) -> tuple[str, list[str]]:
 
 
 def is_spec(argument: str) -> bool:
-    """Return whether an argument is a spec, and no signal."""
+    """Return whether an argument is a spec instead of a signal."""
     return argument.endswith(SUFFIX) or argument == "-" or "/" in argument or Path(argument).is_file()
 
 
 def spec_in(url: str) -> str | None:
-    """Return the path of the spec that a URL names, None where it names none."""
+    """Return the path of the spec in a URL such as sim:robot.ul; None if the URL has none."""
     path = url.partition(":")[2].partition("?")[0]
     return path if path.endswith(SUFFIX) else None
 
 
 def robot_of(spec: str, interface: str | None) -> type[LoadedRobot]:
-    """Compile a spec for a command; if it is wrong say so and end the command."""
+    """Return the robot class of a spec. If the spec has errors, print them and end the command."""
     from unity_link.data.loading import load
 
     return load(compile_or_exit(spec), interface)
 
 
 def choose(robot_type: type[LoadedRobot], names: Sequence[str], what: str) -> list[str]:
-    """Return the paths of the signals that names stand for, each once, in the order of the names.
+    """Return the paths of the signals that the names match, each once, in the order of the names.
 
     Args:
-        robot_type: has them.
-        names: paths, IDs, parts or patterns; none at all for every signal that is no queue, and not cleared by a read.
-        what: is to be done: ``"read"`` or ``"write"``.
+        robot_type: class of the robot.
+        names: paths, IDs, parts or patterns; empty for all signals except queues and signals that a read clears.
+        what: required access: ``"read"`` or ``"write"``.
 
     Raises:
-        ArgumentError: for a name that stands for nothing, or for nothing of which that can be done.
+        ArgumentError: for a name that matches no signal, or no signal with this access.
     """
     able = {path: signal for path, signal in robot_type.interface.signals.items() if _can(signal, what)}
     chosen = [path for path, signal in able.items() if not signal.access_moves] if not names else []
@@ -225,7 +227,7 @@ def _stand_for(robot_type: type[LoadedRobot], name: str) -> list[str]:
         for path, signal in signals.items()
         if name in (path, signal.id) or path.startswith((f"{name}.", f"{name}["))
     ]
-    # Brackets are those of an array, as far as they can be.
+    # Match brackets literally, as indices of arrays, not as character classes.
     found = found or [path for path in signals if fnmatch.fnmatchcase(path, name.replace("[", "[[]"))]
     if not found:
         from unity_link.spec.diagnostics import did_you_mean
@@ -239,17 +241,17 @@ def _stand_for(robot_type: type[LoadedRobot], name: str) -> list[str]:
 
 
 def _parse(robot_type: type[LoadedRobot], assignment: str) -> tuple[str, Any]:
-    """Return the path and the value of an assignment, checked.
+    """Return the path and the checked value of an assignment.
 
     Raises:
-        ArgumentError: where it is none, or the signal cannot take the value.
+        ArgumentError: if it is not an assignment, or the signal does not accept the value.
     """
     name, equals, value = assignment.partition("=")
     if not equals:
         raise ArgumentError(f"{assignment!r} is no SIGNAL=VALUE: write, for example, {assignment}=1")
     (path, *others) = choose(robot_type, [name.strip()], "write")
     if others:
-        raise ArgumentError(f"{name!r} stands for {len(others) + 1} signals: one was expected, such as {path}")
+        raise ArgumentError(f"{name!r} matches {len(others) + 1} signals: one was expected, such as {path}")
     signal = robot_type.interface.signals[path]
     parsed = _value(signal, value.strip())
     signal.encode(parsed)
@@ -257,8 +259,8 @@ def _parse(robot_type: type[LoadedRobot], assignment: str) -> tuple[str, Any]:
 
 
 def _value(signal: Signal, given: str) -> Any:
-    """Return the value that a text stands for; the unit may stand behind it."""
-    # A number that ends as the unit does, such as 0x1A of a current in A, is whole without it.
+    """Parse the text of a value, which may end with the signal's unit."""
+    # Try the text with its end first: 0x1A for a signal in A is a number, not 0x1 A.
     texts = [given]
     if signal.unit and given.endswith(signal.unit):
         texts.append(given.removesuffix(signal.unit).strip())
@@ -277,12 +279,12 @@ def _value(signal: Signal, given: str) -> Any:
 
 
 def plain(value: Any) -> Any:
-    """Return a value as JSON has it; of an enumeration the name."""
+    """Return a value for JSON; for an enumeration its name."""
     return value.name if isinstance(value, enum.Enum) else value
 
 
 def text(value: Any) -> str:
-    """Return a value as people read it."""
+    """Format a value for display."""
     known = plain(value)
     if isinstance(known, bool):
         return "true" if known else "false"

@@ -1,6 +1,6 @@
-"""`unity-link simulate`: a virtual gateway for other programs, with a robot behind it.
+"""`unity-link simulate`: serves a virtual gateway, with a simulated robot, to other programs.
 
-While it serves, lines of its standard input switch faults on and off and fire triggers (`Console`).
+While it runs, lines on its standard input switch faults on and off and fire triggers (`Console`).
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ def simulate(  # noqa: PLR0913  (each is an option)
         str,
         typer.Argument(
             metavar="[ROBOT]",
-            help="What stands behind the bus: a spec, such as robot.ul, or scara, walker or tosnet; or plain memory.",
+            help="The simulated robot: a spec, such as robot.ul, or scara, walker or tosnet; plain memory without.",
             show_default=False,
             autocompletion=complete_simulated,
         ),
@@ -82,7 +82,7 @@ def simulate(  # noqa: PLR0913  (each is an option)
         typer.Option(
             "--fault",
             metavar="FAULT",
-            help="What is wrong from the beginning: a fault of the model, or left.speed:timeout (:error, :frozen). "
+            help="A fault from the beginning: one of the model, or left.speed:timeout (:error, :frozen). "
             "May be repeated.",
             rich_help_panel=_ROBOT_PANEL,
         ),
@@ -159,10 +159,10 @@ def simulate(  # noqa: PLR0913  (each is an option)
 ) -> None:
     """Serve a virtual gateway to any program.
 
-    Prints one line, its URL, when it is ready: give that to a program or to another command. For --usbip it is the
-    command that attaches it, for root. Ctrl-C ends it.
+    Prints one line, its URL, when it is ready: give that to a program or to another command. For --usbip the line is
+    the command that attaches the device, to be run as root. Ctrl-C ends it.
 
-    Meanwhile it takes lines: trigger GROUP, fault NAME and mend NAME.
+    While it runs, it accepts lines on standard input: trigger GROUP, fault NAME and mend NAME.
     """
     from unity_link.virtual.build import Wanted, build_bare, compile_gateway, parse_trigger, put_behind_line
 
@@ -208,7 +208,7 @@ def _line(nodes: list[int], baud: int, wanted: Wanted, chances: dict[str, float]
     from unity_link.virtual.build import build_nodes
 
     if wanted.robot or wanted.faults or wanted.triggers:
-        raise ArgumentError("--node goes with gateways of plain memory: leave out the robot and what is about it")
+        raise ArgumentError("--node goes with gateways of plain memory: leave out the robot and its options")
     return build_nodes(
         nodes, baud, wanted.configuration, chances=chances, seed=seed, on_collision=print_note, rtl=wanted.rtl
     )
@@ -253,7 +253,7 @@ async def _simulate(way: AbstractAsyncContextManager[str], console: Console | No
 
 
 class Console:
-    """Commands of a person, or a program, to a simulated robot, as lines of the standard input."""
+    """Commands of a user or program to a simulated robot, as lines on the standard input."""
 
     def __init__(self, gateway: BareGateway) -> None:
         self._gateway = gateway
@@ -261,7 +261,7 @@ class Console:
 
     @contextlib.contextmanager
     def reading(self) -> Iterator[None]:
-        """Take lines while the block runs, from a terminal or a pipe; from anything else nothing."""
+        """Execute lines while the block runs, if the standard input is a terminal or a pipe."""
         loop = asyncio.get_running_loop()
         descriptor = _console_descriptor()
         if descriptor is None:
@@ -290,10 +290,10 @@ class Console:
                 print_error(str(error))
 
     def take(self, words: list[str]) -> str:
-        """Do what a line says; return what was done.
+        """Execute the command in a line; return a sentence for its effect.
 
         Raises:
-            ArgumentError: for a line that says nothing.
+            ArgumentError: for an unknown command or name.
         """
         from unity_link.virtual.simulated import parse_fault
         from unity_link.virtual.simulating import SimulatedGateway
@@ -319,7 +319,7 @@ class Console:
 
 
 def _console_descriptor() -> int | None:
-    """Return the standard input, where an event loop can wait for it: a terminal, or a pipe."""
+    """Return the descriptor of a standard input that an event loop can watch, a terminal or a pipe; otherwise None."""
     try:
         descriptor = sys.stdin.fileno()
         is_console = os.isatty(descriptor) or stat.S_ISFIFO(os.fstat(descriptor).st_mode)

@@ -1,4 +1,4 @@
-"""`unity-link explain` and `retrace`: what passed on a connection, read aloud, and played into the gateware."""
+"""`unity-link explain` and `retrace`: print the recorded traffic of a connection, or play it into the gateware."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ if TYPE_CHECKING:
 
 SnoopPath = Annotated[
     Path,
-    typer.Argument(metavar="FILE", help="What ?snoop=FILE or UNITY_LINK_SNOOP wrote.", show_default=False),
+    typer.Argument(metavar="FILE", help="A file that ?snoop=FILE or UNITY_LINK_SNOOP wrote.", show_default=False),
 ]
 From = Annotated[
     float, typer.Option("--from", metavar="T", min=0.0, help="Seconds from the first record on, as explain shows them.")
 ]
-To = Annotated[float | None, typer.Option("--to", metavar="T", min=0.0, help="The same, at which to end.")]
+To = Annotated[float | None, typer.Option("--to", metavar="T", min=0.0, help="End, in the same seconds.")]
 FAILED = 1
 
 
@@ -39,9 +39,9 @@ def add_to(app: typer.Typer) -> None:
 
 
 def explain(file: SnoopPath, *, begin: From = 0.0, end: To = None, json: Json = False) -> None:
-    """Read a snoop aloud: each frame with its time, its direction and its meaning.
+    """Print the frames of a recorded connection, each with its time, direction and meaning.
 
-    Times are seconds from the first record on. > is what the host sent, < what the gateway sent. A summary comes last.
+    Times are seconds since the first record. > is sent by the host, < by the gateway. A summary comes last.
     """
     _check_times(begin, end)
     if not _SnoopPrinter(json=json, begin=begin, end=math.inf if end is None else end).read(file):
@@ -51,8 +51,8 @@ def explain(file: SnoopPath, *, begin: From = 0.0, end: To = None, json: Json = 
 def retrace(
     file: SnoopPath,
     *,
-    rtl: Annotated[  # noqa: ARG001  (what it does in any case)
-        bool, typer.Option("--rtl", help="Into the compiled gateware, as without it.")
+    rtl: Annotated[  # noqa: ARG001  (the default and only mode)
+        bool, typer.Option("--rtl", help="Play into the compiled gateware; this is the default.")
     ] = True,
     vcd: Annotated[
         Path | None, typer.Option("--vcd", metavar="OUT", help="Write its inner signals as a waveform.")
@@ -60,14 +60,14 @@ def retrace(
     begin: From = 0.0,
     end: To = None,
     connection: Annotated[
-        int | None, typer.Option(metavar="N", min=0, help="Of a file of several gateways: the one to play.")
+        int | None, typer.Option(metavar="N", min=0, help="In a file of several gateways: the one to play.")
     ] = None,
     overwrite: Overwrite = False,
 ) -> None:
     """Play the host's bytes of a snoop into the gateware, and compare its answers and samples.
 
-    The bus answers what was recorded. --from and --to say which part the waveform shows; its time is that of explain.
-    What comes behind --to is not played. GTKWave and Surfer open the waveform.
+    Reads on the bus return the recorded values. --from and --to select the part that the waveform shows, in the times
+    of explain; bytes after --to are not played. GTKWave and Surfer open the waveform.
     """
     _check_times(begin, end)
     from unity_link.transport.snoop import read
@@ -120,20 +120,20 @@ def _difference(report: Report) -> str:
 
 
 def _check_times(begin: float, end: float | None) -> None:
-    """Check the ends of a stretch of time.
+    """Check the start and the end of a period.
 
     Raises:
-        ArgumentError: where one is no time, or they stand in the wrong order.
+        ArgumentError: if one is not a finite number, or the end is not after the start.
     """
     for name, value in (("--from", begin), ("--to", end)):
         if value is not None and not math.isfinite(value):
             raise ArgumentError(f"{name} {value:g}: a number of seconds was expected")
     if end is not None and end <= begin:
-        raise ArgumentError(f"--to {end:g} is not behind --from {begin:g}")
+        raise ArgumentError(f"--to {end:g} is not after --from {begin:g}")
 
 
 class _SnoopPrinter:
-    """Prints what a snoop holds, and keeps what the summary says."""
+    """Prints the events of a snoop file, and collects the numbers for the summary."""
 
     def __init__(self, *, json: bool, begin: float, end: float) -> None:
         self._json = json
@@ -144,12 +144,12 @@ class _SnoopPrinter:
         self._round_trips: list[float] = []
         self._transcripts: dict[int, Transcript] = {}
         self._silent: dict[int, str] = {}
-        """Names of connections on which nothing has passed yet."""
+        """Names of connections on which no frame has passed yet."""
         self._sound = True
         self._trouble = ""
 
     def read(self, path: Path) -> bool:
-        """Print a file; return whether it is whole."""
+        """Print a file; return whether it is undamaged."""
         from unity_link.capture.transcript import Transcript
         from unity_link.transport.snoop import Connected, Disconnected, Passed, read
 
@@ -274,5 +274,5 @@ def _in_a_line(summary: dict[str, Any]) -> str:
 
 
 def _write(line: str) -> None:
-    """Print a line without sending it off at once: there may be a million."""
+    """Print a line without flushing, because a file may have a million lines."""
     sys.stdout.write(terminal(line) + "\n")

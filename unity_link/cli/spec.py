@@ -1,6 +1,6 @@
-"""`unity-link check`, `fmt`, `show`: specs, without a gateway. `import rdl`, `export rdl`: their neighbour, SystemRDL.
+"""`unity-link check`, `fmt`, `show`: specs, without a gateway. `import rdl`, `export rdl`: SystemRDL.
 
-What is wrong with a spec goes to stderr, as a compiler's messages do; under ``--json`` to stdout, as data.
+Errors and warnings of a spec are printed on stderr like those of a compiler; under ``--json`` on stdout, as data.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 STDIN = "-"
 SPEC_VARIABLE = "UNITY_LINK_SPEC"
-"""Environment variable with the spec of commands that are given none."""
+"""Environment variable with the spec for commands that are given none."""
 FAILED = 1
 _MOST_COLUMNS = 1000
 
@@ -55,7 +55,7 @@ Name = Annotated[str | None, typer.Option("--interface", help="Which public inte
 Given = Annotated[
     list[str] | None,
     typer.Option(
-        "--give", metavar="NAME=ADDRESS", help="A parameter of the interface, such as ctrl=0xF0; again for each."
+        "--give", metavar="NAME=ADDRESS", help="A parameter of the interface, such as ctrl=0xF0; may be repeated."
     ),
 ]
 
@@ -65,13 +65,13 @@ def add_to(app: typer.Typer) -> None:
     app.command()(check)
     app.command()(fmt)
     app.command()(show)
-    importing = typer.Typer(help="Make a spec of another description of registers.", no_args_is_help=True)
+    importing = typer.Typer(help="Convert another description of registers to a spec.", no_args_is_help=True)
     importing.command("rdl")(import_rdl)
     app.add_typer(importing, name="import")
 
 
 def check(spec: SpecFile, *, json: Json = False, address_bits: AddressBits = None, data_bits: DataBits = None) -> None:
-    """Check a spec, and say everything that is wrong with it."""
+    """Check a spec, and report all of its errors."""
     from unity_link.spec import SpecError
 
     compiled: Spec | None = None
@@ -114,7 +114,7 @@ def fmt(
         elif str(spec) == STDIN and not check:
             sys.stdout.write(formatted)
         elif text != formatted and not check:
-            # It is the user's own, and asked for.
+            # Overwrite without asking: the user named this file to be formatted.
             write_file(spec, formatted.encode(), overwrite=True)
         if text != formatted:
             changed = True
@@ -134,8 +134,8 @@ def show(
 ) -> None:
     """Show all signals of a spec in a tree, and the pins of the board that it names.
 
-    Of a signal: address, kind, access, scale, unit, limits, group, value after a reset, its safe value with the lease
-    that guards it, the schedule of one that is TIMED, and its pin. Of a core: entity and pins.
+    For a signal: address, kind, access, scale, unit, limits, group, value after a reset, safe value with the lease that
+    guards it, schedule if it is TIMED, and pin. For a core: entity and pins.
     """
     compiled = compile_or_exit(spec, address_bits, data_bits)
     chosen = compiled.interfaces if interface is None else (compiled.interface(interface),)
@@ -145,7 +145,7 @@ def show(
         return
     console = out()
     if not console.is_terminal:
-        # A pipe gets whole lines; a tree would be cut at the width of the console.
+        # Do not wrap or cut the tree in a pipe.
         console.width = _MOST_COLUMNS
     for one in chosen:
         console.print(_tree(one))
@@ -163,21 +163,21 @@ def import_rdl(
     top: Annotated[str | None, typer.Option("--top", help="The address map; the last one without.")] = None,
     include: Annotated[
         list[Path] | None,
-        typer.Option("--include", "-I", metavar="FOLDER", help="Where included files are; again for each."),
+        typer.Option("--include", "-I", metavar="FOLDER", help="Folder of included files; may be repeated."),
     ] = None,
     perl: Annotated[
-        bool, typer.Option("--perl", help="Run the Perl in it, in a compartment, for 5 seconds at most.")
+        bool, typer.Option("--perl", help="Run the Perl in it, in a sandbox, for 5 seconds at most.")
     ] = False,
-    seconds: Annotated[int, typer.Option("--seconds", min=1, help="Processor time that it may take.")] = 30,
+    seconds: Annotated[int, typer.Option("--seconds", min=1, help="Limit of its processor time.")] = 30,
     overwrite: Overwrite = False,
 ) -> None:
-    """Make a spec of a SystemRDL description, once it is proved to say the same."""
+    """Convert a SystemRDL description to a spec, and verify that both describe the same registers."""
     from unity_link.cli.bounded import call_bounded
     from unity_link.spec import SpecError
     from unity_link.spec.systemrdl import import_file
 
     try:
-        # A few lines of macros can ask for any amount of time and memory.
+        # Run it in a process of its own: a few lines of macros can use any amount of time and memory.
         imported = call_bounded(
             lambda: import_file(*files, top=top, include=include or (), perl=perl), str(files[-1]), seconds
         )
@@ -189,7 +189,7 @@ def import_rdl(
 
 
 def export_rdl(spec: SpecFile, *, interface: Name = None, output: Output = None, overwrite: Overwrite = False) -> None:
-    """Make a SystemRDL description of a spec."""
+    """Convert a spec to a SystemRDL description."""
     from unity_link.spec.systemrdl import export_text
 
     compiled = compile_or_exit(spec)
@@ -207,18 +207,18 @@ def compile_or_exit(
     interface: str | None = None,
     given: list[str] | None = None,
 ) -> Spec:
-    """Compile a spec for a command; if it is wrong say so and end the command.
+    """Compile a spec for a command. If it has errors, print them and end the command.
 
     Args:
-        spec: the file, or the URL of a board that carries its own.
+        spec: path of the file, or URL of a board that carries its own spec.
         address_bits: as for `compile_file`.
         data_bits: as for `compile_file`.
-        interface: which of its interfaces the command takes.
+        interface: name of the interface that the command uses.
         given: parameters of that interface, as ``NAME=ADDRESS``.
 
     Raises:
-        typer.Exit: where it has errors, with code 1.
-        ArgumentError: for a parameter that there is not, or a value that is no address; for a board without a spec.
+        typer.Exit: with code 1 if the spec has errors.
+        ArgumentError: for an unknown parameter, a value that is not an address, or a board without a spec.
     """
     from unity_link.spec import SpecError
 
@@ -232,10 +232,10 @@ def compile_or_exit(
 
 
 def spec_behind(url: str, spec: str | None) -> str:
-    """Return the spec that a command was given, or else the URL of the board that carries it.
+    """Return the spec that a command was given, otherwise the URL of the board, which may carry one.
 
     Raises:
-        ArgumentError: where URL and spec are swapped.
+        ArgumentError: if URL and spec are swapped.
     """
     from unity_link.errors import ArgumentError
     from unity_link.transport import is_url
@@ -248,13 +248,13 @@ def spec_behind(url: str, spec: str | None) -> str:
 def url_and_spec(
     place: str | None, spec: str | None, link: str | None, configured: str | None = None
 ) -> tuple[str, str]:
-    """Return the URL of a bridge, and its spec or else the URL of the board that carries it.
+    """Return the URL of a bridge and its spec; without a spec, the URL twice, for the spec that the board carries.
 
     Args:
-        place: the first argument: the URL; or the spec, if the URL is in one of the next two.
+        place: the first argument: the URL; or the spec, if `link` or `configured` is the URL.
         spec: the second argument.
         link: the URL of ``--link``.
-        configured: the URL of a file of parameters, which the others override.
+        configured: the URL in a parameter file; the other URLs override it.
 
     Raises:
         ArgumentError: if no URL is given, or two are, or URL and spec are swapped.
@@ -273,10 +273,10 @@ def url_and_spec(
 
 
 def read_given(texts: list[str]) -> dict[str, int]:
-    """Read parameters that are given as ``NAME=ADDRESS``.
+    """Parse parameters that are given as ``NAME=ADDRESS``.
 
     Raises:
-        ArgumentError: for a text of another form, or a name that is given twice.
+        ArgumentError: for a text of another form, or a repeated name.
     """
     from unity_link.cli.words import parse_number
     from unity_link.errors import ArgumentError
@@ -296,7 +296,7 @@ def read_given(texts: list[str]) -> dict[str, int]:
 
 
 def print_diagnostics(diagnostics: Iterable[Diagnostic]) -> None:
-    """Print diagnostics on stderr, and how many they are; nothing if there are none."""
+    """Print diagnostics and their number on stderr; print nothing if there are none."""
     from rich.text import Text
 
     from unity_link.spec.diagnostics import MOST_SHOWN, summary
@@ -316,7 +316,7 @@ def print_diagnostics(diagnostics: Iterable[Diagnostic]) -> None:
     console.print(Text(summary(found)))
 
 
-# The inside
+# Helpers of this module
 
 
 def _read(spec: Path) -> str:
@@ -336,9 +336,9 @@ async def _carried(url: str) -> Spec:
     """Return the spec that a board carries.
 
     Raises:
-        ArgumentError: where it carries none.
-        UnsupportedError: where that cannot be read here.
-        ConnectError: where there is no gateway.
+        ArgumentError: if it carries none.
+        UnsupportedError: if this version cannot read it.
+        ConnectError: if the gateway cannot be reached.
     """
     from unity_link.data.describing import read_spec
     from unity_link.errors import ArgumentError
@@ -444,7 +444,7 @@ def _add_component(tree: Any, interface: Interface, component: ComponentSpec, di
 
 
 def _ports(component: ComponentSpec) -> Iterator[tuple[str, str, str]]:
-    """Return the pins and triggers of a component: name, word, and where it goes."""
+    """Yield the pins and triggers of a component: name, word, and connection."""
     from unity_link.spec import words
 
     if component.core is not None:

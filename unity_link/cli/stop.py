@@ -1,4 +1,4 @@
-"""`unity-link stop`: disarms the leases of a spec, whoever has armed them."""
+"""`unity-link stop`: disarms the leases of a spec, whichever program armed them."""
 
 from __future__ import annotations
 
@@ -36,9 +36,9 @@ def stop(
     json: Json = False,
     timeout: Timeout = DEFAULT_TIMEOUT,
 ) -> None:
-    """Disarm all leases of a spec, whoever has armed them: what they guard is safe when this returns.
+    """Disarm all leases of a spec, whichever program armed them: their outputs are safe when the command returns.
 
-    Without a SPEC, UNITY_LINK_SPEC in the environment names it. Who is in a hurry may give URL and SPEC in any order.
+    Without a SPEC, the environment variable UNITY_LINK_SPEC names it. URL and SPEC may be given in either order.
     """
     if spec is not None and not is_url(url) and is_url(spec):
         url, spec = spec, url
@@ -61,9 +61,7 @@ async def _stop(
 
     if not issubclass(robot_type, LeasedRobot):
         name = robot_type.interface.name
-        raise ArgumentError(
-            f"{name} has no lease to disarm: its spec places no LEASE, so nothing of it goes safe by one"
-        )
+        raise ArgumentError(f"{name} has no lease to disarm: its spec places no LEASE")
     found: dict[str, bool] = {}
     failed: UnityLinkError | None = None
     async with connect(url, timeout=timeout) as link:
@@ -71,7 +69,7 @@ async def _stop(
             try:
                 found[path] = await lease.stop()
             except UnityLinkError as error:
-                # The others are not left armed for it.
+                # Continue with the other leases, so that they do not stay armed.
                 failed = failed or error
     if json:
         print_json({"url": url, "leases": {path: {"was_armed": was_armed} for path, was_armed in found.items()}})
@@ -83,7 +81,7 @@ async def _stop(
 
 
 async def _robot_to_stop(link: Link, robot_type: type[LoadedRobot]) -> LoadedRobot:
-    """Return the robot of a spec behind a link; where the board's own is another, that one, as a stop does not wait."""
+    """Return the robot of a spec; if the board has another spec, that of the board, because a stop must not fail."""
     from unity_link.data.describing import robot_behind
     from unity_link.errors import SpecMismatchError
 

@@ -1,7 +1,7 @@
-"""`unity-link terminal`: frames by hand.
+"""`unity-link terminal`: sends frames that the user types.
 
-It stands on a driver and the wire alone: nothing is sent but what is typed (after the questions that tell the widths),
-no request is repeated, and what the gateway answers is shown whatever it is.
+It uses only a driver and the wire format. After the opening handshake, which reads the gateway's widths, it sends
+nothing but the typed lines, retransmits nothing, and shows every received frame.
 """
 
 from __future__ import annotations
@@ -32,26 +32,26 @@ if TYPE_CHECKING:
     from unity_link.transport.stream import Stream
 
 HANDSHAKE_PATIENCE = 1.5
-"""Seconds that the gateway may take to say what it is; after that the default build's widths are assumed."""
+"""Seconds to wait for the gateway's configuration; after that the widths of the default build are assumed."""
 WS_PATIENCE = 0.1
-"""Seconds that an error of a stateless write, which has no other answer, is waited for."""
+"""Seconds to wait for an error of a stateless write, which has no other response."""
 NEAR = 0.05
-"""Seconds within which a near gateway answers: its answer then stands before the next prompt."""
+"""Seconds to wait before the next prompt, so that a quick answer is shown before it."""
 _READ_SIZE = 65_536
 _HELP = """\
 Type a request; the CRC is added.
-With ID: lower case, and the ID behind the command; K0001234 begins session 1234, in which 000 comes first.
+With ID: the command in lower case, and the ID after it; K0001234 begins session 1234, whose first ID is 000.
   R0A                   read the word at 0A
   RM0A04                read 4 words from 0A
   W0A2A                 write 2A to it; leading zeros are added
   WM0A...               write words from 0A on
   WK0Ammmmmmmmdddddddd  replace the bits of mask m by those of d
   GSgg01vvvvnnaa...     group gg: every vvvv ticks, nn addresses
-  GNgg, GXgg, GPgg      start group gg, stop it, ask it once
-  Q                     what are you?
+  GNgg, GXgg, GPgg      start group gg, stop it, read it once
+  Q                     widths, clock and features of the gateway
   H, Kiiissss, Imm      nothing; session ssss from ID iii on; send-immediate mode
-  K                     which session is under way?
-!R0A00 sends as it stands, without adding a CRC.
+  K                     the current session
+!R0A00 sends the line unchanged, without adding a CRC.
 Ctrl-D or quit ends."""
 
 
@@ -73,7 +73,7 @@ def terminal(
 ) -> None:
     """Type frames by hand: the CRC is added, and answers are explained.
 
-    Each line is a request, such as R0A; ? shows more. A line that begins with ! is sent as it stands. Works in a pipe
+    Each line is a request, such as R0A; ? shows more. A line that begins with ! is sent unchanged. Works in a pipe
     as well: echo R0A | unity-link terminal sim:
     """
     run(_terminal(url, plain=plain, timeout=timeout))
@@ -115,31 +115,31 @@ async def _connect(target: DriverUrl, stream: Stream) -> HostCodec:
     except (TimeoutError, ConnectError) as error:
         if stream.closed:
             raise ConnectError(f"{target.text}: the connection ended at once") from error
-        print_note("The gateway does not say what it is; 32-bit words, 8-bit addresses and CRC-16 are assumed.")
+        print_note("The gateway does not identify itself; 32-bit words, 8-bit addresses and CRC-16 are assumed.")
         return HostCodec(GatewayInfo(), target.node)
     return codec
 
 
 class _Receiver:
-    """Takes whole frames of what arrives cut anywhere."""
+    """Collects bytes that arrive in pieces, and passes whole frames on."""
 
     def __init__(self) -> None:
         self._rest = b""
 
     def receive(self, data: bytes) -> None:
-        """Take the frames that have arrived."""
+        """Handle received bytes: process whole frames, and keep an incomplete one."""
         data = self._rest + data
         rest = data[self.take(data) :]
-        # Noise without a line end is no frame; what is kept of it must not grow.
+        # Drop a long rest without a line end: it is noise, and must not fill the memory.
         self._rest = rest if len(rest) <= LONGEST_FRAME else b""
 
     def take(self, data: bytes) -> int:
-        """Take whole frames, and return where the first that is not whole begins."""
+        """Process the whole frames in `data`, and return the offset of the incomplete rest."""
         raise NotImplementedError
 
 
 class _Greeting(_Receiver):
-    """Asks what the gateway is, and has it begin a person's session with ID 0."""
+    """Opens the gateway for a person: reads its configuration, and begins a session with ID 0."""
 
     def __init__(self, stream: Stream, node: int | None) -> None:
         from unity_link.protocol.host.handshake import Handshake, SessionNumbers
@@ -153,7 +153,7 @@ class _Greeting(_Receiver):
         stream.receiver = self
 
     async def run(self) -> HostCodec:
-        """Return the messages of the gateway, and the session in them; the caller's time out ends it."""
+        """Return the codec of the opened session. The caller limits the time."""
         while not self._over.done():
             self._send()
             await asyncio.wait((self._over,), timeout=self._handshake.deadline - self._loop.time())
@@ -167,7 +167,7 @@ class _Greeting(_Receiver):
             self._stream.send(data)
 
     def take(self, data: bytes) -> int:
-        """Look for answers."""
+        """Process the answers of the handshake."""
         try:
             taken = self._handshake.receive(data, self._loop.time())
         except (ConnectError, UnsupportedError) as error:
@@ -179,7 +179,7 @@ class _Greeting(_Receiver):
         return taken
 
     def disconnected(self, reason: Exception | None) -> None:
-        """End without an answer."""
+        """End the handshake with an error."""
         self._end(ConnectError(self._handshake.describe_end(reason)))
 
     def _end(self, error: Exception | None) -> None:
@@ -192,7 +192,7 @@ class _Greeting(_Receiver):
 
 
 class _Session(_Receiver):
-    """Sends what is typed and shows what comes."""
+    """Sends typed lines and shows received frames."""
 
     def __init__(self, stream: Stream, codec: HostCodec, *, plain: bool) -> None:
         from unity_link.capture.decoder import Decoder
@@ -211,7 +211,7 @@ class _Session(_Receiver):
         stream.receiver = self
 
     def send(self, line: str) -> str | None:
-        """Send a typed line; gives the command in it, if it is one."""
+        """Send a typed line; return its command, or None if it has none."""
         self.answered.clear()
         if self._patience is not None:
             self._patience.cancel()
@@ -222,9 +222,9 @@ class _Session(_Receiver):
         body = _encoded(line)
         request = self._decoder.listen(body)
         if request is not None and request.id is None and request.command in ("W", "WS"):
-            # Only plain frames may leave zeros out; who types thinks of neither.
+            # Add the zeros that only plain frames may leave out, because the user types without regard to the frame.
             body = request.command.encode() + self.codec.fields(request.command, *request.values)
-        # A checked one would begin a program's session, which shuts out most of what is typed.
+        # Send K plain: a checked K would begin a program's session, which rejects plain frames.
         begins = request is not None and request.command == "K" and bool(request.values)
         session = NO_SESSION if request is None or request.id is None else self._decoder.session.number
         self._stream.send(
@@ -235,14 +235,14 @@ class _Session(_Receiver):
         return None if request is None else request.command
 
     async def answer(self, seconds: float) -> bool:
-        """Wait for the answer to what was sent last; say whether it came."""
+        """Wait for the answer to the last line; return whether it arrived within `seconds`."""
         with contextlib.suppress(TimeoutError):
             async with asyncio.timeout(seconds):
                 await self.answered.wait()
         return self.answered.is_set()
 
     def tell_of_silence(self, line: str, seconds: float) -> None:
-        """Print that no answer to `line`, which was sent last, came within `seconds`, where that is so."""
+        """Print a note after `seconds` if the last line, `line`, has no answer by then."""
 
         def tell() -> None:
             if not self.answered.is_set():
@@ -251,7 +251,7 @@ class _Session(_Receiver):
         self._patience = asyncio.get_running_loop().call_later(seconds, tell)
 
     def take(self, data: bytes) -> int:
-        """Show whole frames."""
+        """Show the whole frames."""
         *lines, rest = data.split(b"\n")
         for line in lines:
             if line.strip(b"\r"):
@@ -262,7 +262,7 @@ class _Session(_Receiver):
         from rich.text import Text
 
         body = self._decoder.body(line)
-        # Noise may well be what tells a terminal to clear its screen.
+        # Escape the frame: noise may contain control sequences of a terminal.
         visible = repr(bytes(body))[2:-1]
         try:
             self.show(Text.assemble((visible, "bold"), "  ", (self._decoder.explain(line).words, "cyan")))
@@ -272,7 +272,7 @@ class _Session(_Receiver):
             self.answered.set()
 
     def disconnected(self, reason: Exception | None) -> None:
-        """Record the end."""
+        """Record the end of the connection."""
         self._end(ConnectError(f"the connection has ended ({reason or 'the other side closed it'})"))
 
     def _end(self, error: Exception) -> None:
@@ -281,22 +281,22 @@ class _Session(_Receiver):
         self.answered.set()
 
     def raise_error(self) -> None:
-        """Raise what ended the session, if something but the user did."""
+        """Raise the error that ended the session, if there is one."""
         if self._error is not None:
             raise self._error
 
 
 def _encoded(line: str) -> bytes:
-    """Return the bytes that were typed, whatever they are."""
+    """Return the typed bytes, even if they are not UTF-8."""
     return line.encode(errors="surrogateescape")
 
 
 async def _while_connected(session: _Session, work: Coroutine[None, None, bool]) -> bool:
-    """Do `work` and give its result.
+    """Run `work` while the connection exists, and return its result.
 
     Raises:
-        ConnectError: where the connection ends first.
-        OSError: where answers cannot be shown.
+        ConnectError: if the connection ends first.
+        OSError: if frames cannot be shown.
     """
     working = asyncio.ensure_future(work)
     ending = asyncio.ensure_future(session.ended.wait())
@@ -316,7 +316,7 @@ def _silence(line: str, seconds: float) -> str:
 
 
 async def _answer_lines(session: _Session, timeout: float) -> bool:  # noqa: ASYNC109
-    """Send the lines of stdin, each when the one before is answered; say whether all were."""
+    """Send the lines of stdin, each after the answer to the previous one; return whether all were answered."""
     complete = True
     async for line in _stdin_lines():
         if not line or line.startswith("?"):
@@ -330,7 +330,7 @@ async def _answer_lines(session: _Session, timeout: float) -> bool:  # noqa: ASY
 
 
 async def _stdin_lines() -> AsyncIterator[str]:
-    """Return the lines of a stdin that is read without blocking the loop, so that samples are shown meanwhile."""
+    """Yield the lines of stdin without blocking the event loop, so that samples are shown meanwhile."""
     from anyio import wait_readable
 
     if sys.stdin is None:
@@ -338,7 +338,7 @@ async def _stdin_lines() -> AsyncIterator[str]:
     stdin = sys.stdin.fileno()
     rest = b""
     while True:
-        # A file is always readable, and epoll refuses to wait for one.
+        # A file is always readable, but epoll refuses to watch one.
         with contextlib.suppress(PermissionError):
             await wait_readable(stdin)
         data = os.read(stdin, _READ_SIZE)
@@ -349,12 +349,12 @@ async def _stdin_lines() -> AsyncIterator[str]:
             return
 
 
-class _Interrupted(Exception):  # noqa: N818  (it is no error)
-    """Ctrl-C, which is a key and no signal while a line is edited."""
+class _Interrupted(Exception):  # noqa: N818  (not an error)
+    """Ctrl-C while a line is edited: in raw mode the terminal sends a key instead of a signal."""
 
 
 async def _converse(url: str, session: _Session, timeout: float) -> None:  # noqa: ASYNC109
-    """Prompt for lines until the user has enough."""
+    """Prompt for lines until the user ends the command."""
     from prompt_toolkit import PromptSession
     from prompt_toolkit.auto_suggest import AutoSuggestFromHistory
     from prompt_toolkit.input import create_input
@@ -363,7 +363,7 @@ async def _converse(url: str, session: _Session, timeout: float) -> None:  # noq
     from unity_link.capture.decoder import summary
 
     keyboard = create_input()
-    # While something is printed above the prompt, the terminal would edit lines itself, and take keys such as Ctrl-D.
+    # Stay in raw mode while something is printed above the prompt: otherwise the terminal itself would handle keys.
     keyboard.cooked_mode = contextlib.nullcontext  # type: ignore[method-assign]
     prompt: PromptSession[str] = PromptSession(
         history=_history(),
@@ -395,12 +395,12 @@ async def _converse_lines(prompt: Any, session: _Session, timeout: float) -> boo
 
 
 def _history() -> Any:
-    """Return the lines of earlier times, and keep those of this one, where there is a place to."""
+    """Return the history of typed lines: in a file if it can be written, otherwise only in memory."""
     from prompt_toolkit.history import FileHistory, InMemoryHistory
 
     folder = Path(typer.get_app_dir("unity-link"))
     if not folder.is_absolute():
-        # Without a home, `~` stays in it.
+        # The user has no home directory, so the path begins with `~`.
         return InMemoryHistory()
     try:
         folder.mkdir(parents=True, exist_ok=True)

@@ -1,6 +1,6 @@
-"""`unity-link watch`: addresses or signals as they change, sampled by the gateway at its own clock.
+"""`unity-link watch`: shows addresses or signals as they change, sampled by the gateway at its own clock.
 
-On a terminal, a live table with a curve for each; in a pipe, a line for each sample.
+On a terminal it shows a live table with curves; in a pipe it prints a line for each sample.
 """
 
 from __future__ import annotations
@@ -68,11 +68,11 @@ def watch(  # noqa: PLR0913  (each is an option)
 ) -> None:
     """Watch addresses or signals change, all sampled at the same instant; q or Ctrl-C ends it with a summary.
 
-    A gateway that goes away is waited for.
+    If the gateway disconnects, the command waits until it is back.
 
-    In a pipe, each sample is a line: its time in seconds, how many were lost before it, and the values, between tabs.
-    Signals are in their units. Under --json the values of addresses are numbers, in two's complement for --format
-    signed and unsigned for the others. Without a SPEC, UNITY_LINK_SPEC in the environment names it.
+    In a pipe, each sample is a line: its time in seconds, the number of samples lost before it, and the values,
+    separated by tabs. Signals are in their units. Under --json the values of addresses are numbers: in two's complement
+    for --format signed, otherwise unsigned. Without a SPEC, the environment variable UNITY_LINK_SPEC names it.
     """
     if not rate > 0:
         raise ArgumentError(f"a rate of {rate:g} Hz was asked for, expected more than 0")
@@ -90,7 +90,7 @@ def watch(  # noqa: PLR0913  (each is an option)
 
 
 def _are_addresses(texts: list[str]) -> bool:
-    """Return whether all are addresses; the first may be wrong where it can be nothing else."""
+    """Return whether all texts are addresses; each must begin with a digit, and the first must not be a spec."""
     return not is_spec(texts[0]) and all(text[:1].isdigit() for text in texts)
 
 
@@ -133,15 +133,15 @@ async def _watch(
 def _summary(samples: Stream | None, count: int | None, seconds: float) -> str:
     if samples is None:
         return f"0 samples in {seconds:.1f} s, 0 lost"
-    # More may have come by the time at which as many as were asked for have been written.
+    # More samples may have arrived since the requested number was printed.
     shown = samples.received if count is None else min(count, samples.received)
-    # The first comes at the beginning, so there is one period less than samples.
+    # The first sample is taken at the start, so there is one period less than samples.
     rate = f" ({(samples.received - 1) / seconds:,.1f} Hz)" if samples.received > 1 else ""
     return f"{shown:,} samples in {seconds:.1f} s{rate}, {samples.lost:,} lost"
 
 
 async def _first(count: int | None, samples: Stream) -> AsyncIterator[Taken]:
-    """Return the first `count` samples, or all."""
+    """Yield the first `count` samples, or all if it is None."""
     number = 0
     async for sample in samples:
         yield sample
@@ -151,7 +151,7 @@ async def _first(count: int | None, samples: Stream) -> AsyncIterator[Taken]:
 
 
 async def _follow(samples: Stream, count: int | None, take: Callable[[Taken], None], look: Callable[[], None]) -> None:
-    """Pass the first `count` samples to `take`, or all, and look beside that how things stand."""
+    """Pass the first `count` samples to `take`, or all; meanwhile call `look` at regular intervals."""
     with first_error():
         async with asyncio.TaskGroup() as tasks:
             beside = tasks.create_task(_repeat(look))
@@ -202,7 +202,7 @@ async def _show_lines(
         was_there = presence.away_since is None
         presence.look(time.monotonic(), samples.received, samples.rate_hz)
         if was_there != (presence.away_since is None):
-            print_note("the gateway has gone away: it is waited for" if was_there else "the gateway is back")
+            print_note("the gateway has disconnected: waiting until it is back" if was_there else "the gateway is back")
 
     await _follow(samples, count, take, look)
 

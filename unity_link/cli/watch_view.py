@@ -1,4 +1,4 @@
-"""The display of `watch` on a terminal: one row for each address or signal, and its last seconds as a curve."""
+"""The display of `watch` on a terminal: one row for each address or signal, with a curve of its last seconds."""
 
 from __future__ import annotations
 
@@ -23,21 +23,21 @@ if TYPE_CHECKING:
     from unity_link.link.link import Link
 
 WINDOW = 10.0
-"""Seconds that a curve shows."""
+"""Length of a curve in seconds."""
 COLORS: tuple[Rgb, ...] = ((86, 182, 232), (240, 160, 80), (126, 200, 120), (220, 130, 190), (230, 210, 90))
 _HEADINGS = ("value", "min", "max")
 _GAP = 2
-"""Columns of the terminal beside each column of the table."""
+"""Columns of the terminal between two columns of the table."""
 _MOST_BINS = 400
 _NARROWEST_PLOT = 10
 _WIDEST_PLOT = 60
 
 
 class Trace:
-    """The numbers of one row: the extremes, and a curve of bounded size.
+    """The values of one row over time: minimum, maximum, and a curve of bounded size.
 
-    A curve is kept in bins of equal time, each with its lowest and highest number, so that a peak between two pictures
-    is seen however fast the samples come.
+    The curve is stored in bins of equal duration, each with its minimum and maximum, so that peaks between two redraws
+    remain visible at any sample rate.
     """
 
     def __init__(self) -> None:
@@ -47,8 +47,8 @@ class Trace:
         self._bins: deque[tuple[int, float, float]] = deque(maxlen=_MOST_BINS)
 
     def take(self, value: float, at: float) -> None:
-        """Take the number of the time `at`, in seconds."""
-        # A NaN is an extreme only where there is nothing else.
+        """Add the value at a time in seconds."""
+        # A NaN counts as minimum and maximum only until another value arrives.
         if self._empty or math.isnan(self.lowest):
             self._empty = False
             self.lowest = self.highest = value
@@ -64,7 +64,7 @@ class Trace:
             self._bins.append((place, value, value))
 
     def curve(self, at: float, most: int, color: Rgb) -> Curve:
-        """Return the last seconds before `at` as a curve of about `most` points, of finite numbers alone."""
+        """Return the finite values of the last seconds before `at` as a curve of about `most` points."""
         newest = int(at / WINDOW * _MOST_BINS)
         merged: dict[int, list[float]] = {}
         for place, low, high in self._bins:
@@ -80,7 +80,7 @@ class Trace:
 
 
 class WatchView:
-    """The table, from what samples it is given."""
+    """The table with the values of the samples that it receives."""
 
     def __init__(self, url: str, link: Link, samples: Stream, watched: Watched) -> None:
         self._url = url
@@ -89,19 +89,19 @@ class WatchView:
         self._watched = watched
         self._traces = [Trace() for _ in watched.names]
         self._values: Sequence[Any] = [0] * len(watched.names)
-        """The newest ones."""
+        """The values of the newest sample."""
         self._began = time.monotonic()
         self._presence = Presence(link, self._began)
 
     def take(self, sample: Taken) -> None:
-        """Take a sample."""
+        """Add a sample."""
         at = time.monotonic()
         self._values = self._watched.values(sample)
         for trace, value in zip(self._traces, self._values, strict=True):
             trace.take(self._watched.number(value), at)
 
     def render(self, size: ConsoleDimensions) -> RenderableType:
-        """Draw the table for a terminal of `size`; rows that do not fit are counted, not shown."""
+        """Return the table for a terminal of `size`; rows that do not fit are only counted."""
         frame = 6
         shown = max(1, min(len(self._names), size.height - frame))
         height = 2 if 2 * shown <= size.height - frame else 1
@@ -111,7 +111,7 @@ class WatchView:
             max(map(len, (self._watched.heading, *self._names[:shown]))),
             *(max(5, *map(len, column)) for column in zip(*texts, strict=True)),
         ]
-        # The value itself is what is shown where there is no room for all.
+        # If the columns do not fit, show only the value.
         columns = len(_HEADINGS) if sum(widths) + _GAP * len(widths) <= size.width else 1
         rest = size.width - sum(widths[: columns + 1]) - _GAP * (columns + 2)
         plot_width = min(rest, _WIDEST_PLOT)

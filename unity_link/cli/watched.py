@@ -25,34 +25,34 @@ if TYPE_CHECKING:
 
 
 class Watched(Protocol):
-    """A source of samples and their texts. `names` are known when `subscribe` was called."""
+    """A source of samples and the texts for them. `names` is valid after `subscribe` was called."""
 
     heading: str
     """Heading of the column of names."""
     names: Sequence[str]
 
     def subscribe(self, link: Link, rate_hz: float) -> AbstractAsyncContextManager[Stream]:
-        """Return the stream of its samples."""
+        """Return the subscription to the samples, as a context manager."""
 
     def values(self, sample: Any) -> Sequence[Any]:
         """Return the values of a sample, one for each name."""
 
     def plain(self, value: Any) -> Any:
-        """Return a value as JSON has it."""
+        """Return a value for JSON."""
 
     def number(self, value: Any) -> float:
-        """Return the number that a curve shows of a value."""
+        """Return the number that a curve shows for a value."""
 
     def text(self, value: Any) -> str:
-        """Return a value, or such a number, as people read it."""
+        """Format a value, or a number in its unit, for display."""
 
 
 class Words:
     """Words at addresses.
 
     Args:
-        addresses: of the words.
-        form: how they are written.
+        addresses: addresses of the words.
+        form: format of the words.
     """
 
     heading = "address"
@@ -64,25 +64,25 @@ class Words:
         self._bits = 0
 
     def subscribe(self, link: Link, rate_hz: float) -> Subscription:
-        """Return the stream of their samples."""
+        """Return the subscription to the words."""
         self._bits = link.gateway.data_bits
         samples = link.subscribe(self._addresses, rate_hz=rate_hz)
         self.names = [address_text(address, link.gateway) for address in samples.schedule.addresses]
         return samples
 
     def values(self, sample: Sample) -> list[int]:
-        """Return the numbers that the words stand for."""
+        """Return the words of a sample as numbers, signed for the format `signed`."""
         words: list[int] = sample.values.tolist()
         return [to_signed(word, self._bits) for word in words] if self._form is Format.SIGNED else words
 
     def plain(self, value: int) -> int:
-        """Return a number as it is."""
+        """Return a number unchanged."""
         return value
 
     number = plain
 
     def text(self, value: float) -> str:
-        """Write a number."""
+        """Format a number."""
         return in_form(int(value) & (1 << self._bits) - 1, self._bits, self._form)
 
 
@@ -90,8 +90,8 @@ class WatchedSignals:
     """Signals of a robot.
 
     Args:
-        robot_type: has them.
-        chosen: paths, parts and patterns.
+        robot_type: class of the robot.
+        chosen: paths, parts and patterns of signals.
     """
 
     heading = "signal"
@@ -103,10 +103,10 @@ class WatchedSignals:
 
     @asynccontextmanager
     async def subscribe(self, link: Link, rate_hz: float) -> AsyncIterator[GroupSubscription]:
-        """Return the stream of their samples.
+        """Yield the subscription to the signals.
 
         Raises:
-            SpecMismatchError: where the gateway was generated from another spec.
+            SpecMismatchError: if the gateway was generated from another spec.
         """
         from unity_link.data.describing import robot_behind
         from unity_link.data.groups import Group
@@ -117,17 +117,17 @@ class WatchedSignals:
             yield samples
 
     def values(self, sample: GroupSample) -> list[Any]:
-        """Return the values in their units."""
+        """Return the values of a sample in their units."""
         return [sample.values[proxy] for proxy in self._group.proxies]
 
     def plain(self, value: Any) -> Any:
-        """Return a value as JSON has it."""
+        """Return a value for JSON."""
         return plain(value)
 
     def number(self, value: Any) -> float:
-        """Return the number of a value."""
+        """Return a value as a number."""
         return value if isinstance(value, float) else int(value)
 
     def text(self, value: Any) -> str:
-        """Write a value."""
+        """Format a value."""
         return text(value)

@@ -1,4 +1,4 @@
-"""Numbers as people type them, and lists of them as they read them."""
+"""Parses numbers that users type, and converts them from and to words."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ if TYPE_CHECKING:
 
 
 def parse_number(text: str) -> int:
-    """Read a whole number in decimal, 0x or 0b form, perhaps negative.
+    """Parse a whole number in decimal, 0x or 0b form; it may be negative.
 
     Raises:
-        ValueError: where it is none.
+        ValueError: if the text is not such a number.
     """
     try:
         return int(text, 0)
     except ValueError:
         hint = f"; did you mean 0x{text}?" if _is_hex(text) else ""
         if is_url(text):
-            hint = "; it is a URL, which stands before the addresses"
+            hint = "; it is a URL, which goes before the addresses"
         raise ValueError(f"{text!r} is not a whole number like 10, 0x0A or 0b1010{hint}") from None
 
 
@@ -32,10 +32,10 @@ def _is_hex(text: str) -> bool:
 
 
 def to_word(value: int, bits: int) -> int:
-    """Return the word that a typed value stands for; a negative one in two's complement.
+    """Return the word for a typed value; a negative one in two's complement.
 
     Raises:
-        ArgumentError: where it does not fit in a word of `bits` bits.
+        ArgumentError: if it does not fit in a word of `bits` bits.
     """
     lowest, highest = -(1 << bits - 1), (1 << bits) - 1
     if not lowest <= value <= highest:
@@ -44,5 +44,5 @@ def to_word(value: int, bits: int) -> int:
 
 
 def signed_words(words: Words, bits: int) -> list[int]:
-    """Read words in two's complement."""
+    """Return words as signed numbers, in two's complement."""
     return [to_signed(word, bits) for word in words.tolist()]

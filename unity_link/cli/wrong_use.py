@@ -1,4 +1,4 @@
-"""Messages in one sentence for wrong command lines: for the values that typer and pydantic refuse."""
+"""One-sentence messages for wrong command lines: for values that typer and pydantic refuse."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ if TYPE_CHECKING:
     import typer
 
 _UNITS = {"HZ": "Hz", "SECONDS": "seconds", "SAMPLES": "samples"}
-"""Units of the metavars of options."""
+"""Units of options, by their metavars."""
 
 
 def sentence_about(error: typer.TyperException) -> str:
-    """Return what is wrong, and what was expected."""
+    """Return a sentence with the wrong value and the expected one."""
     if re.fullmatch(r"-[\d.]+", getattr(error, "option_name", "")):
-        return f"{getattr(error, 'option_name', '')} is no option: where a negative number is meant, write -- before it"
+        return f"{getattr(error, 'option_name', '')} is no option: to give a negative number, write -- before it"
     wrong = getattr(error.__cause__, "errors", None)
     parameter = getattr(error, "param", None)
     if wrong is None or parameter is None:
@@ -33,19 +33,19 @@ def sentence_about(error: typer.TyperException) -> str:
 
 
 def _kinds(annotation: Any) -> tuple[Any, ...]:
-    """Return the types of a value that may be missing, or of several."""
+    """Return the alternatives of a union or literal type, or the type itself."""
     return get_args(annotation) or (annotation,)
 
 
 def _choices(annotation: Any) -> list[str]:
-    """Return the texts that a value is one of; none where it is something else."""
+    """Return the texts that a value may have; empty if they are not limited to a list."""
     kinds = [kind for kind in _kinds(annotation) if isinstance(kind, type) and issubclass(kind, enum.Enum)]
     literals = [text for text in _kinds(annotation) if isinstance(text, str)]
     return literals or [str(member.value) for kind in kinds for member in kind]
 
 
 def _expected(parameter: Any) -> str:
-    """Return which numbers a parameter takes."""
+    """Return a phrase for the numbers that a parameter accepts."""
     about = parameter.type_descriptor.parameter_info
     number = "a whole number" if int in _kinds(parameter.type_descriptor.annotation) else "a number"
     unit = f" of {_UNITS[parameter.metavar]}" if parameter.metavar in _UNITS else ""

@@ -1,4 +1,4 @@
-"""`unity-link zenoh`: a robot for all who are in one Zenoh network."""
+"""`unity-link zenoh`: shares a robot with a Zenoh network."""
 
 from __future__ import annotations
 
@@ -48,8 +48,7 @@ def zenoh(  # noqa: PLR0913  (each is an option of the command)
 ) -> None:
     """Share a gateway with a Zenoh network: samples as publications, reads and writes as queries, and whole links.
 
-    Nothing is open to other machines unless --connect, --listen or --config says so. Needs pip install
-    "unity-link[zenoh]".
+    Other machines can connect only with --connect, --listen or --config. Needs pip install "unity-link[zenoh]".
     """
     from unity_link.bridges.zenoh import Network, ZenohBridge
     from unity_link.data import load

@@ -580,7 +580,7 @@ class Interface(msgspec.Struct, frozen=True, kw_only=True, dict=True):
 
     @functools.cached_property
     def describe_open(self) -> Callable[[], bytes]:
-        """Like `describe`, but if values of parameters were given, the description is that without the values."""
+        """Like `describe`, but the description has open parameters, even if their values were given."""
         return self.describe
 
     @functools.cached_property
