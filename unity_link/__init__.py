@@ -7,7 +7,7 @@
     async with unity_link.connect("sim:scara") as link:
         print(await link.read(0x88))
 
-With a spec of what stands behind the gateway, the same by names and in units::
+With a spec, which declares the signals of the robot, the same by names and in units::
 
     Scara = unity_link.load("examples/scara.ul")
 
@@ -20,7 +20,7 @@ import signal
 import sys
 from typing import TYPE_CHECKING, TypeVar, overload
 
-# A command that is still being loaded ends at Ctrl-C without a traceback; `unity_link.cli.main` takes the signal back.
+# Let Ctrl-C end a command during its imports without a traceback; `unity_link.cli.main` restores the handler.
 if sys.argv[0].endswith("unity-link") and signal.getsignal(signal.SIGINT) is signal.default_int_handler:
     signal.signal(signal.SIGINT, signal.SIG_DFL)
 
@@ -102,16 +102,16 @@ __all__ = [
 def load(spec: "str | Path | Spec", interface: str | None = None) -> "type[LoadedRobot]":
     """Return the class of a robot: the public interface of a spec, with its signals as attributes.
 
-    ``Scara(link)`` is the robot behind a link. Parameters of the interface that have no value are given by name, as in
-    ``Scara(link, ctrl=0xF0)``, or left out where they are not needed. `unity_link.data` says what a robot can do.
+    ``Scara(link)`` is the robot of a link. Parameters of the interface that have no value are given by name, as in
+    ``Scara(link, ctrl=0xF0)``, or left out if they are not needed. `unity_link.data` describes the methods of a robot.
 
     Args:
         spec: path of a spec, or a compiled one.
-        interface: which public interface, where there are several.
+        interface: name of the public interface, if the spec has several.
 
     Raises:
-        SpecError: with everything that is wrong with the spec; the class is in `unity_link.spec`.
-        ArgumentError: for an interface that there is not.
+        SpecError: with all errors of the spec; the class is in `unity_link.spec`.
+        ArgumentError: for an unknown interface.
     """
     from unity_link.data.loading import load as load_class
 
@@ -125,36 +125,36 @@ async def robot(link: Link, spec: "type[R]", /, **parameters: int | None) -> "R"
 async def robot(
     link: Link, spec: "str | Path | Spec | type[Robot] | None" = None, /, **parameters: int | None
 ) -> "Robot":
-    """Return the robot behind a link: that of a spec, compared with the board's, or of the board's own.
+    """Return the robot of a link, from the spec given, which is compared with the board's, or from the board's own.
 
-    A gateway that was generated from a spec can carry its description: that spec, which is read in some round trips.
-    Without a spec, nothing else has to be known of the board; cores have the verbs of the package, or of another that
-    is installed. With one, the board is taken where all that the spec declares is there alike: addresses, bits, types,
-    scales, units, limits, groups, leases, cores. It may have more. The description is read where the fingerprint of the
-    gateway is not that of the spec; a gateway without a description is compared by its fingerprint alone, as by
-    ``Scara(link)``.
+    A gateway that was generated from a spec can carry a description of it, which is read in a few round trips. Without
+    `spec`, the robot is made from this description; its cores have the core APIs of this package or of other installed
+    packages. With `spec`, the board must have everything that the spec declares with the same properties: addresses,
+    bits, types, scales, units, limits, groups, leases, cores. It may have more. The description is read only if the
+    fingerprint of the gateway differs from that of the spec. A gateway without a description is checked only by its
+    fingerprint, as by ``Scara(link)``.
 
     Args:
-        link: open.
+        link: an open link.
         spec: path of a spec, a compiled one, or the class of a robot, loaded or generated.
-        parameters: those of the interface that have no value, as for the class.
+        parameters: values of the interface's parameters that have none, as for the class.
 
     Raises:
-        SpecMismatchError: where the gateway was generated from another spec; it says what differs.
-        UnsupportedError: where the gateway's description is needed, and it carries none, or one that cannot be read.
-        SpecError: as by `load`.
-        ArgumentError: as by `load`, and for a parameter that there is not.
-        LinkLostError: when the link has ended.
+        SpecMismatchError: if the gateway was generated from another spec; it lists the differences.
+        UnsupportedError: if the gateway's description is needed, but is missing or cannot be read.
+        SpecError: if `load` raises it.
+        ArgumentError: if `load` raises it, or for an unknown parameter.
+        LinkLostError: if the link has ended.
     """
     from unity_link.data.describing import robot_behind
 
     return await robot_behind(link, spec, **parameters)
 
 
-if not TYPE_CHECKING:  # It would have every name be known to a type checker.
+if not TYPE_CHECKING:  # A type checker would accept every name of the module.
 
     def __getattr__(name: str) -> object:
-        """Import `unity_link.blocking` and `unity_link.data` when they are first asked for."""
+        """Import `unity_link.blocking` or `unity_link.data` at its first use."""
         if name in {"blocking", "data"}:
             return importlib.import_module(f"unity_link.{name}")
         raise AttributeError(f"module 'unity_link' has no attribute {name!r}")

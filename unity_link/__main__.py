@@ -1,4 +1,4 @@
-"""`python -m unity_link`: the command line, where the command itself is not on the path."""
+"""`python -m unity_link`: the command line, for environments in which the command is not on the path."""
 
 from unity_link.cli import main
 

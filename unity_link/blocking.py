@@ -1,4 +1,4 @@
-"""The same link for code that is not asynchronous: scripts, notebooks, MATLAB.
+"""Links for programs without asyncio: scripts, notebooks, MATLAB.
 
 ::
 
@@ -10,12 +10,12 @@
             for sample in samples:
                 print(sample.values)
 
-The methods are those of `unity_link.Link`, and any number of threads may call them. A call runs in the thread that
-makes it, without an event loop, on ``serial:``, ``tcp:`` and ``unix:``; other media have an event loop in a thread of
-their own, and each call a change of threads there and back. While there is a subscription, a thread takes its samples.
+The methods are those of `unity_link.Link`; any number of threads may call them. On ``serial:``, ``tcp:`` and ``unix:``
+a call runs in the calling thread, without an event loop. Other media have an event loop in a thread of their own, so
+each call switches threads twice. While there is a subscription, a thread receives its samples.
 
-Between two calls nothing else runs: what the line has lost of posted writes is sent again by the next call, by `fence`,
-or where the ``with`` block ends; and that a connection was lost is noticed by the next call. A thread opens it again.
+Between calls no other code of the link runs: the next call, `fence`, or the end of the ``with`` block retransmits lost
+posted writes, and the next call detects a lost connection. A thread reopens it.
 """
 
 from __future__ import annotations
@@ -51,13 +51,13 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 LAST_PATIENCE = 2.0
-"""Seconds that the end of a program waits for a link that was not closed."""
+"""Seconds that the end of a program waits for the closing of a link that the program did not close."""
 
 
 def connect(
     target: str | Medium, *, timeout: float = CONNECT_TIMEOUT, reconnect: bool | Reconnect = False
 ) -> BlockingLink:
-    """Open a link; `unity_link.connect` says what the arguments are and what is raised.
+    """Open a link; `unity_link.connect` documents the arguments and errors.
 
     The link is open when this returns; use it in a ``with`` block, or call `BlockingLink.close`.
     """
@@ -65,14 +65,14 @@ def connect(
 
 
 def _end(runtime: CallingThread, link: asynchronous.Link) -> None:
-    """End a link and its threads; in a process that was forked, they are its parent's."""
+    """Close a link and end its threads. In a forked process do nothing: link and threads belong to the parent."""
     if runtime.is_disowned:
         return
     if runtime.is_running_here():
-        # Found within a callback of its own, whose thread cannot be waited for.
+        # The garbage collector found the link in a callback of its own thread, which cannot wait for itself.
         runtime.create_task(_close_later(runtime, link))
         return
-    # At the end of a program the main thread is over, and some drivers can't close any more.
+    # At the end of a program the main thread has ended, and some drivers cannot close any more.
     patience = None if threading.main_thread().is_alive() else LAST_PATIENCE
     try:
         runtime.run(_close, runtime, link, patience)
@@ -82,7 +82,7 @@ def _end(runtime: CallingThread, link: asynchronous.Link) -> None:
 
 
 def _end_unclosed(runtime: CallingThread, link: asynchronous.Link) -> None:
-    """End a link that the garbage collector finds, or the end of the program, and warn of it."""
+    """Warn of a link that was not closed, and close it: at garbage collection or at the end of the program."""
     if runtime.is_disowned or runtime.is_closed:
         return
     try:
@@ -105,12 +105,15 @@ async def _close(runtime: CallingThread, link: asynchronous.Link, patience: floa
             async with runtime.timeout(patience):
                 await link.aclose()
     finally:
-        # In this call, which no signal handler interrupts.
+        # End it within this call, which no signal handler interrupts.
         runtime.end()
 
 
 def noting(entered: list[bool], enter: Callable[[], Awaitable[object]]) -> Callable[[], Coroutine[Any, Any, None]]:
-    """Return a coroutine function that enters a block, and notes that in a list; a signal handler may raise then."""
+    """Return a coroutine function that enters a block and then appends True to `entered`.
+
+    A signal handler may raise after the call, so that only the list shows whether the block was entered.
+    """
 
     async def note() -> None:
         await enter()
@@ -122,10 +125,10 @@ def noting(entered: list[bool], enter: Callable[[], Awaitable[object]]) -> Calla
 class BlockingLink(Sealed):
     """A connection to one gateway; made by `connect`. `unity_link.Link` documents the methods of the same names.
 
-    A link that is not closed is closed where nothing refers to it any more, and at the end of the program.
+    A link that is not closed is closed when no reference to it is left, and at the end of the program.
     """
 
-    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+    if not TYPE_CHECKING:  # A type checker reports such uses by itself.
         __aenter__ = __aexit__ = refusing("write `with` before a blocking link, or connect by `unity_link.connect`")
         __await__ = refusing("a blocking link is open at once, without `await`")
 
@@ -134,7 +137,7 @@ class BlockingLink(Sealed):
                 self,
                 name,
                 "a blocking link",
-                aclose="it is closed where its `with` block ends, or by `close`",
+                aclose="it is closed by the end of its `with` block, or by `close`",
             )
 
     def _called(self) -> str:
@@ -155,22 +158,22 @@ class BlockingLink(Sealed):
             self._link = opened[0]
             self._end = weakref.finalize(self, _end_unclosed, runtime, self._link)
         except BaseException:
-            # A signal handler may raise when the link is open.
+            # A signal handler may raise although the link was opened: close it.
             for link in opened:
                 _end(runtimes[0], link)
             for runtime in runtimes:
                 runtime.close(None)
             raise
-        # Bound once, as they are called most: a closed link refuses them by itself.
+        # Bind these frequent calls once; the runtime of a closed link rejects them itself.
         run: Callable[..., Any] = runtime.run
         self._read: Callable[[int], int] = functools.partial(run, self._link.read)
         self._write: Callable[[int, int], None] = functools.partial(run, self._link.write)
         self._post: Callable[[int, int], None] = functools.partial(run, self._link.post)
 
     def close(self) -> None:
-        """End the link and its thread at once. May be called twice.
+        """Close the link and end its thread at once. May be called twice.
 
-        Posted writes that are not executed yet are given up, and their errors are not raised: call `fence` before.
+        Posted writes that are pending are discarded without raising their errors: call `fence` before.
         """
         if self._end.alive:
             try:
@@ -180,7 +183,7 @@ class BlockingLink(Sealed):
                     self._end.detach()
 
     def _call(self, function: Callable[..., Coroutine[Any, Any, T]], *arguments: Any) -> T:
-        """Run a coroutine of the link, and return its result."""
+        """Run a coroutine function of the link and return its result."""
         if not self._end.alive:
             raise LinkClosedError("the link was closed", Outcome.NOT_EXECUTED)
         return self._runtime.run(function, *arguments)
@@ -191,7 +194,7 @@ class BlockingLink(Sealed):
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        """Close; where the block ended well, not before the posted writes are executed, and with their errors."""
+        """Close the link. If the block raised no error, first wait for posted writes, and raise their errors."""
         try:
             if self._end.alive and not self._runtime.is_disowned:
                 self._call(self._link.__aexit__, kind, error, trace)
@@ -199,18 +202,18 @@ class BlockingLink(Sealed):
             self.close()
 
     def __repr__(self) -> str:
-        """Return where it leads, and whether there is a connection now."""
+        """Return the URL of the link and whether it is connected."""
         return f"<blocking {repr(self._link)[1:]}"
 
     def _repr_html_(self) -> str:
-        """Return the same, what the gateway is, and the statistics, as a table."""
+        """Return URL, configuration of the gateway and statistics, as an HTML table."""
         from unity_link.link import html
 
         return html.link_table(self)
 
     @property
     def gateway(self) -> GatewayInfo:
-        """Description of the gateway, as it answers `Q`."""
+        """Configuration of the gateway, from its answer to `Q`."""
         return self._link.gateway
 
     @property
@@ -223,7 +226,7 @@ class BlockingLink(Sealed):
         return self._read(address)
 
     def write(self, address: int, value: int) -> None:
-        """Write `value` to `address`; when this returns it is on the bus."""
+        """Write `value` to `address`; return after the write was executed on the bus."""
         self._write(address, value)
 
     def write_masked(self, address: int, value: int, mask: int) -> int:
@@ -239,7 +242,7 @@ class BlockingLink(Sealed):
         self._call(self._link.post_many, addresses, values)
 
     def fence(self) -> None:
-        """Wait until everything that was asked for before has been executed."""
+        """Wait until all earlier requests have been executed."""
         self._call(self._link.fence)
 
     def read_block(self, address: int, count: int) -> Words:
@@ -267,13 +270,13 @@ class BlockingLink(Sealed):
         self._call(self._link.write_many, addresses, values)
 
     def send_immediate(self, mode: asynchronous.SendImmediate) -> None:
-        """Choose when the gateway has an FT232H send a short packet at once."""
+        """Set when the gateway makes an FT232H send a short packet at once."""
         self._call(self._link.send_immediate, mode)
 
     def subscribe(self, addresses: int | ArrayLike, **options: Any) -> BlockingSubscription:
         """Subscribe to addresses that the gateway samples by itself; `unity_link.Link.subscribe` documents the options.
 
-        A ``callback`` is called in the thread that takes the samples, and must not call the link.
+        A ``callback`` is called in the thread that receives the samples, and must not call the link.
         """
         if not self._end.alive:
             raise LinkClosedError("the link was closed", Outcome.NOT_EXECUTED)
@@ -281,9 +284,9 @@ class BlockingLink(Sealed):
 
 
 class BlockingSubscription(Sealed):
-    """A stream of samples; made by `BlockingLink.subscribe`, to be used in a ``with`` block and iterated over."""
+    """A stream of samples; made by `BlockingLink.subscribe`. Use it in a ``with`` block and iterate over it."""
 
-    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+    if not TYPE_CHECKING:  # A type checker reports such uses by itself.
         __aenter__ = __aexit__ = refusing("write `with` before a subscription of a blocking link")
         __aiter__ = refusing("write `for` over the samples of a blocking link, in a `with` block")
 
@@ -291,37 +294,37 @@ class BlockingSubscription(Sealed):
         self._subscription = subscription
         self._call = call
         self._run = run
-        """Call as `call` does, on a link that was closed, too: what had come before is still to be taken."""
+        """Like `call`, but also works on a closed link: samples that arrived before can still be read."""
         self._samples: deque[Sample] = deque()
 
     def _called(self) -> str:
         return "a subscription"
 
     def __repr__(self) -> str:
-        """Return what is sampled, and what has come of it."""
+        """Return the sampled addresses and the counts of samples."""
         return repr(self._subscription)
 
     @property
     def rate_hz(self) -> float | None:
-        """The rate that the gateway publishes at, in Hz; None for a subscription that is not periodic."""
+        """Rate in Hz at which the gateway publishes; None for a subscription that is not periodic."""
         return self._subscription.rate_hz
 
     @property
     def received(self) -> int:
-        """Samples that arrived so far."""
+        """Number of samples that have arrived."""
         return self._subscription.received
 
     @property
     def lost(self) -> int:
-        """Samples lost so far."""
+        """Number of samples that were lost."""
         return self._subscription.lost
 
     def publish(self) -> None:
-        """Ask the gateway for one sample now."""
+        """Request one sample from the gateway now."""
         self._call(self._subscription.publish)
 
     def take(self, count: int | None = None) -> list[Sample]:
-        """Wait until there is a sample, and return all that wait; or so many, fewer where the samples end."""
+        """Wait for a sample and return all that have arrived; or `count` samples, fewer if the stream ends."""
         if count is not None:
             count = check_count(count)
         waiting = self._samples
@@ -334,14 +337,14 @@ class BlockingSubscription(Sealed):
         return [waiting.popleft() for _ in range(len(waiting) if count is None else min(count, len(waiting)))]
 
     async def _fill(self, count: int | None) -> None:
-        """Take samples, in the call: a signal handler that raises at its end loses none."""
+        """Read samples into `self._samples` within the call, so that a signal handler that raises loses none."""
         self._samples.extend(await self._subscription.take(count))
 
     def __enter__(self) -> Self:
         entered: list[bool] = []
         try:
             self._call(noting(entered, self._subscription.__aenter__))
-            return self  # noqa: TRY300  (a signal handler may raise up to here)
+            return self  # noqa: TRY300  (a signal handler may raise before this returns)
         except BaseException as error:
             if entered:
                 self.__exit__(type(error), error, error.__traceback__)
@@ -350,7 +353,7 @@ class BlockingSubscription(Sealed):
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        # A link that is closed has ended the subscription, which is no error here.
+        # A closed link has ended the subscription, which is no error here.
         with suppress(LinkLostError):
             self._run(self._subscription.__aexit__, kind, error, trace)
 
@@ -359,7 +362,7 @@ class BlockingSubscription(Sealed):
 
     def __next__(self) -> Sample:
         if not self._samples:
-            # All that wait at once: a call for each would be slow.
+            # Fetch all samples that have arrived in one call: a call for each sample would be slow.
             try:
                 self._run(self._fill, None)
             except StopAsyncIteration:

@@ -1,8 +1,8 @@
-"""The errors of the package, sorted by what a caller can do about them.
+"""The errors of the package, sorted by cause.
 
-Every error that Unity-Link raises is a `UnityLinkError`. An error's class says what to do: mend the call
-(`ArgumentError`), look at the cable and the URL (`ConnectError`, `LinkLostError`), look at the gateware
-(`GatewayError`, `UnsupportedError`), or read faster (`SamplesLostError`).
+Every error that Unity-Link raises is a `UnityLinkError`. Its class shows where the cause is: in the call
+(`ArgumentError`), in the cable or the URL (`ConnectError`, `LinkLostError`), in the gateware (`GatewayError`,
+`UnsupportedError`), or in a program that reads too slowly (`SamplesLostError`).
 """
 
 from __future__ import annotations
@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 ANY_ERROR = (Exception, CancelledError)
-"""Errors that a user's function may raise and that must stop nothing else; the latter comes of asking a task that was
-cancelled for its result."""
+"""Errors that a user's function may raise and that must not stop other work; CancelledError is raised by the result of
+a cancelled task."""
 
 
 class UnityLinkError(Exception):
@@ -28,58 +28,58 @@ class UnityLinkError(Exception):
 
 
 class ArgumentError(UnityLinkError, ValueError):
-    """A value that no gateway, or not this one, can take. Nothing was sent."""
+    """A value that no gateway, or not this one, accepts. Nothing was sent."""
 
 
 class UnknownNameError(ArgumentError, KeyError):
-    """A name that a mapping of signals or groups does not have."""
+    """A name that is missing in a mapping of signals or groups."""
 
     __str__ = Exception.__str__
 
 
 class ConnectError(UnityLinkError):
-    """No link could be opened; the message says what was tried."""
+    """No link could be opened; the message names the URL and the reason."""
 
 
 class UnsupportedError(UnityLinkError):
-    """The gateway was built without the feature that the call needs, or speaks another protocol version."""
+    """The gateway was built without a feature that the call needs, or has another protocol version."""
 
 
 class SpecMismatchError(UnsupportedError):
-    """The gateway was generated from another spec than the program's. Nothing was written to a signal."""
+    """The gateway was generated from another spec than the program uses. No signal was written."""
 
     def __init__(self, message: str, differences: tuple[str, ...] = ()) -> None:
         super().__init__(message)
         self.differences = differences
-        """All differences in words, such as ``"tilt: SCALE is 0.1 in robot.ul and 0.2 on the board"``; empty where they
-        are not known: the gateway carries no description, or it was not read."""
+        """All differences as sentences, such as ``"tilt: SCALE is 0.1 in robot.ul and 0.2 on the board"``; empty if
+        they are unknown: the gateway carries no description, or the description was not read."""
 
     def __reduce__(self) -> Any:
         return type(self), (str(self), self.differences)
 
 
 class SamplesLostError(UnityLinkError):
-    """A subscription with ``overflow="fail"`` was read too slowly, and its buffer is full."""
+    """A subscription with ``overflow="fail"`` was read too slowly, so that its buffer is full."""
 
 
 class Outcome(enum.Enum):
-    """Fate of a request whose answer did not come."""
+    """Outcome of a request whose answer did not arrive."""
 
     EXECUTED = "executed"
     """The gateway executed it, and the answer was lost."""
     NOT_EXECUTED = "not executed"
-    """It never reached the bus, and can be sent again."""
+    """It did not reach the bus, and can be sent again."""
     UNKNOWN = "unknown"
-    """It may have reached the bus, or not."""
+    """It may have reached the bus."""
     NO_REQUEST = "no request"
-    """The error is not about a request: samples are published without one."""
+    """The error does not concern a request: samples are published without one."""
 
 
 class UnansweredError(UnityLinkError):
-    """The call was not answered, and never will be.
+    """The call was not answered, and cannot be any more.
 
-    `outcome` says what is known of the request: a write that is ``NOT_EXECUTED`` can be sent again, one that is
-    ``UNKNOWN`` may or may not have reached the bus.
+    `outcome` is the outcome of the request as far as it is known: a write that is ``NOT_EXECUTED`` can be sent again,
+    one that is ``UNKNOWN`` may have reached the bus.
     """
 
     def __init__(self, reason: str, outcome: Outcome = Outcome.UNKNOWN) -> None:
@@ -87,14 +87,14 @@ class UnansweredError(UnityLinkError):
         self.reason = reason
         """Cause, as a sentence without the outcome."""
         self.outcome = outcome
-        """Fate of the request."""
+        """Outcome of the request."""
 
     def about(self, outcome: Outcome) -> Self:
-        """Return the same error about a request of which something else is known."""
+        """Return the same error for a request with another outcome."""
         return type(self)(self.reason, outcome)
 
     def __str__(self) -> str:
-        """Return the reason, and what is known of the request if there was one."""
+        """Return the reason, and the outcome if there was a request."""
         known = _OUTCOME_TEXT.get(self.outcome)
         return f"{self.reason}; the request is {known}" if known else self.reason
 
@@ -107,7 +107,7 @@ _OUTCOME_TEXT = {
 
 
 def reason_of(error: UnityLinkError) -> str:
-    """Return what an error says, without what it says of a request."""
+    """Return the message of an error without the outcome of its request."""
     return error.reason if isinstance(error, UnansweredError) else str(error)
 
 
@@ -116,23 +116,23 @@ class LinkLostError(UnansweredError):
 
 
 class GatewayResetError(LinkLostError):
-    """The gateway was reset before it answered the call: it has forgotten its groups.
+    """The gateway was reset before it answered the call, and has lost its groups.
 
-    The link goes on by itself: it sets its subscriptions up again.
+    The link continues and sets up its subscriptions again.
     """
 
 
 class LinkClosedError(LinkLostError):
-    """The link was closed by this program."""
+    """The program closed the link."""
 
 
 class GatewayError(UnityLinkError):
     """The gateway answered with an error (docs/protocol.md, "Errors")."""
 
     code = 0
-    """Number of the error."""
+    """Number of the error in the protocol."""
     address: int | None = None
-    """Address of the access, of a block the first one; None if it is not known."""
+    """Address of the access, for a block the first one; None if it is unknown."""
 
     def __init__(self, message: str, code: int | None = None) -> None:
         super().__init__(message)
@@ -141,37 +141,37 @@ class GatewayError(UnityLinkError):
 
 
 class BusError(GatewayError):
-    """A module on the bus refused the access (error 04). What a block did before it stays done."""
+    """A module on the bus refused the access (error 04). Earlier accesses of a block remain executed."""
 
     code = 4
 
 
 class NotArmedError(BusError):
-    """A lease is not armed: it could not be, it ended, or a write to what it guards was refused and not stored.
+    """A lease is not armed: arming failed, the lease ended, or a write to a guarded signal was refused.
 
-    Nothing that the lease guards moves until a program arms it anew and writes to it afresh.
+    Guarded outputs stay safe until a program arms the lease again and writes new values.
     """
 
     def __init__(self, message: str, reason: str, instant: float | None = None) -> None:
         super().__init__(message)
         self.reason = reason
-        """Cause: ``"none_yet"`` (it was not armed since the reset), ``"disarmed"``, ``"silence"`` (its end came before
-        a kick), ``"estop"``, ``"taken"`` (another program has it), ``"late"`` (its end came before it was armed), or
-        ``"reset"`` (the gateway was reset, or the link or the server has begun another session with it since)."""
+        """Cause: ``"none_yet"`` (not armed since the reset), ``"disarmed"``, ``"silence"`` (it expired without a kick),
+        ``"estop"``, ``"taken"`` (another program holds it), ``"late"`` (its end had passed when it was to be armed), or
+        ``"reset"`` (the gateway was reset, or the link or server has begun a new session)."""
         self.instant = instant
-        """Instant of the fault in seconds of the gateway's clock; None where it was none, or is not known."""
+        """Time of the fault in seconds of the gateway's clock; None if there was no fault or its time is unknown."""
 
     def __reduce__(self) -> Any:
         return type(self), (str(self), self.reason, self.instant)
 
 
 class LateError(UnityLinkError):
-    """A write at an instant has not happened, nor will it: it came too late, or was refused."""
+    """A scheduled write was not executed and will not be: it arrived too late, or was refused."""
 
     def __init__(self, message: str, ticks: int) -> None:
         super().__init__(message)
         self.ticks = ticks
-        """Its instant, in ticks of the gateway's clock."""
+        """Scheduled time of the write in ticks of the gateway's clock."""
 
     def __reduce__(self) -> Any:
         return type(self), (str(self), self.ticks)
@@ -191,7 +191,7 @@ class OutOfRangeError(GatewayError):
 
 @contextlib.contextmanager
 def first_error() -> Iterator[None]:
-    """Raise what failed first in a group of tasks as itself: a caller knows nothing of the tasks."""
+    """Raise the first error of a task group by itself: callers do not know about the tasks."""
     try:
         yield
     except BaseExceptionGroup as group:
@@ -200,16 +200,16 @@ def first_error() -> Iterator[None]:
 
 
 def shown(value: object) -> str:
-    """Return what a program has given, for a message: a number as text, else its `repr`; cut to 80 characters."""
+    """Format a value from a program for a message: a number as text, otherwise its `repr`; at most 80 characters."""
     try:
         return f"{value!s:.80}" if isinstance(value, Number) else f"{value!r:.80}"
     except ValueError:
-        # Python writes no whole number of more than 4,300 digits.
+        # Python refuses to convert integers of more than 4,300 digits to text.
         return f"a number of {value.bit_length()} bits" if isinstance(value, int) else f"a {type(value).__name__}"
 
 
 def did_you_mean(name: object, known: Iterable[str]) -> str:
-    """Suggest the known names that look like `name`; empty where none does."""
+    """Return a question with the known names that are similar to `name`; empty if there is none."""
     import difflib
 
     names = sorted(set(known))
@@ -219,7 +219,7 @@ def did_you_mean(name: object, known: Iterable[str]) -> str:
 
 
 def refusing(sentence: str) -> Callable[..., Never]:
-    """Return a method that raises ArgumentError: for a use of an object that cannot be, but is often tried."""
+    """Return a method that raises ArgumentError: for a use of an object that is impossible but likely to be tried."""
 
     def refuse(*_: object) -> Never:
         raise ArgumentError(sentence)
@@ -228,20 +228,20 @@ def refusing(sentence: str) -> Callable[..., Never]:
 
 
 def missing(thing: object, name: str, what: str, **instead: str) -> AttributeError:
-    """Return the error for an attribute that a thing does not have.
+    """Return the error for a missing attribute.
 
     Args:
-        thing: the thing.
-        name: of the attribute.
-        what: how messages call the thing.
-        instead: by names that are often tried, what to write.
+        thing: the object.
+        name: name of the attribute.
+        what: name of the object in messages.
+        instead: advice, by names that users are likely to try.
     """
     hint = instead.get(name, "") or did_you_mean(name, [known for known in dir(thing) if not known.startswith("_")])
     return AttributeError(f"{what} has no {name!r}" + (f": {hint}" if hint else ""), name=name, obj=thing)
 
 
 def missing_attribute(what: str, **instead: str) -> Callable[[object, str], Never]:
-    """Return a `__getattr__` that raises `missing` for names that there are not."""
+    """Return a `__getattr__` that raises `missing` for unknown names."""
 
     def refuse(thing: object, name: str) -> Never:
         raise AttributeError(name) if name.startswith("_") else missing(thing, name, what, **instead)
@@ -250,7 +250,7 @@ def missing_attribute(what: str, **instead: str) -> Callable[[object, str], Neve
 
 
 def unassignable_attribute(what: str) -> Callable[[object, str, object], Never]:
-    """Return a `__setattr__` that refuses each assignment."""
+    """Return a `__setattr__` that rejects every assignment."""
 
     def refuse(thing: object, name: str, _: object) -> Never:
         raise unassignable(thing, name, what)
@@ -259,19 +259,19 @@ def unassignable_attribute(what: str) -> Callable[[object, str, object], Never]:
 
 
 def unassignable(thing: object, name: str, what: str) -> ArgumentError:
-    """Return the error for an assignment to an attribute: one that is not for programs to set, or that there is not."""
+    """Return the error for an assignment to an attribute that programs must not set, or that does not exist."""
     if name in dir(thing):
         return ArgumentError(f"{name!r} of {what} cannot be assigned to")
     return ArgumentError(str(missing(thing, name, what)))
 
 
 class OfLink:
-    """Something of a link, of which there is one: a copy of it is itself, and it goes through no pickle."""
+    """Base of objects that belong to one link: copying returns the same object, and pickling is an error."""
 
     __slots__ = ()
 
     def _called(self) -> str:
-        """Return what messages call it."""
+        """Return the name of the object in messages."""
         return repr(self)[1:-1]
 
     def __copy__(self) -> Self:
@@ -285,23 +285,23 @@ class OfLink:
 
 
 class _Sealing(type):
-    """Makes objects, and seals each when it is made."""
+    """Metaclass that seals each object after `__init__`."""
 
     def __call__(cls: type[T], *arguments: Any, **options: Any) -> T:
         made: T = cls.__new__(cls, *arguments, **options)
         seal = object.__setattr__
-        seal(made, "_is_sealed", False)  # noqa: FBT003  (it has no name)
-        made.__init__(*arguments, **options)  # type: ignore[misc]  # that of its class
+        seal(made, "_is_sealed", False)  # noqa: FBT003  (positional only)
+        made.__init__(*arguments, **options)  # type: ignore[misc]  # the method of the object's class
         seal(made, "_is_sealed", True)  # noqa: FBT003
         return made
 
 
 class Sealed(OfLink, metaclass=_Sealing):
-    """Something whose attributes a program does not set, once it is made: that would hide them, and do nothing else."""
+    """Base of objects whose public attributes cannot be set after `__init__`: an assignment would have no effect."""
 
     __slots__ = ("_is_sealed",)
 
-    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+    if not TYPE_CHECKING:  # A type checker reports such uses by itself.
 
         def __setattr__(self, name: str, value: object) -> None:
             if self._is_sealed and not name.startswith("_"):
@@ -312,7 +312,7 @@ class Sealed(OfLink, metaclass=_Sealing):
             raise AttributeError(name) if name.startswith("_") else missing(self, name, self._called())
 
     def _data(self) -> tuple[Any, ...] | None:
-        """Return what its class makes another one of; None where it is of a link, of which there is one."""
+        """Return the arguments that make a copy; None if the object belongs to a link and cannot be copied."""
         return None
 
     def __deepcopy__(self, memo: dict[int, Any], /) -> Self:

@@ -1,13 +1,12 @@
-"""Layer 3, proxies of modules: windows on a gateway's bus, each by addresses of its own.
+"""Layer 3, proxies of modules: address windows on a gateway's bus, each with addresses of its own.
 
-A proxy stands on a `Bus`, with or without a spec, and gives one to what stands in it: the link itself, or what an outer
-module puts before it, as a TosNet network does to commit what was written::
-
+A proxy uses a `Bus`, with or without a spec, and provides one for the signals and modules inside it: the link itself,
+or a wrapper of an outer module, as the one of a TosNet network that commits written words::
     pool = Memory(link, 0x80, size=64)
     await pool.store(range(64))
 """
 
-# ruff: noqa: D102  (the methods of `Bus` are those of `unity_link.Link`, which says what they do)
+# ruff: noqa: D102  (`unity_link.Link` documents the methods of `Bus`)
 
 from __future__ import annotations
 
@@ -34,7 +33,7 @@ __all__ = ["Bus", "Fifo", "Memory", "Module", "link_under"]
 
 
 class Bus(Protocol):
-    """A link, or what a module puts before it. The latter names the link as ``link``."""
+    """A link, or the wrapper of a module, which has the link as attribute ``link``."""
 
     gateway: GatewayInfo
 
@@ -52,78 +51,78 @@ class Bus(Protocol):
 
 
 def link_under(bus: Bus) -> Link:
-    """Return the link that a bus stands on."""
-    # A link has no such attribute, and its error would be made for each signal, with names that are like `link`.
+    """Return the link below a bus."""
+    # Test without getattr: a link lacks the attribute, and would search for similar names for each error.
     has_link = "link" in getattr(bus, "__dict__", ()) or hasattr(type(bus), "link")
-    return cast("Link", getattr(bus, "link") if has_link else bus)  # noqa: B009  (of a class that is not known)
+    return cast("Link", getattr(bus, "link") if has_link else bus)  # noqa: B009  (the class of `bus` is unknown)
 
 
 def caller_on(link: Link) -> Any:
-    """Return the task or thread that calls, to be given to `post_for`."""
-    return link._caller()  # noqa: SLF001  (a call of the link that is made later)
+    """Return the calling task or thread, as an argument for `post_for`."""
+    return link._caller()  # noqa: SLF001  (for a later call of the link)
 
 
 def post_for(poster: Any, bus: Bus, address: int, value: int) -> Coroutine[Any, Any, None]:
-    """Post a write for a task or thread, whose `fence` raises its error; a bus of a program's own is not given it."""
+    """Post a write so that the `fence` of a task or thread raises its error. A program's own bus has no such method."""
     post = getattr(bus, "_post_for", None)
     return bus.post(address, value) if post is None else post(poster, address, value)
 
 
 def post_many_for(poster: Any, bus: Bus, addresses: ArrayLike, values: ArrayLike) -> Coroutine[Any, Any, None]:
-    """Post many writes for a task or thread, as `post_for` does."""
+    """Post many writes for a task or thread, like `post_for`."""
     post = getattr(bus, "_post_many_for", None)
     return bus.post_many(addresses, values) if post is None else post(poster, addresses, values)
 
 
 class Module(Sealed):
-    """A module on the bus. Addresses in it are offsets: 0 is its first word.
+    """A module on the bus. Its methods take offsets: 0 is its first word.
 
-    A subclass is a kind of module.
+    Each kind of module is a subclass.
 
     Raises:
         ArgumentError: by all methods, for an offset outside of the module.
     """
 
     SIZE: ClassVar[int | None] = None
-    """Number of words of modules of this kind, where it is always the same."""
+    """Number of words of modules of this kind, if it is constant."""
 
     def __init__(self, bus: Bus, base: int = 0, *, size: int | None = None) -> None:
-        """Stand on a link, or on another module's `bus`.
+        """Create a proxy on a link, or on another module's `bus`.
 
         Args:
-            bus: what to read and write through.
+            bus: the bus that contains the module.
             base: address of the first word on the gateway's bus.
-            size: number of words; None where it is not known.
+            size: number of words; None if it is unknown.
         """
         self.outer = bus
-        """Bus below the module."""
+        """The bus that contains the module."""
         self.link = link_under(bus)
         self.base = whole_number(base, "the base of a module")
         self.size = self.SIZE if size is None else whole_number(size, "the number of words of a module")
         if self.size is not None and self.size < 1:
             raise ArgumentError(f"a module of {self.size} words was asked for, at least 1 is needed")
 
-    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+    if not TYPE_CHECKING:  # A type checker reports such uses by itself.
 
         def __setattr__(self, name: str, value: object) -> None:
-            """Set what it has already, which a module of one's own may do by itself."""
+            """Set an existing attribute or property; subclasses of programs may need that."""
             if name in vars(self) or getattr(getattr(type(self), name, None), "fset", None) is not None:
                 object.__setattr__(self, name, value)
             else:
                 super().__setattr__(name, value)
 
     def __repr__(self) -> str:
-        """Return the kind and where it is."""
+        """Return the kind, address and size."""
         size = "" if self.size is None else f", {self.size} words"
         return f"<{type(self).__name__} at {self.base:#x}{size}>"
 
     @property
     def bus(self) -> Bus:
-        """Bus for the signals and modules inside of this one."""
+        """Bus for the signals and modules inside this one."""
         return self.outer
 
     def address(self, offset: int, count: int = 1) -> int:
-        """Return the address on the gateway's bus of `count` words from `offset` on."""
+        """Return the address of `offset` on the gateway's bus; `count` words from there must be in the module."""
         offset, count = whole_number(offset, "an offset"), whole_number(count, "a number of words")
         if offset < 0 or (self.size is not None and offset + count > self.size):
             end = "" if self.size is None else f" to {self.size - count}"
@@ -176,9 +175,9 @@ class Module(Sealed):
 
 
 class Memory(Module):
-    """Plain memory, or registers that have no proxy of their own: MEMORY in a spec.
+    """Plain memory, or registers without a proxy of their own: MEMORY in a spec.
 
-    Every word reads back what was written last. Offsets are words.
+    A read returns the last written word. Offsets count words.
     """
 
     def __len__(self) -> int:
@@ -186,19 +185,19 @@ class Memory(Module):
         return self._known_size()
 
     def __bool__(self) -> bool:
-        """Be true: a memory is no container of the program's."""
+        """Return True, also for an empty result of `len`: the memory is not a Python container."""
         return True
 
     async def load(self) -> Words:
-        """Read all of it; shape (words,)."""
+        """Read all words; shape (words,)."""
         return await self.read_block(0, self._known_size())
 
     async def store(self, values: ArrayLike) -> None:
-        """Write all of it, or its beginning."""
+        """Write words from the first one on."""
         await self.write_block(0, values)
 
     async def fill(self, value: int = 0) -> None:
-        """Write the same word everywhere."""
+        """Write the same value to all words."""
         word, size = whole_number(value, "a word"), self._known_size()
         await self.write_block(0, [word] * size)
 
@@ -209,31 +208,31 @@ class Memory(Module):
 
 
 class Fifo(Module):
-    """A queue behind one address: FIFO in a spec.
+    """A queue at one address: FIFO in a spec.
 
-    A read of its only address takes the oldest word, a write appends one. An empty or a full queue is the gateware's
-    business: a bus error, which is raised here, or a wait state.
+    A read of the address removes the oldest word, a write appends one. The gateware defines the behaviour of an empty
+    or full queue: a bus error, which is raised here, or wait states.
     """
 
     SIZE = 1
 
     def __init__(self, bus: Bus, base: int = 0, *, size: int | None = None, words: int | None = None) -> None:
-        """Stand on a link.
+        """Create a proxy of a queue.
 
         Args:
             bus: as for `Module`.
             base: address of the port.
             size: as for `Module`.
-            words: depth of the queue, where it is known.
+            words: depth of the queue in words; None if it is unknown.
         """
         super().__init__(bus, base, size=size)
         self.words = words
 
     async def take(self, count: int) -> Words:
-        """Take `count` words; shape (count,).
+        """Remove `count` words and return them; shape (count,).
 
         Raises:
-            BusError: where the queue had fewer, if the gateware says so; those that it had are gone.
+            BusError: if the queue had fewer words and the gateware reports that; its words are lost.
         """
         return await self.bus.read_queue(self.address(0), count)
 
@@ -241,6 +240,6 @@ class Fifo(Module):
         """Append words.
 
         Raises:
-            BusError: where there was no room for all, if the gateware says so; the first ones were appended.
+            BusError: if the queue became full and the gateware reports that; the first words were appended.
         """
         await self.bus.write_queue(self.address(0), np.atleast_1d(np.asarray(values)))

@@ -7,7 +7,7 @@
         await unity_link_robot.left.duty.set(1)
         ...
 
-pytest loads this file in every run, so all else is imported by the fixtures that need it.
+pytest loads this module in every run, so the fixtures import the modules that they need.
 """
 
 from __future__ import annotations
@@ -47,31 +47,31 @@ _KINDS: dict[str, tuple[Any, str]] = {
     "rtl": (bool, "True or False"),
     "unchecked": (bool, "True or False"),
 }
-"""Arguments of the marker."""
+"""Types of the marker's arguments, with phrases for messages."""
 
 
 @dataclass(frozen=True)
 class GatewaySettings:
-    """Settings that a test asks for."""
+    """Settings of a test's gateway."""
 
     spec: Path | None = None
     """Spec of the robot; None for plain memory."""
     model: str | None = None
-    """Class of the model, as ``rover.py:Rover``; None: the registers are memory."""
+    """Class of the model, as ``rover.py:Rover``; None if the registers are plain memory."""
     medium: str = "sim"
     noise: float = 0.0
-    """Probability that a byte is lost, and that one is damaged, in both directions."""
+    """Probability that a byte is lost, and also that a byte is damaged, in both directions."""
     seed: int = 0
     rtl: bool = False
-    """True if the gateway is the compiled gateware in place of a model."""
+    """True if the gateway is the compiled gateware instead of a model."""
     unchecked: bool = False
-    """True if VHDL of the spec's own cores is not compared with what GHDL makes of it."""
+    """True if VHDL of the spec's own cores is not compared with GHDL's conversion of it."""
     url: str | None = None
-    """URL of a board, in place of all of that but the spec."""
+    """URL of a board; it replaces all settings except the spec."""
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Add the options."""
+    """Add the options of the command line and the ini file."""
     group = parser.getgroup("unity-link")
     group.addoption("--unity-link-url", metavar="URL", help="run the same tests on the gateway at URL: a board")
     for name, text in _INI.items():
@@ -79,7 +79,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Make the marker known."""
+    """Register the marker."""
     config.addinivalue_line(
         "markers",
         "unity_link(spec, model, medium, noise, seed, rtl, unchecked): the gateway of a test, and its robot; "
@@ -89,7 +89,7 @@ def pytest_configure(config: pytest.Config) -> None:
 
 @pytest.fixture
 def unity_link_settings(request: pytest.FixtureRequest) -> GatewaySettings:
-    """Return what markers, the ini file and the command line ask for; the nearest marker goes first."""
+    """Return the settings from markers, ini file and command line; an inner marker overrides an outer one."""
     config = request.config
     settings = _of_ini(config)
     for marker in reversed(list(request.node.iter_markers("unity_link"))):
@@ -129,7 +129,7 @@ def _of_ini(config: pytest.Config) -> GatewaySettings:
 
 
 def _below(folder: Path, model: str) -> str:
-    """Return a model with the path of its file below a folder; that of a module stays as it is."""
+    """Return a model with its file relative to a folder; a model in a module is unchanged."""
     return str(folder / model) if ".py:" in model else model
 
 
@@ -137,7 +137,7 @@ def _below(folder: Path, model: str) -> str:
 def unity_link_gateway(unity_link_settings: GatewaySettings) -> BareGateway:
     """Return the virtual gateway of the test; its `robot` is the model.
 
-    A test that looks behind the bus is skipped on a board.
+    On a board, tests that use this fixture are skipped.
     """
     if unity_link_settings.url is not None:
         pytest.skip(f"it looks behind the bus, and {unity_link_settings.url} is no virtual gateway")
@@ -155,7 +155,7 @@ def _build(settings: GatewaySettings) -> BareGateway:
 def unity_link_open(
     request: pytest.FixtureRequest, unity_link_settings: GatewaySettings, tmp_path: Path
 ) -> Callable[[], AbstractAsyncContextManager[Link]]:
-    """Return what opens a link to the gateway of the test, in ``async with``; each call opens one, where none is."""
+    """Return a function that opens a link to the test's gateway, for ``async with``; only one may be open at a time."""
     if unity_link_settings.url is not None:
         return lambda: _connect(unity_link_settings.url)
     gateway = request.getfixturevalue("unity_link_gateway")
@@ -171,7 +171,7 @@ def _connect(target: Any) -> AbstractAsyncContextManager[Link]:
 
 @contextlib.contextmanager
 def _alone(turn: threading.Lock) -> Iterator[None]:
-    """Refuse a second link meanwhile: two would take each other's session, and writes of one could be lost."""
+    """Raise an error for a second link at the same time: the links would end each other's session and lose writes."""
     if not turn.acquire(blocking=False):
         raise pytest.UsageError(
             "the gateway of this test has a link, and serves one at a time: leave that first, or share the gateway by "
@@ -214,7 +214,7 @@ def _served(medium: str, gateway: Gateway, folder: Path) -> AbstractAsyncContext
 
 @pytest.fixture
 def unity_link_modelled_time() -> Callable[[Coroutine[Any, Any, Any]], Any]:
-    """Return what runs a coroutine on modelled time, in which an hour takes a moment; for the medium ``sim`` alone."""
+    """Return a function that runs a coroutine on simulated time, which does not wait; only for the medium ``sim``."""
     import asyncio
 
     from unity_link.virtual.modelled_time import ModelledTimeLoop
@@ -235,7 +235,7 @@ async def _robot(settings: GatewaySettings, link: Link) -> Robot:
 
 
 async def _a_link(unity_link_open: Callable[[], AbstractAsyncContextManager[Link]]) -> AsyncIterator[Link]:
-    """Open a link to the gateway of the test."""
+    """Yield a link to the test's gateway."""
     async with unity_link_open() as link:
         yield link
 
@@ -244,14 +244,14 @@ async def _a_link(unity_link_open: Callable[[], AbstractAsyncContextManager[Link
 async def unity_link_anyio_link(
     unity_link_open: Callable[[], AbstractAsyncContextManager[Link]],
 ) -> AsyncIterator[Link]:
-    """Open a link in a test of anyio's plugin, under asyncio or trio."""
+    """Yield a link to the test's gateway, for tests of anyio's plugin, under asyncio or trio."""
     async with unity_link_open() as link:
         yield link
 
 
 @pytest.fixture
 async def unity_link_anyio_robot(unity_link_settings: GatewaySettings, unity_link_anyio_link: Link) -> Robot:
-    """Return the robot of the spec in a test of anyio's plugin."""
+    """Return the robot of the spec, for tests of anyio's plugin."""
     return await _robot(unity_link_settings, unity_link_anyio_link)
 
 
@@ -262,5 +262,5 @@ if importlib.util.find_spec("pytest_asyncio") is not None:
 
     @pytest_asyncio.fixture
     async def unity_link_robot(unity_link_settings: GatewaySettings, unity_link_link: Link) -> Robot:
-        """Return the robot of the spec in a test of pytest-asyncio."""
+        """Return the robot of the spec, for tests of pytest-asyncio."""
         return await _robot(unity_link_settings, unity_link_link)

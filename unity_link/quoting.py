@@ -1,9 +1,9 @@
-"""Strings from outside, as other languages and a terminal take them: one function for each place in each language.
+"""Quotes strings from outside for other languages and terminals: one function for each position in each language.
 
-Outside are specs and their files' names, boards, gateways, recordings, other machines and options. None of their
-strings can end the comment or the literal that it stands in, or say anything to what reads it: `tests/test_quoting.py`
-has the reader of each language judge that. A line end is one of any kind that some language knows, and what is not
-printed, or turns the direction of what is, becomes U+FFFD.
+Outside are specs and the names of their files, boards, gateways, recordings, other machines and options. A quoted
+string cannot end the comment or literal that contains it, and its reader interprets nothing in it:
+`tests/test_quoting.py` checks that with the reader of each language. Line ends of all languages count as line ends.
+Characters that are not printable, or that change the writing direction, become U+FFFD.
 """
 
 from __future__ import annotations
@@ -14,22 +14,22 @@ import textwrap
 
 _REPLACEMENT = "\N{REPLACEMENT CHARACTER}"
 _DECLARES_CODING = re.compile("(coding)(?=[:=])")
-"""Word that Python takes for the encoding of a file, in a comment of its first two lines."""
+"""Word by which Python finds the encoding of a file, in a comment of its first two lines."""
 _ENDS_DOCSTRING = re.compile(r'"""|"\Z')
 _DIRECTIVE = re.compile(
     r" *(?:altera|cadence|coverage|exemplar|pragma|psl|quartus|rtl_synthesis|synopsys|synplify|synthesis|verilator"
     r"|vhdl_comp|vsg|xilinx)(?:_|\b)",
     re.IGNORECASE,
 )
-"""First words of comments that tools for hardware obey: ``synthesis translate_off`` takes away what follows."""
+"""First words of comments that hardware tools obey: ``synthesis translate_off`` makes them skip the following code."""
 _MARKDOWN = re.compile(r"[\\`*_{}\[\]<>#|&~$]|^[!-/:-@^]")
-"""Characters that Markdown or an extension of it takes for more than a letter: some anywhere, all others in front."""
+"""Characters with a meaning in Markdown or an extension of it: some at any place, the others at the start of a line."""
 _LISTED = re.compile(r"^(\d+)(?=[.)])")
 _LARGEST_OF_TCL = "\uffff"
 
 
 def one_line(text: str) -> str:
-    """Return a text as one line: a comment that ends with its line, of CMake, MATLAB, YAML or setup.cfg."""
+    """Return a text as one line, for comments that end with the line, in CMake, MATLAB, YAML or setup.cfg."""
     return text if text.isprintable() else "".join(map(_printable, text.replace("\r\n", "\n")))
 
 
@@ -40,9 +40,9 @@ def _printable(character: str) -> str:
 
 
 def terminal(text: str) -> str:
-    """Return a text that a terminal prints and does not obey; lines and tabs are kept.
+    """Return a text that a terminal prints without interpreting it; line ends and tabs are kept.
 
-    So are bytes that are no UTF-8, as Python has them from names of files: a stream writes them as such.
+    Bytes of file names that are not UTF-8 are kept too, as Python's surrogate escapes: a stream writes the same bytes.
     """
     if text.isprintable():
         return text
@@ -53,7 +53,7 @@ def terminal(text: str) -> str:
 
 
 def _lines(text: str) -> list[str]:
-    """Return the lines of a text, at least one."""
+    """Return the lines of a text without control characters; at least one line."""
     return [one_line(line) for line in text.splitlines()] or [""]
 
 
@@ -61,18 +61,18 @@ def _lines(text: str) -> list[str]:
 
 
 def python_comment(text: str) -> str:
-    """Return a text for behind ``#``."""
+    """Return a text for use after ``#``."""
     return _DECLARES_CODING.sub(r"\1 ", one_line(text))
 
 
 def python_string(text: str) -> str:
-    """Return a literal, in double quotes where the text has none."""
+    """Return a string literal, in double quotes unless the text contains one."""
     literal = repr(text)
     return literal if '"' in text else f'"{literal[1:-1]}"'
 
 
 def python_docstring(text: str, indent: int = 4) -> str:
-    """Return a docstring, its lines behind the first indented."""
+    """Return a docstring whose lines after the first are indented."""
     escaped = _ENDS_DOCSTRING.sub(lambda quotes: '\\"' * len(quotes[0]), "\n".join(_lines(text)).replace("\\", "\\\\"))
     first, *others = escaped.split("\n")
     body = "\n".join([first, *(" " * indent + line if line else "" for line in others)])
@@ -84,7 +84,7 @@ def python_docstring(text: str, indent: int = 4) -> str:
 
 
 def c_string(text: str) -> str:
-    """Return a literal; ``??`` is parted, for it begins a trigraph."""
+    """Return a string literal; ``??`` is split, because it begins a trigraph."""
     escaped = "".join(
         f"\\{character}"
         if character in '"\\'
@@ -102,7 +102,7 @@ def c_comment(text: str, indent: str = "") -> str:
 
 
 def c_comment_lines(text: str) -> list[str]:
-    """Return the lines of a text as they can stand in a comment."""
+    """Return the lines of a text for use inside a comment."""
     safe = "\n".join(_lines(text)).replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?")
     return [line.rstrip().rstrip("\\").rstrip() for line in safe.split("\n")]
 
@@ -111,14 +111,14 @@ def c_comment_lines(text: str) -> list[str]:
 
 
 def hdl_comment(text: str) -> str:
-    """Return a text for behind ``--`` of VHDL or ``//`` of Verilog."""
+    """Return a text for use after ``--`` in VHDL or ``//`` in Verilog."""
     line = one_line(text)
     return f"- {line.lstrip()}" if _DIRECTIVE.match(line) else line
 
 
 def hdl_comment_lines(text: str, width: int) -> list[str]:
-    """Return the lines of a text for behind ``--`` or ``//``, none longer than a width."""
-    # Two columns are left for what `hdl_comment` may put before one.
+    """Return the lines of a text for use after ``--`` or ``//``, wrapped at a width."""
+    # Leave two columns for the prefix that `hdl_comment` may add.
     filled = (textwrap.wrap(one_line(line), width - 2) or [""] for line in text.splitlines())
     return [hdl_comment(line) for lines in filled for line in lines]
 
@@ -127,43 +127,43 @@ def hdl_comment_lines(text: str, width: int) -> list[str]:
 
 
 def vhdl_string(text: str) -> str:
-    """Write printable ASCII as a string literal of VHDL."""
+    """Return a VHDL string literal for a text of printable ASCII."""
     return '"' + text.replace('"', '""') + '"'
 
 
 def vhdl_literal(value: int | str) -> str:
-    """Write a whole number, a truth (a `bool`) or a string of printable ASCII as a literal of VHDL."""
+    """Return a VHDL literal for an integer, a bool, or a string of printable ASCII."""
     if isinstance(value, bool):
         return str(value).lower()
     return vhdl_string(value) if isinstance(value, str) else str(value)
 
 
 def xml_text(text: str) -> str:
-    """Return a text for between tags, or for an attribute in quotes."""
+    """Return a text for use between tags or in a quoted attribute."""
     return html.escape(one_line(text))
 
 
 def xml_comment(text: str) -> str:
-    """Return a text for inside a comment of XML, HTML or Markdown, with a blank on both sides."""
+    """Return a text for use in a comment of XML, HTML or Markdown, between two blanks."""
     return re.sub("-(?=-)", "- ", xml_text(text))
 
 
 def markdown(text: str) -> str:
-    """Return a text of one line that Markdown shows as it is, in a cell of a table too."""
+    """Return a text of one line that Markdown shows literally, also in a cell of a table."""
     escaped = _MARKDOWN.sub(r"\\\g<0>", " ".join(one_line(text).split()))
     return _LISTED.sub(r"\1\\", escaped)
 
 
-# Tcl, in which the tools of vendors are told what to do
+# Tcl, the language of the scripts for vendors' tools
 
 
 def tcl_comment(text: str) -> str:
-    """Return a text for behind ``#``; a backslash at its end would take the next line along."""
+    """Return a text for use after ``#``; a backslash at its end, which would continue the comment, is removed."""
     return one_line(text).rstrip("\\ ")
 
 
 def tcl_string(text: str) -> str:
-    """Return a word in quotes, which may stand in braces, too."""
+    """Return a word in quotes, which may also be inside braces."""
     escaped = (
         f"\\{character}"
         if character in '\\"$[]{};#'
@@ -179,8 +179,8 @@ def tcl_string(text: str) -> str:
 
 
 def matlab_string(text: str) -> str:
-    """Return a char array of a text."""
-    # Octave's are of bytes, MATLAB's are not, so that no number stands for the same character in both beyond ASCII.
+    """Return an expression for a char array with the text."""
+    # Octave's char arrays contain bytes, MATLAB's UTF-16, so that beyond ASCII no character code fits both.
     shown = "".join(
         character if character.isascii() or character.isprintable() or character.isspace() else _REPLACEMENT
         for character in text
