@@ -394,7 +394,7 @@ def test_no_whole_design_leaves_out_what_its_spec_names(declared: str, named: st
     spec = compile_text(f"public robot() {{ @lamp = 0xF0: unsigned 8 READWRITE(); {declared} }}")
     names = [file.name for file in generate("vhdl", spec)]
     assert names == [f"robot_{part}.vhd" for part in ("map", "registers", "gateway", "bench")]
-    with pytest.raises(UnsupportedError, match=re.escape(f"no gateware stands behind {named}; take robot_gateway")):
+    with pytest.raises(UnsupportedError, match=re.escape(f"no gateware implements {named}; take robot_gateway")):
         check_whole(spec.interface())
 
 
@@ -407,7 +407,7 @@ def test_a_base_without_a_name_is_nothing_to_leave_out() -> None:
 def test_who_gets_no_whole_design_is_told_why(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "unity_link", "generate", "vhdl", str(ROOT / "examples" / "rover.ul")]
     done = subprocess.run([*command, "-o", str(tmp_path)], capture_output=True, text=True, check=True)
-    assert "no gateware stands behind the FIFO port log; take rover_gateway" in done.stderr
+    assert "no gateware implements the FIFO port log; take rover_gateway" in done.stderr
 
 
 def test_no_port_of_a_netlist_hides_a_function_of_the_package_or_a_library() -> None:

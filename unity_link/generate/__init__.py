@@ -1,13 +1,13 @@
-"""Generation: what other languages and the gateware need of a spec, written from it.
+"""Generation: writes code for other languages and the gateware from a spec.
 
-One folder a target, with its templates. The module of a target has
+Each target has a folder with its templates. The module of a target has
 
-- ``DOC``: what it makes, in a line
-- ``files(interface, templates)``: the files, one after another; `templates` renders those of its folder
-- where users choose something beside the spec, ``Options``, a named tuple that `files` takes as well
+- ``DOC``: one line that describes its output
+- ``files(interface, templates)``: yields the generated files; `templates` renders the templates of its folder
+- ``Options``, if users can set options besides the spec: a named tuple, which `files` takes as a further argument
 
-A new target is a new folder and a new word of `TargetName`. Output is the same for the same spec, byte for byte, and
-each file begins by naming the spec and its hash (`Templates.origin`)::
+To add a target, add a folder and a word in `TargetName`. The output for a spec is always the same, byte for byte. Each
+file begins with the name of the spec and its hash (`Templates.origin`)::
 
     for file in generate("c", compile_file("robot.ul")):
         print(file.name, len(file.text))
@@ -35,50 +35,50 @@ if TYPE_CHECKING:
     from unity_link.spec import Interface, Spec
 
 TargetName = Literal["c", "cpp", "docs", "matlab", "python", "ros1", "ros2", "verilog", "vhdl"]
-"""Each is a folder of this package."""
+"""Names of targets; each is a folder of this package."""
 TARGETS: tuple[str, ...] = get_args(TargetName)
 
 
 _QUOTING: dict[str, Callable[..., Any]] = {
     name: function for name, function in vars(quoting).items() if inspect.isfunction(function) and name[0] != "_"
 }
-"""Functions that every template has for strings from outside, by name."""
+"""Functions that quote strings from outside, by name; every template has them as filters."""
 _COPIED = ("c", "cpp", "verilog", "vhdl")
-"""Targets of which users copy the files into sources of their own."""
+"""Targets whose files users copy into their own sources; these files name a licence."""
 
 
 _TAKEN_BY = dict.fromkeys(("maintainer", "email", "licence"), "ros1 and ros2") | dict.fromkeys(
     ("clock_hz", "baud", "unchecked"), "verilog"
 )
-"""The targets that take an option: in their modules, the fields of ``Options``."""
+"""The targets that take each option; in their modules, the options are the fields of ``Options``."""
 
 
 class GeneratedFile(NamedTuple):
-    """A file that a target makes."""
+    """A generated file."""
 
     name: str
-    """Its path in the directory that is written to, with slashes."""
+    """Path relative to the output directory, with slashes."""
     text: str
     executable: bool = False
-    """True if it is a program."""
+    """True if the file is to be made executable."""
 
 
 class Target(Protocol):
-    """Interface of a target's module."""
+    """The contents of a target's module."""
 
     DOC: str
 
     def files(self, interface: Interface, templates: Templates) -> Iterator[GeneratedFile]:
-        """Make the files of an interface.
+        """Yield the files of an interface.
 
         Raises:
-            UnsupportedError: where the target cannot say what the spec says.
+            UnsupportedError: if the target cannot express something in the spec.
         """
 
 
 @functools.cache
 def _environment(target: str, filters: tuple[tuple[str, Callable[..., Any]], ...]) -> jinja2.Environment:
-    """Return the environment of a target's templates, of which each is compiled once."""
+    """Return the Jinja environment of a target; it compiles each template once."""
     import jinja2
 
     environment = jinja2.Environment(
@@ -99,40 +99,40 @@ class Templates:
 
     Args:
         target: one of `TARGETS`.
-        spec: that the files name as their origin; None: they name none.
-        filters: of the target.
+        spec: the spec that the files name as their origin; None if they name none.
+        filters: additional filters of the target, by name.
     """
 
     def __init__(self, target: str, spec: Spec | None, filters: Mapping[str, Callable[..., Any]]) -> None:
         self._environment = _environment(target, tuple(filters.items()))
         self._spec = spec
         self.vhdl = () if spec is None else tuple(Path(path) for path in spec.vhdl)
-        """Files of VHDL of the spec's own cores."""
+        """VHDL files of the spec's own cores."""
         self.origin = () if spec is None else _origin(target, spec)
-        """Lines that name the sources, for the comment at the top of each file."""
+        """Lines that name the source files, for the comment at the top of each generated file."""
 
     def render(self, name: str, **values: Any) -> str:
-        """Render ``NAME.jinja``, which sees `origin` and the values."""
+        """Render ``NAME.jinja`` with `origin` and the given values."""
         return self._environment.get_template(f"{name}.jinja").render(origin=self.origin, **values)
 
     def of(self, target: str, filters: Mapping[str, Callable[..., Any]]) -> Templates:
-        """Return the templates of another target, for one that builds on it."""
+        """Return the templates of another target, for a target that builds on it."""
         return Templates(target, self._spec, filters)
 
 
 def generate(target: str, spec: Spec, interface: str | None = None, **options: str | int) -> list[GeneratedFile]:
-    """Make the files of a target.
+    """Return the files of a target.
 
     Args:
         target: one of `TARGETS`.
         spec: a compiled spec.
-        interface: which public interface, where there are several.
-        options: ``maintainer``, ``email`` and ``licence`` of a package of ROS, ``clock_hz``, ``baud`` and
-            ``unchecked`` of Verilog.
+        interface: name of the public interface, if the spec has several.
+        options: ``maintainer``, ``email`` and ``licence`` of a ROS package, ``clock_hz``, ``baud`` and ``unchecked`` of
+            Verilog.
 
     Raises:
-        ArgumentError: for a target or an interface that there is not, or an option that belongs to another target.
-        UnsupportedError: where the target cannot say what the spec says.
+        ArgumentError: for an unknown target or interface, or an option of another target.
+        UnsupportedError: if the target cannot express something in the spec.
     """
     module = load_target(target)
     templates = Templates(target, spec, getattr(module, "FILTERS", {}))
@@ -149,7 +149,7 @@ def load_target(name: str) -> Target:
     """Import the module of a target.
 
     Raises:
-        ArgumentError: where there is none of that name.
+        ArgumentError: if there is no target of this name.
     """
     if name not in TARGETS:
         raise ArgumentError(f"there is no target {name!r}: one of {', '.join(TARGETS)} was expected")
@@ -157,15 +157,15 @@ def load_target(name: str) -> Target:
 
 
 def write(files: list[GeneratedFile], directory: Path, *, overwrite: Overwrite = False) -> list[Path]:
-    """Write files below a directory, which is made; those of before are replaced, when all are written.
+    """Write files to a directory, which is created if needed. Files of an earlier run are replaced, all or none.
 
     Args:
-        files: what is written.
-        directory: where to.
-        overwrite: whether files that this package did not make may go.
+        files: the files to write.
+        directory: the directory.
+        overwrite: whether files that this package did not make may be replaced.
 
     Raises:
-        ArgumentError: where that cannot be done; nothing of it is left then, and what was there before is as it was.
+        ArgumentError: if a file cannot be written; existing files are then unchanged.
     """
     texts = {file.name: file.text for file in files}
     return write_texts(texts, directory, overwrite=overwrite, programs=[file.name for file in files if file.executable])

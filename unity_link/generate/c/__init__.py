@@ -1,11 +1,10 @@
-"""Target ``c``: a client in C99 that allocates nothing.
+"""Target ``c``: a client in C99 without dynamic allocation.
 
-A header and a source are of the spec: constants that describe its signals, in structures that mirror its components.
-What they lean on, the link itself, is the same for every spec, and is copied beside them as a header and a source of
-its own, for two robots in one program share it; the third source holds the transports of POSIX, so that a
-microcontroller can leave it out.
+A header and a source are generated from the spec: constants that describe its signals, in structures that mirror its
+components. The runtime is the same for every spec and has a header and a source of its own, so that two robots in one
+program share it. A third source has the transports for POSIX; a microcontroller can leave it out.
 
-The runtime is written as files of C in ``runtime/``, one a part; ``unity_link.c.jinja`` puts them together.
+The runtime is written in several C files in ``runtime/``, which ``unity_link.c.jinja`` joins.
 """
 
 from __future__ import annotations
@@ -58,11 +57,11 @@ RUNTIME_VALUES = {
     "PATH": path,
     "TRIAL": {"IDS": trial.IDS, "ID_ALONE": trial.ID_ALONE, "FIRST_IDS": trial.FIRST_IDS},
 }
-"""Constants that the runtime has in common with the host in Python."""
+"""Constants that the runtime shares with the host in Python."""
 
 
 def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]:
-    """Make the header and the source of an interface, and the runtime."""
+    """Yield the header and the source of an interface, and the runtime."""
     layout = Layout(interface)
     values = {"layout": layout, "prefix": layout.prefix}
     body = initializer(layout)

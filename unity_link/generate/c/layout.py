@@ -1,10 +1,10 @@
-"""An interface as C sees it: structures of signals that mirror the components, so that paths stay what they are.
+"""The C types of an interface: structures of signals that mirror its components, so that paths stay the same.
 
 The path ``legs[2].coxa.cpos`` of a spec is ``walker.legs[2].coxa.cpos`` in C and ``robot.legs[2].coxa.cpos`` in C++.
-Each declaration of a component becomes a type, and each signal in it has a type by its value. What may differ from
-one place to another (addresses, scales, units, limits) is data.
+Each declaration of a component becomes a type, and each of its signals has a type by its value. Properties that may
+differ between placements (addresses, scales, units, limits) are data.
 
-A declaration of which one place has arrays longer than another becomes several types, numbered.
+If arrays in a component have different lengths in its placements, its declaration becomes several numbered types.
 """
 
 from __future__ import annotations
@@ -27,11 +27,11 @@ if TYPE_CHECKING:
 MOST_GROUP_WORDS = 255
 _OF_ENUMERATIONS = ("", "_signal", "_name", "_get", "_set", "_post")
 _OF_GROUPS = ("", "_subscription", "_read", "_write", "_subscribe", "_next", "_decode")
-"""Suffixes of names that are derived from enumerations and groups."""
+"""Suffixes of names that are derived from enumerations and from groups."""
 _OF_USE = ("link", "networks", "words", "status", "network", "ADDRESSES", "index")
-"""Parameters and variables of the function that is given the addresses of networks."""
+"""Parameters and variables of the function that sets the addresses of networks."""
 GUARD_REGISTERS = ("clock", "state", "reason", "estop_open", "arms", "fault_time")
-"""Registers of a lease that say why a write was refused, in the order of a `ul_guard`."""
+"""Registers of a lease that contain the reason of a refused write, in the order of a `ul_guard`."""
 _INT_MAX = 0x7FFF_FFFF
 
 
@@ -49,12 +49,12 @@ class Constant(NamedTuple):
 
     @property
     def is_int(self) -> bool:
-        """Return whether an enumerator of C can have the value."""
+        """Return whether a C enumerator can have the value."""
         return self.value <= _INT_MAX
 
 
 class EnumerationType(NamedTuple):
-    """An enumeration."""
+    """The type of an enumeration."""
 
     name: str
     """Name of the type of its values."""
@@ -67,33 +67,33 @@ class EnumerationType(NamedTuple):
 
 
 class ValueType(NamedTuple):
-    """The type of a signal's value."""
+    """The types for a signal's value."""
 
     value: str
-    """Value in C."""
+    """C type of the value."""
     signal: str
-    """The structure around the `ul_signal`."""
+    """C structure that contains the `ul_signal`."""
     coding: str
-    """Ending of the functions of the runtime."""
+    """Ending of the runtime's functions for this type."""
     cpp: str
 
     @property
     def is_enumeration(self) -> bool:
-        """Return whether it is one of the spec's own."""
+        """Return whether it is an enumeration of the spec."""
         return not self.signal.startswith("ul_")
 
 
 class SignalMember(NamedTuple):
-    """A signal of a component, or a row of them."""
+    """A signal of a component, or a row of signals."""
 
     name: str
     type: ValueType
     signal: Signal
-    """The one of the first place."""
+    """The signal in the first placement of the component."""
     size: int | None
-    """Length of the row; None for a signal that stands alone."""
+    """Length of the row; None for a single signal."""
     varies: bool
-    """True if its unit or limits are not the same everywhere."""
+    """True if unit or limits differ between placements."""
 
     @property
     def declaration(self) -> str:
@@ -128,7 +128,7 @@ class PartType(NamedTuple):
 
     @property
     def column(self) -> int:
-        """Column at which comments begin."""
+        """Column at which the comments begin."""
         return _column([*self.signals, *self.parts, *self.modules])
 
 
@@ -139,9 +139,9 @@ class GroupMember(NamedTuple):
     type: ValueType
     signal: Signal
     expression: str
-    """Its structure in C."""
+    """C expression for its structure."""
     words: str
-    """Place of its words in a sample, in C."""
+    """C expression for its words in a sample."""
 
     @property
     def declaration(self) -> str:
@@ -150,47 +150,47 @@ class GroupMember(NamedTuple):
 
 
 class GroupType(NamedTuple):
-    """A group."""
+    """The types and members of a group."""
 
     name: str
     short: str
     class_name: str
-    """Name in C++ of the class that reads and writes it."""
+    """Name of the C++ class that reads and writes the group."""
     group: GroupSpec
     members: tuple[GroupMember, ...]
     addresses: tuple[int, ...]
-    """Words of a sample."""
+    """Addresses of the words of a sample."""
     reads: tuple[str, ...]
-    """The structures of the signals that together have these words, in order."""
+    """C expressions for the signals whose words, joined in order, are those of a sample."""
 
     @property
     def column(self) -> int:
-        """Column at which comments begin."""
+        """Column at which the comments begin."""
         return _column(self.members)
 
     @property
     def reads_all(self) -> bool:
-        """Return whether all of it can be read."""
+        """Return whether all signals can be read."""
         return all(member.signal.access.reads for member in self.members)
 
     @property
     def has_read(self) -> bool:
-        """Return whether it is read at once: a queue has its words in samples, or by itself."""
+        """Return whether the group has a read function; a queue is read by itself, or in samples."""
         return self.reads_all and not any(member.signal.fifo for member in self.members)
 
     @property
     def is_published(self) -> bool:
-        """Return whether the gateway publishes it."""
+        """Return whether the gateway publishes the group."""
         return self.group.number is not None and self.reads_all
 
     @property
     def writes_all(self) -> bool:
-        """Return whether all of it can be written."""
+        """Return whether all signals can be written."""
         return all(member.signal.access.writes for member in self.members)
 
 
 def brackets(number: int | None) -> str:
-    """Write an index or a size behind a name; nothing where there is none."""
+    """Return an index or a size in brackets; empty for None."""
     return "" if number is None else f"[{number}]"
 
 
@@ -204,7 +204,7 @@ class Layout:
     """The types and names of an interface.
 
     Raises:
-        UnsupportedError: for an array of which no C type can be made.
+        UnsupportedError: for an array that no C type can represent.
     """
 
     def __init__(self, interface: Interface) -> None:
@@ -214,12 +214,12 @@ class Layout:
         named = [group for group in interface.groups if group.signals]
         self._member_names = {component.path: self._names_in(component) for component in interface.root.walk()}
         self._group_members = {group.name: self._names_of(group) for group in named}
-        # A group is a member of the robot in C++.
+        # A group is a member of the robot class in C++.
         in_root = Names([*self._guards, *self._member_names[interface.root.path].values()])
         self.group_names = {group.name: in_root.take(group.name) for group in named}
         self.networks_member = in_root.take("networks")
-        """Name in C++ of the member with the networks."""
-        # In C++ a type that has the name of a member is no type any more.
+        """Name of the C++ member with the networks."""
+        # In C++, a type must not have the name of a member.
         scopes = (*self._member_names.values(), *self._group_members.values(), self.group_names)
         members = {name for names in scopes for name in names.values()} | {self.networks_member}
         self.class_name = Names([self.prefix, *members], is_global).take(_capitalized(self.prefix))
@@ -231,18 +231,18 @@ class Layout:
         self.network_type = self._globals.take(f"{self.prefix}_networks", ("", "_use")) if self.networks else ""
         parameters = Names([*self._guards, self.prefix, *_OF_USE])
         self.given = {name: parameters.take(name) for name in given_parameters(interface)}
-        """Identifiers of the parameters that its networks need."""
+        """Identifiers of the parameters that its networks need, by name."""
         self.shared = shared_addresses(interface)
         self.enumerations = {one.name: self._enumeration(one) for one in interface.enumerations}
         self.value_types: dict[str, ValueType] = {}
-        """Types of values by the paths of the signals."""
+        """Types of values, by the paths of the signals."""
         self._places: dict[tuple[str, str], list[Signal]] = {}
         self._look_around()
         self.types: dict[str, PartType] = {}
-        """Types of parts by their names in C, those of parts before what they are part of."""
+        """Types of components by their C names, each after the types of its members."""
         self._types_by_form: dict[tuple[object, ...], PartType] = {}
         self.expressions: dict[str, str] = {}
-        """Expressions of C by paths."""
+        """C expressions by path."""
         self.root = self._part_type(interface.root)
         self._express(interface.root, self.prefix)
         self.groups = tuple(self._group(group) for group in named)
@@ -250,20 +250,20 @@ class Layout:
             lease: [self.expressions[f"{lease}.{register}"] for register in GUARD_REGISTERS]
             for lease in interface.leases
         }
-        """Registers of each lease, for its `ul_guard`."""
+        """C expressions for the registers of each lease, for its `ul_guard`."""
         self.leases_name = self._global("leases") if self.leases else ""
         self.guards = {
             signal.path: f"&{self.leases_name}[{number}]"
             for number, lease in enumerate(self.leases)
             for signal in interface.refused_by(lease)
         }
-        """The `ul_guard` of each signal that a lease guards or has."""
+        """C expressions for the `ul_guard` of signals that a lease guards, or that belong to a lease."""
 
     def _global(self, name: str) -> str:
         return self._globals.take(f"{self.prefix}_{name}")
 
     def _short(self, name: str) -> str:
-        """Return a name of a type in C++."""
+        """Return a unique name for a C++ type."""
         return self._shorts.take(_capitalized(name))
 
     # Names of members
@@ -274,7 +274,7 @@ class Layout:
         return {name: names.take(name) for name in [*members, *self.modules_of(component)]}
 
     def _names_of(self, group: GroupSpec) -> dict[str, str]:
-        # Its structure in C++ has functions of its own.
+        # The C++ structure of a group has functions of these names.
         names = Names([*self._guards, "decode", "of"])
         return {path: names.take(path) for path in group.signals}
 
@@ -282,7 +282,7 @@ class Layout:
 
     def _enumeration(self, enumeration: Enumeration) -> EnumerationType:
         widths = [one.width for one in self.interface.signals.values() if one.kind.enumeration == enumeration]
-        # An enumerator would hide the constant of the interface.
+        # An enumerator of this name would hide the constant of the interface.
         shorts = Names([*self._guards, self.prefix])
         name = self._globals.take(f"{self.prefix}_{enumeration.name}", _OF_ENUMERATIONS)
         return EnumerationType(
@@ -304,12 +304,12 @@ class Layout:
         )
 
     def _look_around(self) -> None:
-        """Gather all places of each declaration."""
+        """Collect all placements of each signal, and determine its value type."""
         for component in self.interface.root.walk():
             for signal in component.signals:
                 self._places.setdefault((component.type, signal.name), []).append(signal)
         for signals in self._places.values():
-            # The same wherever the component is placed: its values have one type.
+            # The value type is the same in every placement of the component.
             made = self._value_type(signals)
             self.value_types.update((signal.path, made) for signal in signals)
 
@@ -329,7 +329,7 @@ class Layout:
     # Types of components
 
     def modules_of(self, component: ComponentSpec) -> dict[str, list[ModuleSpec]]:
-        """Return the named modules of a component by their names; several are an array."""
+        """Return the named modules of a component by name; an array of modules has several."""
         modules: dict[str, list[ModuleSpec]] = {}
         for number in component.modules:
             module = self.interface.modules[number]
@@ -337,7 +337,7 @@ class Layout:
         return modules
 
     def member_names(self, component: ComponentSpec) -> dict[str, str]:
-        """Return the identifiers of the members of a component by their names."""
+        """Return the identifiers of a component's members, by name."""
         return self._member_names[component.path]
 
     def _part_type(self, component: ComponentSpec) -> PartType:
@@ -431,7 +431,7 @@ def _column(members: Sequence[SignalMember | PartMember | GroupMember]) -> int:
 
 
 def _find(addresses: list[int], wanted: range) -> int | None:
-    """Return where all the wanted addresses stand side by side."""
+    """Return the first index at which the wanted addresses are consecutive; None if there is none."""
     size = len(wanted)
     places: Iterator[int] = (
         start for start in range(len(addresses) - size + 1) if addresses[start : start + size] == list(wanted)

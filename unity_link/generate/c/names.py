@@ -1,8 +1,8 @@
 """Names of a spec as identifiers of C and C++, and numbers as literals.
 
-Both languages share the identifiers, for a C++ program includes the C header. All of them come from `Names`, one for
-each scope: a name that a language, a library or the generated code has for itself (`reserved`) gets a ``_`` behind it:
-`class` becomes `class_`.
+Both languages use the same identifiers, because a C++ program includes the C header. `Names` makes them, one object for
+each scope: a name that a language, a library or the generated code reserves (`reserved`) gets a ``_`` appended: `class`
+becomes `class_`.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 
 
 class Names:
-    """The names of one scope, each given once.
+    """The identifiers of one scope, all different.
 
     Args:
-        taken: identifiers that are in the scope already.
-        is_reserved: whether an identifier cannot be had at all.
+        taken: identifiers that exist in the scope.
+        is_reserved: returns whether an identifier must not be used.
     """
 
     def __init__(self, taken: Iterable[str] = (), is_reserved: Callable[[str], bool] = is_word) -> None:
@@ -29,9 +29,9 @@ class Names:
         self._is_reserved = is_reserved
 
     def take(self, name: str, endings: Iterable[str] = ("",)) -> str:
-        """Return an identifier for a name, and keep it from being given again.
+        """Return an identifier for a name, and reserve it.
 
-        With endings, the identifier has all of them free: those of the functions that are named after a type.
+        With endings, the identifier is free with each of them: functions named after a type have such names.
         """
         identifier = re.sub(r"\W+", "_", name, flags=re.ASCII).strip("_") or "_"
         if identifier[0].isdigit():
@@ -46,7 +46,7 @@ class Names:
 
 
 def number(value: float) -> str:
-    """Return a literal of a double that has exactly this value."""
+    """Return a C literal of type double with exactly this value."""
     if value in (float("inf"), float("-inf")):
         return "INFINITY" if value > 0 else "-INFINITY"
     literal = repr(float(value))

@@ -1,8 +1,8 @@
-"""Words that an identifier of generated C and C++ cannot be: those of the languages, of their libraries, and of ours.
+"""Words that an identifier of generated C and C++ cannot be: those of the languages, their libraries and the runtime.
 
-A macro replaces a word wherever it stands, so that not even a member can be called by it; a function or type of a
-library is in the way of what is global only. The lists of macros and functions are those that the headers of C99, of
-POSIX.1-2008 and of C++17 define in GNU's libraries.
+The preprocessor replaces a macro everywhere, so that not even a member can have its name; a function or type of a
+library conflicts only with global names. The lists of macros and functions are those that the headers of C99,
+POSIX.1-2008 and C++17 define in GNU's libraries.
 """
 
 from __future__ import annotations
@@ -53,12 +53,12 @@ _FAMILIES = re.compile(
     r"|(?:ADJ|ATOMIC|CLOCK|CLONE|CPU|D?BL|DEC\d+|FE|FLT\w*|FP|LC|LDBL|M|MOD|PTHREAD|SCHED|STA|TIMER)_\w+"
     r"|(?:ul|UL|unity_link|UNITY_LINK)_\w+"
 )
-"""Macros by how they begin, and all that is ours; none ends in ``_``, as what is renamed does, or has ``__`` in it, as
-what is named after that."""
+"""Prefixes of macros and of the runtime's names. None of these names ends in ``_`` like a renamed identifier, or
+contains ``__`` like a name derived from one."""
 _SCOPES = """
     int64_t place std the_link uint32_t uint64_t uint8_t unity_link
 """
-"""Names that the members of generated structures and classes must not hide."""
+"""Names that members of generated structures and classes must not hide."""
 _LIBRARY = """
     DIR FILE a64l abort abs accept access acos acosf acosh acoshf acoshl acosl alarm aligned_alloc alphasort
     arc4random arc4random_buf arc4random_uniform asctime asctime_r asin asinf asinh asinhf asinhl asinl asprintf
@@ -177,18 +177,18 @@ _LIBRARY = """
     gamma j0 j1 jn lgamma main pow rint y0 y1 yn
 """
 _OURS = re.compile(r"ul|unity_link(?:_posix)?", re.IGNORECASE)
-"""Files and beginnings of the runtime."""
+"""Files of the runtime, and the prefix of its names."""
 _LOCALS = """
     all base batch callback index link plain sample samples schedule seconds signal status subscription taken value
     values words
 """
-"""Parameters and variables of generated functions, which would hide an interface."""
+"""Parameters and variables of generated functions, which would hide the constant of an interface."""
 _HEADERS = """
     alloca assert complex ctype dirent endian errno fcntl features fenv float inttypes iso646 libgen limits locale math
     netdb poll pthread sched semaphore setjmp signal stdalign stdarg stdatomic stdbool stddef stdint stdio stdlib
     stdnoreturn string strings termios tgmath threads time uchar unistd utime wchar wctype
 """
-"""Headers of the system, in place of which a compiler would take the header of an interface."""
+"""System headers; a compiler would include the header of an interface of the same name instead."""
 
 WORDS = frozenset(f"{_C}{_CPP}{_MACROS}{_SCOPES}".split())
 GLOBALS = frozenset(_LIBRARY.split())
@@ -196,16 +196,16 @@ INTERFACES = frozenset(f"{_LOCALS}{_HEADERS}".split())
 
 
 def is_word(identifier: str) -> bool:
-    """Return whether nothing can have the name, not even a member."""
+    """Return whether a word is reserved everywhere, also for members."""
     renamed = identifier.endswith("_") or "__" in identifier
     return identifier in WORDS or (not renamed and _FAMILIES.fullmatch(identifier) is not None)
 
 
 def is_global(identifier: str) -> bool:
-    """Return whether nothing outside of a structure can have the name; what ends in ``_t`` is a type of POSIX."""
+    """Return whether a word is reserved for global names; POSIX reserves names that end in ``_t`` for types."""
     return is_word(identifier) or identifier in GLOBALS or identifier.endswith("_t")
 
 
 def is_interface(identifier: str) -> bool:
-    """Return whether no interface can have the name."""
+    """Return whether a word is reserved for interfaces."""
     return is_global(identifier) or identifier in INTERFACES or _OURS.fullmatch(identifier) is not None

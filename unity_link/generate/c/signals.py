@@ -1,4 +1,4 @@
-"""Signals as data of C: the initializer of a whole interface, and what stands beside a signal for people."""
+"""Signals as C data: the initializer of an interface, and the comments beside signals."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 def initializer(layout: Layout) -> str:
-    """Return the members of the interface's structure, each with its value, indented by a level."""
+    """Return the designated initializers of the interface's structure, indented by one level."""
     return "\n".join(_component(layout, layout.interface.root, "    "))
 
 
@@ -52,7 +52,7 @@ def _part(layout: Layout, part: ComponentSpec | ComponentArray, indent: str) -> 
 
 
 def signal_initializer(layout: Layout, signal: Signal) -> str:
-    """Return the fields of a `ul_signal`, in their order."""
+    """Return the initializer of a `ul_signal`, with the fields in order."""
     is_real = layout.value_types[signal.path].coding == "real"
     step, offset = (
         (signal.kind.step, signal.kind.offset) if is_real and signal.kind.name is not KindName.FLOAT else (1, 0)
@@ -98,7 +98,7 @@ def _limits(signal: Signal, *, is_real: bool) -> tuple[str, str]:
 def _integer(value: int, *, is_signed: bool) -> str:
     if abs(value) < 1 << 31:
         return str(value)
-    # C has no negative literals: this one would be minus a number that is too large.
+    # C has no negative literals: INT64_MIN would be the negative of a literal that is too large.
     if value == -(1 << 63):
         return "INT64_MIN"
     return f"{'INT64_C' if is_signed else 'UINT64_C'}({value})"
@@ -119,7 +119,7 @@ def _properties(signal: Signal, layout: Layout, *, is_real: bool) -> str:
 
 
 def limits(signal: Signal) -> str:
-    """Return the values that a signal takes, for people, where its type does not show them."""
+    """Return the range of a writable signal for a comment; empty if its type implies it."""
     low, high = signal.limits
     if not signal.access.writes or _says_it(signal) or not (math.isfinite(low) or math.isfinite(high)):
         return ""
@@ -136,7 +136,7 @@ def _says_it(signal: Signal) -> bool:
 
 
 def describe(member: SignalMember) -> str:
-    """Return the comment beside a signal: its doc string, what may be done with it, its limits and unit."""
+    """Return the comment beside a signal: doc string, access, limits and unit."""
     signal = member.signal
     what = {"READ": "read", "WRITE": "write", "READWRITE": "read, write"}[signal.access]
     if signal.fifo:
@@ -149,7 +149,7 @@ def describe(member: SignalMember) -> str:
 
 
 def schedule(group: GroupSpec) -> str:
-    """Return the times at which a group is published."""
+    """Return when a group is published, as a phrase."""
     when = []
     if group.divisor is not None:
         when.append(f"at the gateway's base frequency / {group.divisor}")
@@ -157,18 +157,18 @@ def schedule(group: GroupSpec) -> str:
         when.append(f"at {group.published_hz:.6g} Hz, or the nearest rate that it has")
     if group.trigger:
         when.append("on its external trigger")
-    changes = ", where a word has changed" if group.on_change else ""
+    changes = ", if a word has changed" if group.on_change else ""
     return f"as group {group.number}{', ' * bool(when)}{' and '.join(when)}{changes}"
 
 
 def decoding(member: GroupMember) -> str:
-    """Return the value of a member of a group, from the words of a sample."""
+    """Return the C expression for a member of a group, from the words of a sample."""
     value = f"ul_decode_{member.type.coding}(&{member.expression}.signal, {member.words})"
     return value if member.type.value in {"uint64_t", "int64_t", "double"} else f"({member.type.value}){value}"
 
 
 def examples(layout: Layout) -> list[str]:
-    """Return calls that read and write the first signals that can be, for the comment at the top."""
+    """Return calls that read and write the first suitable signals, for the comment at the top of the file."""
     calls = []
     for verb, pointer, wanted in (("get", "&value", "reads"), ("set", "value", "writes")):
         first = next((one for one in layout.interface.signals.values() if getattr(one.access, wanted)), None)

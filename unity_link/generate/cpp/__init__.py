@@ -1,7 +1,7 @@
-"""Target ``cpp``: a client in C++17, as headers over the client in C.
+"""Target ``cpp``: a client in C++17, as headers that use the client in C.
 
-The class of an interface has its signals as members under their paths, ``robot.legs[2].coxa.cpos``, each of a type that
-says what its value is and what may be done with it. The files of the target ``c`` are made as well; they stay C.
+The class of an interface has its signals as members at their paths, ``robot.legs[2].coxa.cpos``. The type of a member
+depends on the signal's value and access. The files of the target ``c`` are generated too, as C.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _SIGNALS = {"READ": "Readable", "WRITE": "Writable", "READWRITE": "ReadWritable"
 
 
 def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]:
-    """Make the headers of an interface, and the files in C below them."""
+    """Yield the headers of an interface, and the C files that they use."""
     layout = Layout(interface)
     groups = [(layout.group_names[group.group.name], group) for group in layout.groups]
     text = templates.render(
@@ -48,14 +48,14 @@ def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]
 
 
 def declarations(part: PartType) -> list[str]:
-    """Return the members of a component, each with what stands beside it."""
+    """Return the declarations of a component's members, with comments."""
     signals = [(f"{_member_type(member)} {member.name};", describe(member)) for member in part.signals]
     parts = [(f"{_member_type(member)} {member.name};", member.doc) for member in (*part.parts, *part.modules)]
     return _aligned([*signals, *parts])
 
 
 def values(group: GroupType) -> list[str]:
-    """Return the members of the values of a group, each with its unit."""
+    """Return the declarations of a group's values, with their units as comments."""
     return _aligned([(f"{member.type.cpp} {member.name}{{}};", member.signal.unit) for member in group.members])
 
 
@@ -65,14 +65,14 @@ def _aligned(lines: list[tuple[str, str]]) -> list[str]:
 
 
 def converted(member: GroupMember, to: str) -> str:
-    """Return a member of `values` as the type of the same member in the other language."""
+    """Return an expression that converts a member of `values` to a type of the other language, if they differ."""
     value = f"values.{member.name}"
     is_same = member.type.cpp.removeprefix("std::") == member.type.value
     return value if is_same else f"static_cast<{to}>({value})"
 
 
 def initializers(part: PartType, place: str = "place") -> list[str]:
-    """Return what the members of a component are made from: `place` is the component in C."""
+    """Return the initializers of a component's members; `place` is an expression for the component in C."""
     members: list[SignalMember | PartMember] = [*part.signals, *part.parts, *part.modules]
     return [
         f"{member.name}(the_link, {place}.{member.name})"
@@ -95,7 +95,7 @@ def _member_type(member: SignalMember | PartMember) -> str:
 
 
 def _examples(layout: Layout, groups: list[tuple[str, GroupType]]) -> Iterator[str]:
-    """Return calls that read and write the first signals that can be, for the comment at the top."""
+    """Yield calls that use the first suitable signals and group, for the comment at the top of the file."""
     signals = layout.interface.signals.values()
     first = next((one for one in signals if one.access.reads), None)
     if first is not None:
@@ -114,7 +114,7 @@ def _examples(layout: Layout, groups: list[tuple[str, GroupType]]) -> Iterator[s
 
 
 def _variable(layout: Layout) -> str:
-    """Name the robot in examples otherwise than the constant in C."""
+    """Return the name of the robot in examples; it differs from the constant in C."""
     return "the_robot" if layout.prefix == "robot" else "robot"
 
 

@@ -1,6 +1,6 @@
-"""The register map as a page to read: in HTML, which needs nothing else and prints well, and in Markdown.
+"""The register map as a document: in HTML, which is self-contained and can be printed, and in Markdown.
 
-`pages` puts the model into words; the two templates lay them out.
+`pages` converts the model to texts; the two templates lay them out.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ DOC = "documents in HTML and Markdown: the register map with groups, leases, saf
 
 
 def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]:
-    """Make the files of an interface."""
+    """Yield the documents of an interface."""
     page = Page(interface)
     for suffix in ("html", "md"):
         yield GeneratedFile(f"{interface.name}.{suffix}", templates.render(f"page.{suffix}", page=page))

@@ -1,4 +1,4 @@
-"""An interface in words: what stands in the cells of the register map, whatever it is written in."""
+"""The texts of the register map of an interface, for both formats."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ TIMES = "\N{MULTIPLICATION SIGN}"
 _CELLS = 16
 """Addresses in a row of the map."""
 _MOST_FILLED = 3
-"""Rows of one module that are all shown."""
+"""Most rows of one module that are all shown."""
 _PARTS = 7
-"""Digits that a number is shown with."""
+"""Significant digits of a number."""
 _MOST_WHOLE = 10**15
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 _SKIPPED = "\N{VERTICAL ELLIPSIS}"
@@ -33,24 +33,24 @@ class Row(NamedTuple):
     signal: Signal
     address: str
     bits: str
-    """Its bits of the word; empty where it has the whole word or several."""
+    """Bits in the word; empty for a signal of one or more whole words."""
     kind: str
     value: str
-    """Formula from the number to the value; empty where it is the number."""
+    """Formula that converts the number to the value; empty if they are the same."""
     range: str
     notes: tuple[str, ...]
-    """Further notes."""
+    """Further properties, as phrases."""
     anchor: str
 
     @property
     def description(self) -> str:
-        """Its doc string and the notes, as one text."""
+        """Doc string and notes as one text."""
         notes = "; ".join(self.notes)
         return f"{self.signal.doc} ({notes})" if self.signal.doc and notes else self.signal.doc or notes
 
 
 class Field(NamedTuple):
-    """Some bits of a word in a diagram: of a signal, or unused."""
+    """Bits of a word in a diagram: a signal, or unused bits."""
 
     high: int
     low: int
@@ -63,25 +63,25 @@ class Field(NamedTuple):
 
 
 class PageWord(NamedTuple):
-    """A word of several fields, as a diagram: the highest bit first."""
+    """The diagram of a word with several fields, the highest bit first."""
 
     address: str
     lanes: tuple[tuple[str, tuple[Field, ...]], ...]
-    """Fields that are read and fields that are written, where they differ; each with its title."""
+    """Titles and fields: readable and writable fields separately if they overlap, otherwise all together."""
 
 
 class PortRow(NamedTuple):
-    """A pin or a trigger of a component's entity."""
+    """A pin or trigger of a component's entity."""
 
     name: str
     way: str
     """``IN``, ``OUT``, ``INOUT`` or ``TRIGGER``."""
     place: str
-    """Pin of the board, or what is triggered."""
+    """Pin of the board, or the triggered group."""
 
 
 class ComponentSection(NamedTuple):
-    """A component that has signals, or an entity behind it."""
+    """A component that has signals or an entity."""
 
     component: ComponentSpec
     title: str
@@ -89,18 +89,18 @@ class ComponentSection(NamedTuple):
     rows: tuple[Row, ...]
     words: tuple[PageWord, ...]
     entity: str
-    """The entity with its generics, and what it has of the gateway; empty without one."""
+    """The entity with its generics and the gateway's ports that it uses; empty without one."""
     ports: tuple[PortRow, ...]
     anchor: str
 
 
 class ContentsEntry(NamedTuple):
-    """A component in the contents."""
+    """A component in the table of contents."""
 
     depth: int
     label: str
     anchor: str
-    """Its table; empty where it has only parts."""
+    """Anchor of its table; empty if it contains only other components."""
 
 
 class MapCell(NamedTuple):
@@ -114,7 +114,7 @@ class MapCell(NamedTuple):
 
 
 class Page:
-    """All that the templates say of an interface."""
+    """The contents of the page of an interface."""
 
     def __init__(self, interface: Interface) -> None:
         self.interface = interface
@@ -127,21 +127,21 @@ class Page:
         self.parts = tuple(self._parts())
         self.map = tuple(self._map())
         self.wired = tuple(words.wired(interface))
-        """Pins of the board that the spec names, each with its direction and the port or signal at it."""
+        """Pins of the board that the spec names: the pin, its direction, and the port or signal."""
 
-    # Words for things
+    # Formatting
 
     def hex(self, address: int) -> str:
-        """Write an address with all the digits that the gateway's have."""
+        """Format an address with the number of digits of the gateway's addresses."""
         return f"{address:0{self._digits}X}"
 
     def addresses(self, first: int, words: int) -> str:
-        """Write the addresses of several words."""
+        """Format a range of addresses."""
         return self.hex(first) if words == 1 else f"{self.hex(first)}{ELLIPSIS}{self.hex(first + words - 1)}"
 
     @property
     def facts(self) -> Iterator[tuple[str, str]]:
-        """Return what is said of the interface as a whole."""
+        """Yield properties of the whole interface as pairs of a name and a text."""
         interface = self.interface
         yield "words", f"{interface.data_bits} bits"
         yield "addresses", f"{interface.address_bits} bits, {self.addresses(0, 1 << interface.address_bits)}"
@@ -154,15 +154,15 @@ class Page:
             yield "parameters", ", ".join(given)
 
     def base_and_words(self, module: ModuleSpec) -> str:
-        """Write the addresses of a module, as far as they are known."""
+        """Format the addresses of a module; if its size is unknown, the first one."""
         return f"from {self.hex(module.base)} on" if module.words is None else self.addresses(module.base, module.words)
 
     def module_arguments(self, module: ModuleSpec) -> str:
-        """Write what a module was declared with."""
+        """Format the arguments of a module's declaration."""
         return ", ".join(f"{name}={_argument(value)}" for name, value in module.arguments.items())
 
     def group_rate(self, group: GroupSpec) -> str:
-        """Write when a group is published."""
+        """Return when and how a group is published, as a phrase."""
         if group.number is None:
             return "not published"
         when = [
@@ -178,12 +178,12 @@ class Page:
         return ", ".join(filter(None, when + how))
 
     def anchor_of(self, path: str) -> str:
-        """Name the place of a signal on the page."""
+        """Return the HTML anchor of a signal."""
         return f"s-{path}"
 
     @property
     def contents(self) -> Iterator[ContentsEntry]:
-        """Return all components that signals stand in, in the order of the spec."""
+        """Yield the components that contain signals, directly or in parts, in the order of the spec."""
         tables = {part.component.path: part.anchor for part in self.parts}
         for component in self.interface.root.walk():
             path = component.path
@@ -262,9 +262,9 @@ class Page:
     # Map
 
     def _map(self) -> Iterator[tuple[str, tuple[MapCell, ...]]]:
-        """Return the rows of addresses in which something is, each with its first address.
+        """Yield the rows that contain signals or modules, each with its first address.
 
-        Of many rows of one module, the first and the last; a row without cells stands for those between.
+        If many rows belong to one module, only the first and the last are yielded, with an empty row between them.
         """
         for fill, some in itertools.groupby(self._runs(), key=lambda run: self._filled_by(run[0])):
             runs = list(some)
@@ -274,7 +274,7 @@ class Page:
                 yield from (self._map_row(row) for run in runs for row in run)
 
     def _runs(self) -> Iterator[range]:
-        """Return the rows in which something is; those between the ends of modules, perhaps millions, as one run."""
+        """Yield the rows of the map; the rows inside a module, perhaps millions, are one range."""
         rows = {address // _CELLS for address in self._at}
         for module in self.interface.modules:
             if module.words is not None:
@@ -286,7 +286,7 @@ class Page:
                 yield range(row + 1, following)
 
     def _filled_by(self, row: int) -> ModuleSpec | None:
-        """Return the module that a row of the map is of, if nothing else is there."""
+        """Return the module that fills a row of the map; None if the row contains anything else."""
         addresses = range(row * _CELLS, (row + 1) * _CELLS)
         module = self._module_at(addresses[0])
         if module is None or any(address in self._at or self._module_at(address) != module for address in addresses):
@@ -314,7 +314,7 @@ class Page:
 
 
 def number(value: float) -> str:
-    """Write a number for people: with a true minus sign, and powers of ten as such."""
+    """Format a number for display, with a minus sign and powers of ten."""
     whole = float(value).is_integer() and abs(value) < _MOST_WHOLE
     digits, _, exponent = (str(int(value)) if whole else f"{value:.{_PARTS}g}").partition("e")
     power = f" {TIMES} 10{str(int(exponent)).translate(_SUPERSCRIPTS)}" if exponent else ""
@@ -347,7 +347,7 @@ def _range(signal: Signal) -> str:
 
 
 def _notes(signal: Signal) -> Iterator[str]:
-    """Return what a signal has beside the columns."""
+    """Yield phrases for the properties of a signal that have no column."""
     if signal.id != signal.path:
         yield f"ID {signal.id}"
     if signal.group is not None:
@@ -375,7 +375,7 @@ def _ports(core: Core) -> Iterator[PortRow]:
 
 
 def _overlap(first: tuple[Field, ...], second: tuple[Field, ...]) -> bool:
-    """Return whether a bit is read as one signal and written as another."""
+    """Return whether a bit belongs to different signals when it is read and when it is written."""
     return any(
         one.low <= other.high and other.low <= one.high
         for one in first

@@ -1,15 +1,15 @@
-"""MATLAB: a class of an interface, and what it stands on, for MATLAB from R2020b and GNU Octave from 7.
+"""MATLAB: a class of an interface and the package that it uses, for MATLAB from R2020b and GNU Octave from 7.
 
-- ``scara.m``, from `interface.m`: a class with the signals as nested structs, so that ``robot.legs(2).coxa.cpos.get()``
-  is what a program writes; arrays begin at 1, as all of them do there
-- ``+unity_link/``, from the folder `runtime`: the link, its subscriptions, and what a signal does. The same for every
-  spec but for the first lines
-- ``+unity_link/source/``: the client in C (target ``c``), which does all of it, and the MEX file around it, from the
-  folder `source`; `build` of the package compiles them into one file, ``unity_link_mex``
-- ``unity_link_mex.m``: what says so as long as it is not built
+- ``scara.m``, from `interface.m`: a class with the signals as nested structs, so that programs write
+  ``robot.legs(2).coxa.cpos.get()``; arrays begin at 1, as is usual in MATLAB
+- ``+unity_link/``, from the folder `runtime`: the link, its subscriptions, and the methods of signals. Only the first
+  lines depend on the spec
+- ``+unity_link/source/``: the client in C (target ``c``), which does the work, and the MEX file that calls it, from the
+  folder `source`; `unity_link.build` compiles them into one file, ``unity_link_mex``
+- ``unity_link_mex.m``: raises an error that asks for `unity_link.build`, until the MEX file exists
 
-Written in what both languages have: no ``enumeration`` blocks, no `arguments` blocks, no string objects, and of Octave
-nothing of its own. The package keeps the names of both out of the way of the user's.
+The code uses only features that both languages have: no ``enumeration`` blocks, no `arguments` blocks, no string
+objects, and no extensions of Octave. The package avoids name conflicts with the user's functions.
 """
 
 from __future__ import annotations
@@ -41,33 +41,33 @@ _SOURCE = Path(__file__).with_name("source")
 _LINE_LENGTH = 116
 _FLAGS = {False: "false", True: "true"}
 _EXACT = 1 << 53
-"""A double holds whole numbers below."""
+"""Doubles hold all integers up to this one."""
 
 
 class ConstructorLine(NamedTuple):
-    """A line of the constructor: something at a place in the tree of structs."""
+    """An assignment in the constructor: to a path in the tree of structs."""
 
     path: str
     signal: Signal | None
-    """Signal at the place; None for a component without signals of its own."""
+    """Signal at the path; None for a component without signals of its own."""
     copies: int = 1
-    """Number of such components in a row."""
+    """Number of such components in an array."""
 
 
 class Property(NamedTuple):
-    """A property of the class."""
+    """A property of the generated class."""
 
     name: str
     doc: str
 
 
 def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]:
-    """Make the files of an interface."""
+    """Yield the class of an interface, and the package."""
     name = identifiers([interface.name], [PACKAGE, MEX, *MEMBERS, *FUNCTIONS])[interface.name]
     lines = list(_lines(interface.root, "", [*MEMBERS, name]))
     paths = {line.signal.path: line.path for line in lines if line.signal is not None}
     given = identifiers(given_parameters(interface))
-    # A variable of the class's own name would hide the class.
+    # In an example, a variable with the name of the class would hide the class.
     variable = "robot" if name != "robot" else "arm"
     text = templates.render(
         "interface.m",
@@ -101,7 +101,7 @@ def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]
 
 
 def _fingerprint() -> str:
-    """Return what tells a MEX file that was built from other sources: it does not depend on the spec."""
+    """Return a hash of the C sources, which shows whether a MEX file was built from them; independent of the spec."""
     digest = hashlib.sha256(repr(c.RUNTIME_VALUES).encode())
     folder = Path(c.__file__).parent
     paths = [*folder.glob("unity_link*.jinja"), *folder.glob("runtime/*.c"), *_SOURCE.glob("*.jinja")]
@@ -121,11 +121,11 @@ def _properties(root: ComponentSpec, taken: list[str]) -> list[Property]:
 
 
 def _lines(part: ComponentSpec, path: str, taken: list[str] | None = None) -> Iterator[ConstructorLine]:
-    """Return the lines of a component that stands at a path; empty for the root."""
+    """Yield the constructor lines of a component at a path, which is empty for the root."""
     names = identifiers(_members(part), taken or ())
     before = f"{path}." if path else ""
     for signal in part.signals:
-        # A cell array, as Octave has no arrays of objects.
+        # Use a cell array, because Octave has no arrays of objects.
         index = "" if signal.index is None else f"{{{signal.index + 1}}}"
         yield ConstructorLine(before + names[signal.name] + index, signal)
     for member in part.parts:
@@ -147,14 +147,14 @@ def _guard(interface: Interface, lease: str, paths: Mapping[str, str]) -> list[s
 
 
 def _handle(address: int | str | None, given: Mapping[str, str]) -> str:
-    """Return where CTRL or COMM is: an address, or a parameter."""
+    """Return the expression for CTRL or COMM: an address, or a parameter of the constructor."""
     if isinstance(address, str):
         return f"given.{given[address]}"
     return "[]" if address is None else str(address)
 
 
 def _ranges(addresses: Iterable[int]) -> str:
-    """Return ascending addresses, a run of them as a range."""
+    """Return ascending addresses as an array expression, consecutive ones as a range."""
     runs: list[list[int]] = []
     for address in addresses:
         if runs and address == runs[-1][-1] + 1:
@@ -173,7 +173,7 @@ def _groups(interface: Interface) -> list[tuple[GroupSpec, str]]:
 
 
 def _examples(lines: list[ConstructorLine], variable: str) -> list[str]:
-    """Return what a program may write: the first signal that it can read, and the first that it can write."""
+    """Return statements that read and write the first suitable signals."""
     signals = [(line.path, line.signal.access) for line in lines if line.signal is not None]
     read = next((f"value = {variable}.{path}.get();" for path, access in signals if access.reads), None)
     written = next((f"{variable}.{path}.set(0);" for path, access in signals if access.writes), None)
@@ -181,7 +181,7 @@ def _examples(lines: list[ConstructorLine], variable: str) -> list[str]:
 
 
 def _call(beginning: str, arguments: list[str]) -> str:
-    """Write a call on as many lines as it needs."""
+    """Return a call, wrapped to the length of a line."""
     lines = [beginning]
     for number_, argument in enumerate(arguments):
         piece = argument + (");" if number_ == len(arguments) - 1 else ",")
@@ -192,7 +192,7 @@ def _call(beginning: str, arguments: list[str]) -> str:
 
 
 def _settings(group: GroupSpec) -> list[str]:
-    """Return what a spec says of publishing, as arguments of `struct`."""
+    """Return the settings of a group's publishing as arguments of `struct`."""
     given: dict[str, str] = {
         "group": _optional(group.number),
         "rate_hz": _optional(group.rate_hz),
@@ -211,7 +211,7 @@ def _optional(value: float | None) -> str:
 
 
 def _arguments(line: ConstructorLine) -> list[str]:
-    """Return the arguments of `Signal`: its place and kind, and properties with their values."""
+    """Return the arguments of `Signal`: path, address, kind, width and access, then pairs of a name and a value."""
     signal = line.signal
     assert signal is not None
     kind, access = matlab_string(str(signal.kind)), matlab_string(signal.access.value)
@@ -242,19 +242,19 @@ def _options(signal: Signal) -> list[tuple[str, str]]:
 
 
 def _numbers(values: list[int]) -> list[str]:
-    """Write numbers of one type: where one is too large for a double, all as uint64."""
+    """Return literals of one type: uint64 if a double cannot hold one of the numbers."""
     if max(values) < _EXACT:
         return [number(value) for value in values]
     return [_wide(value, "uint64") for value in values]
 
 
 def _wide(value: int, kind: str) -> str:
-    """Write a number of 64 bits that a double does not hold, by its halves."""
+    """Return an expression for a number of 64 bits that a double cannot hold, made of two halves."""
     return f"typecast(uint32([{value & 0xFFFFFFFF} {value >> 32 & 0xFFFFFFFF}]), '{kind}')"
 
 
 def number(value: float) -> str:
-    """Write a number that MATLAB reads as the same number."""
+    """Return a literal that MATLAB reads as exactly this number."""
     if isinstance(value, int) and abs(value) >= _EXACT:
         return _wide(value, "uint64" if value > 0 else "int64")
     if not math.isfinite(value):
@@ -263,7 +263,7 @@ def number(value: float) -> str:
 
 
 def _comment(text: str) -> str:
-    """Put a doc string on one line."""
+    """Return a doc string in one line."""
     return one_line(" ".join(text.split()))
 
 

@@ -1,8 +1,8 @@
-"""Names of a spec as MATLAB and Octave take them.
+"""Names of a spec as identifiers of MATLAB and Octave.
 
-A name of UL-spec is an identifier of both but for three things: it may begin with ``_``, be longer than 63 characters,
-or be a word of their languages. A property of the class must, besides, be none of the class's own, and the class must
-hide no function that it needs.
+A name of UL-spec is an identifier of both languages unless it begins with ``_``, is longer than 63 characters, or is a
+keyword. In addition, a property must differ from the members of the class, and a class must not hide a function that it
+uses.
 """
 
 from __future__ import annotations
@@ -32,15 +32,15 @@ _FUNCTIONS = """
     substruct sum tic toc true typecast uint32 uint64 unique vertcat zeros
 """
 KEYWORDS = frozenset(_KEYWORDS.split())
-"""`iskeyword` of MATLAB and of Octave, the words that begin the blocks of a class, and `ans`, which expressions set."""
+"""`iskeyword` of MATLAB and Octave, words that begin blocks of a class, and `ans`, which expressions assign."""
 MEMBERS = frozenset(_MEMBERS.split())
-"""Members of the generated class, and those that every handle class inherits."""
+"""Members of the generated class, and members that every handle class inherits."""
 FUNCTIONS = frozenset(_FUNCTIONS.split())
-"""Functions that the package calls, in place of which it would find a class of the same name."""
+"""Functions that the package calls; a class of the same name would be called instead."""
 
 
 def identifiers(names: Iterable[str], taken: Iterable[str] = ()) -> dict[str, str]:
-    """Return each name of one scope an identifier; names that are identifiers already, and are not taken, stay."""
+    """Return unique identifiers for the names of one scope, by name; valid names that are not taken stay unchanged."""
     wanted = list(names)
     used = {*KEYWORDS, *taken}
     kept = {name for name in wanted if name == _shaped(name) and name not in used}
@@ -61,7 +61,7 @@ def _shaped(name: str) -> str:
 
 
 def _counted(name: str) -> str:
-    """Return another name of the longest size: its last digits count."""
+    """Return another name of the maximum length, with the number at its end incremented."""
     stem = name.rstrip("0123456789")
     number = str(int(name[len(stem) :] or 0) + 1)
     return name[: LONGEST - len(number)] + number

@@ -1,11 +1,11 @@
 """Python: a module with the classes that `unity_link.load` makes at run time, for editors and type checkers.
 
-Its classes have annotations, docstrings and nothing else, but for the verbs of cores, which are their bases: what
-happens is in `unity_link.data`, which finds the rest in the checked model that stands at the module's end as JSON. So
-it needs no compiler of specs at run time. The Python of a core that lies beside the spec is copied beside the module.
+The classes have only annotations and docstrings, and the core APIs as base classes. The behaviour is in
+`unity_link.data`, which reads the checked model from JSON at the end of the module, so that no spec is compiled at run
+time. If a core beside the spec has a Python API, its file is copied beside the module.
 
-- `classes`: the declarations of an interface as classes of Python
-- `model`: the checked model as text
+- `classes`: the declarations of an interface as Python classes
+- `model`: the checked model as JSON text
 - `module.jinja`: the module
 """
 
@@ -28,7 +28,7 @@ DOC = "a typed module: the robot's classes, for completion in an editor and mypy
 
 
 def files(interface: Interface, templates: Templates) -> Iterator[GeneratedFile]:
-    """Make the file of an interface."""
+    """Yield the module of an interface, and copies of the core APIs that it needs."""
     module = describe(interface)
     text = templates.render(
         "module",

@@ -1,7 +1,7 @@
-"""The declarations of an interface as classes of Python.
+"""The declarations of an interface as Python classes.
 
-A component is one class, however often it is used. Where its arguments make a difference, its annotations say what
-holds everywhere: a value that is scaled in one place and not in another is a float.
+A component is one class, even if it is used several times. If its uses differ by their arguments, an annotation holds
+for all of them: a value that is scaled in one use only is annotated as float.
 """
 
 from __future__ import annotations
@@ -22,16 +22,16 @@ if TYPE_CHECKING:
     from unity_link.spec import EnumValue, Interface, Kind, Signal
 
 IMPORTED = ("ClassVar", "Component", "Link", "Literal", "Mapping", "NamedNumber", "Robot")
-"""Names that the module has for itself, beside those of proxies and modules."""
+"""Names that every module defines or imports, besides those of proxies and modules."""
 
 
 _IMPORTED_PACKAGES = {"anyio", "jinja2", "lark", "msgspec", "numpy", "unity_link"}
 _SHOWN = 4
-"""Addresses of a signal that its doc string names."""
+"""Most addresses of a signal in its docstring."""
 
 
 class Attribute(NamedTuple):
-    """A member of a class."""
+    """A member of a class, with annotation and docstring."""
 
     name: str
     annotation: str
@@ -39,57 +39,57 @@ class Attribute(NamedTuple):
 
 
 class Class(NamedTuple):
-    """A component, or the robot."""
+    """A generated class: a component, or the robot."""
 
     declaration: str
-    """Name in the spec."""
+    """Name of the component in the spec."""
     name: str
     doc: str
     attributes: tuple[Attribute, ...]
     verbs: tuple[str, ...]
-    """Names of the classes with the verbs of cores, which are its first bases."""
+    """Names of the core API classes, which are its first base classes."""
 
 
 class EnumClass(NamedTuple):
-    """An enumeration."""
+    """The class of an enumeration."""
 
     declaration: str
     name: str
     doc: str
     members: tuple[tuple[str, int, str], ...]
-    """Name, number and doc string of each."""
+    """Name, number and doc string of each value."""
     given: str
-    """The name of the type that a signal of it is written with: a member, a number, or one of its names."""
+    """Name of the type of values that can be written: a member, a number, or a name."""
     names: tuple[str, ...]
-    """The names that the spec has for its members."""
+    """Names of the values in the spec."""
 
 
 class Described(NamedTuple):
-    """Values of the template."""
+    """Values for the template."""
 
     robot: Class
     components: tuple[Class, ...]
     enumerations: tuple[EnumClass, ...]
     parameters: tuple[tuple[str, str], ...]
-    """Parameters that a program gives: the name of the argument, and what the spec calls it."""
+    """Parameters that a program supplies: the Python argument and the name in the spec."""
     proxies: tuple[str, ...]
-    """Names that are imported from `unity_link.data`."""
+    """Names to import from `unity_link.data`."""
     modules: tuple[tuple[str, tuple[str, ...]], ...]
-    """Classes of modules that are imported, by their packages."""
+    """Packages and the module classes to import from each."""
     verbs: tuple[tuple[str, tuple[str, ...]], ...]
-    """Modules of cores, and the names that are imported from each."""
+    """Python modules of cores, and the names to import from each."""
 
 
 def module_name(interface: Interface) -> str:
-    """Return the name of the module of an interface: none that hides a module which the program needs."""
+    """Return the Python module name of an interface; it must not hide a module that the program needs."""
     is_taken = keyword.iskeyword(interface.name) or interface.name in sys.stdlib_module_names | _IMPORTED_PACKAGES
     return interface.name + "_" * is_taken
 
 
 def core_modules(interface: Interface) -> dict[str, str]:
-    """Return the modules of the cores of an interface, as a generated module imports them, by `Core.python`.
+    """Return the modules with core APIs, as a generated module imports them, by `Core.python`.
 
-    One that is a file beside the spec is imported as its copy beside the generated module.
+    For a core whose API is a file beside the spec, that is the copy beside the generated module.
     """
     made: dict[str, str] = {}
     for component in interface.cores:
@@ -101,7 +101,7 @@ def core_modules(interface: Interface) -> dict[str, str]:
 
 
 def describe(interface: Interface) -> Described:
-    """Describe the classes of an interface."""
+    """Return the values for the template of an interface."""
     uses: dict[str, list[ComponentSpec]] = {}
     for part in interface.root.walk():
         if part is not interface.root:
@@ -138,7 +138,7 @@ def describe(interface: Interface) -> Described:
 
 
 def _verbs(interface: Interface) -> tuple[tuple[str, tuple[str, ...]], ...]:
-    """Return the modules of cores, and the names of the classes with verbs in each."""
+    """Return the Python modules of cores, and the names of the core API classes in each."""
     modules = core_modules(interface)
     names: dict[str, set[str]] = {}
     for component in interface.cores:
@@ -150,7 +150,7 @@ def _verbs(interface: Interface) -> tuple[tuple[str, tuple[str, ...]], ...]:
 
 
 class _Names:
-    """Names of classes, none given twice."""
+    """Gives unique names to classes."""
 
     def __init__(self, taken: Iterable[str]) -> None:
         self._taken = set(taken)
@@ -164,7 +164,7 @@ class _Names:
 
 
 class _Maker:
-    """Makes classes of components."""
+    """Makes the classes of components."""
 
     def __init__(
         self, interface: Interface, names: dict[str, str], enumerations: dict[str, str], given: dict[str, str]
@@ -175,13 +175,13 @@ class _Maker:
         self._given = given
 
     def make(self, declaration: str, name: str, uses: list[ComponentSpec]) -> Class:
-        """Make the class of a declaration from all its uses."""
+        """Return the class of a declaration from all its uses."""
         attributes = [attribute for attributes in self._members(uses) for attribute in attributes]
         is_robot = uses[0] is self._interface.root
         verbs = robot_verbs_of(self._interface) if is_robot else classes_of(uses[0].core, Verbs)
         free = python_names((attribute.name for attribute in attributes), names_of(verbs))
         named = (attribute._replace(name=name) for name, attribute in zip(free, attributes, strict=True))
-        # A component without a doc string of its own has that of the place where it is put.
+        # A component without a doc string gets the doc string of its placement, if there is only one.
         docs = {use.type_doc or use.doc for use in uses}
         doc = docs.pop() if len(docs) == 1 else ""
         doc = doc or f"The component {declaration} of the spec."
@@ -197,7 +197,7 @@ class _Maker:
     def _signal(self, signals: list[Signal]) -> Attribute:
         first = signals[0]
         types = list(dict.fromkeys(self._value_type(signal.kind) for signal in signals))
-        # A float takes whole numbers too.
+        # The annotation float also accepts ints.
         value = "float" if "float" in types else " | ".join(types)
         if first.access.writes and first.kind.enumeration is not None:
             value += f", {self._given[first.kind.enumeration.name]}"
@@ -207,7 +207,7 @@ class _Maker:
 
     def _value_type(self, kind: Kind) -> str:
         if kind.enumeration is not None:
-            # A number without a name is no error.
+            # A number without a name is a valid value too.
             return f"{self._enumerations[kind.enumeration.name]} | int"
         if kind.is_float:
             return "float"
@@ -231,7 +231,7 @@ class _Maker:
 
 
 def _modules(interface: Interface) -> tuple[tuple[str, tuple[str, ...]], ...]:
-    """Return the classes of the modules that have names, by the packages that they are imported from."""
+    """Return the classes of the named modules, by the packages that define them."""
     packages: dict[str, set[str]] = {}
     for kind in {MODULE_TYPES[module.type] for module in interface.modules if module.name is not None}:
         packages.setdefault(".".join(kind.__module__.split(".")[:2]), set()).add(kind.__name__)
@@ -243,7 +243,7 @@ def _text(doc: str) -> list[str]:
 
 
 def _properties(signals: list[Signal]) -> list[str]:
-    """Return the properties that a signal has in all uses of its component."""
+    """Return the properties that are the same in all uses of a signal's component, as sentences."""
     first = signals[0]
     addresses = ", ".join(f"{signal.address:#x}" for signal in signals[:_SHOWN])
     if len(signals) > _SHOWN:
@@ -280,7 +280,7 @@ def _arguments(names: list[str]) -> tuple[tuple[str, str], ...]:
 
 
 _OF_ENUMERATIONS = frozenset(dir(enum.IntEnum)) | {"name", "value"}
-"""Names that a member of an enumeration cannot have."""
+"""Names that a member of a Python enumeration cannot have."""
 
 
 def _members(values: Iterable[EnumValue]) -> tuple[tuple[str, int, str], ...]:

@@ -1,4 +1,4 @@
-"""The checked model as JSON, for a module that holds it: without defaults and places, a signal a line."""
+"""The checked model as JSON for a generated module: without default values and places, one signal a line."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ if TYPE_CHECKING:
 
 
 _UNSEEN = re.compile("['\x7f-\xa0\xad\u061c\u200b-\u200f\u2028-\u202f\u205f-\u206f\ud800-\udfff\ufeff]")
-"""Quotes of Python's, and what an editor does not show as it stands."""
+"""Single quotes, and characters that editors do not show."""
 
 
 def model_text(interface: Interface) -> str:
-    """Return what `unity_link.data.read_interface` reads; no quotes of Python's are in it."""
+    """Return the JSON that `unity_link.data.read_interface` reads; it contains no single quotes."""
     return _UNSEEN.sub(lambda found: f"\\u{ord(found[0]):04x}", "\n".join(_lines(_plain(interface))))
 
 
 def _plain(value: Any) -> Any:
-    """Return what JSON can say of a value, without what a decoder fills in by itself."""
+    """Return a value as JSON types, without fields that have their defaults."""
     if isinstance(value, msgspec.Struct):
         config = value.__struct_config__
         fields: dict[str, Any] = {} if config.tag is None else {str(config.tag_field): config.tag}
@@ -31,7 +31,7 @@ def _plain(value: Any) -> Any:
             item = getattr(value, field.name)
             factory = field.default_factory
             default = field.default if factory is msgspec.NODEFAULT else factory()
-            # The Python of a core beside the spec is copied, and its place is that of one machine.
+            # Leave out paths, which are valid on this computer only; the Python file of a core is copied.
             is_of_here = field.name in {"span", "vhdl"} or (field.name == "python" and item.endswith(".py"))
             if not is_of_here and item != default:
                 fields[field.encode_name] = _plain(item)
@@ -44,7 +44,7 @@ def _plain(value: Any) -> Any:
 
 
 def _lines(value: Any) -> list[str]:
-    """Write a value in lines: what holds lists of objects is opened, everything else is one line."""
+    """Return JSON in lines: a value that contains lists of objects takes several lines, any other one line."""
     if not _is_deep(value):
         return [json.dumps(value, ensure_ascii=False, separators=(",", ":"))]
     is_list = isinstance(value, list)

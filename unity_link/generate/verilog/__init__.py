@@ -1,7 +1,7 @@
-"""Verilog: a gateway with the register bank of an interface, for those who have no VHDL, one file for each medium.
+"""Verilog: a gateway with the register bank of an interface, for users without VHDL; one file for each medium.
 
-The VHDL of the target ``vhdl`` is converted, behind an entity that has a port for each signal, because Verilog-2005
-knows no records (`flat.vhd.jinja`).
+The VHDL of the target ``vhdl`` is converted. Verilog-2005 has no records, so an entity with a port for each signal is
+put around the gateway (`flat.vhd.jinja`).
 """
 
 from __future__ import annotations
@@ -46,24 +46,24 @@ _GENERICS = {
 
 
 class Options(NamedTuple):
-    """Generics that a netlist has no more, and the user chooses."""
+    """Generics that are fixed in the Verilog netlist, so that the user sets them here."""
 
     clock_hz: int = 50_000_000
-    """Frequency of `clk`."""
+    """Frequency of `clk` in Hz."""
     baud: int = 1_000_000
-    """Baud of the UART."""
+    """Baud rate of the UART."""
     unchecked: bool = False
-    """True if the VHDL of the spec's own cores is not compared with its Verilog."""
+    """True if the VHDL of the spec's own cores is not compared with its conversion."""
 
 
 def files(interface: Interface, templates: Templates, options: Options) -> Iterator[GeneratedFile]:
-    """Make the files of an interface.
+    """Yield the Verilog files of an interface.
 
     Raises:
-        ArgumentError: where the gateware refuses the clock or the baud rate.
-        ConversionError: if GHDL refuses the sources, or converts a core of the user's wrongly.
-        ToolMissingError: if there is no GHDL of version 4 or later, or no Yosys for cores of the user's.
-        UnsupportedError: where addresses belong to two modules alike.
+        ArgumentError: if the gateware does not support the clock or the baud rate.
+        ConversionError: if GHDL rejects the sources, or converts a core of the user wrongly.
+        ToolMissingError: if GHDL 4 or later, or Yosys for cores of the user, is not installed.
+        UnsupportedError: if two modules have the same addresses.
     """
     name = identifier(interface.name)
     clock = {"clock_hz": options.clock_hz, "baud": options.baud}
@@ -107,17 +107,17 @@ def flat_design(
     *,
     has_pads: bool = False,
 ) -> list[GeneratedFile]:
-    """Return the VHDL of a gateway with its register bank behind the entity ``NAME_flat``, which has no records.
+    """Return the VHDL of a gateway with its register bank inside the entity ``NAME_flat``, which has no records.
 
     Args:
-        interface: of a spec.
-        templates: of this target.
-        generics: of the gateway that the entity has, with type and default.
-        others: ports of the gateway that the entity has beside those of the signals and of the Wishbone masters.
-        has_pads: have a pin of both directions read the level that it drives, as at a pad, where it drives one.
+        interface: the interface.
+        templates: templates of this target.
+        generics: generics of the gateway that the entity has, with type and default.
+        others: ports of the gateway that the entity has besides those of the signals and of the Wishbone masters.
+        has_pads: connect the output of an INOUT pin back to its input while the pin drives, like a pad.
 
     Raises:
-        UnsupportedError: where addresses belong to two modules alike.
+        UnsupportedError: if two modules have the same addresses.
     """
     name, bank = identifier(interface.name), Bank(interface)
     wanted = {f"{name}_{part}.vhd" for part in ("map", "registers", "gateway")}

@@ -1,4 +1,4 @@
-"""The hardware's side of an interface as ports of their own, one for each element of its records."""
+"""The hardware's side of an interface as separate ports, one for each element of its records."""
 
 from __future__ import annotations
 
@@ -17,27 +17,27 @@ if TYPE_CHECKING:
 
 
 class FlatPort(NamedTuple):
-    """A port, and what it is joined with."""
+    """A port of the flat entity, and its assignment."""
 
     name: str
     width: int
-    """Width of a vector; 0 for a single bit."""
+    """Width of a vector; 0 for a std_logic."""
     target: str
-    """Target of the assignment: an element of the record of what hardware gives, or the port."""
+    """Target of the assignment: an element of `from_hardware`, or the port."""
     value: str
     is_input: bool
     path: str
     """Path of the signal in the spec."""
     pin: str
-    """Part of the signal that it is, a field of `Pins`."""
+    """Field of `Pins` to which the port belongs."""
 
 
 class OtherPort(NamedTuple):
-    """A port of a flat design that is that of the gateway."""
+    """A port of the flat entity that is connected to the same port of the gateway."""
 
     name: str
     type: str
-    """Direction, type, and default if there is one."""
+    """Direction and type, and default if there is one."""
 
 
 _BIT, _BYTE = "std_logic", "std_logic_vector(7 downto 0)"
@@ -75,16 +75,16 @@ FIFO = (
 
 
 def triggers(groups: int) -> OtherPort:
-    """Return the port of the triggers of so many groups."""
+    """Return the port for the triggers of `groups` groups."""
     return OtherPort("trigger", f"in std_logic_vector({max(groups, 1) - 1} downto 0) := (others => '0')")
 
 
 def flat_ports(bank: Bank, others: Iterable[OtherPort]) -> Iterator[FlatPort]:
-    """Return the ports of all signals of a bank.
+    """Yield the ports of all signals of a bank.
 
     Args:
-        bank: of an interface.
-        others: ports that stand beside them, whose names are taken.
+        bank: register bank of an interface.
+        others: other ports of the entity, whose names are taken.
     """
     scope = _scope(bank, others)
     for register in bank.registers:
@@ -93,7 +93,7 @@ def flat_ports(bank: Bank, others: Iterable[OtherPort]) -> Iterator[FlatPort]:
 
 
 def pads(bank: Bank, others: Iterable[OtherPort]) -> list[tuple[PinPort, str]]:
-    """Return the pins of both directions, each with a name for the level at its pad."""
+    """Return the INOUT pins, each with a name for the level at its pad."""
     scope = _scope(bank, others)
     scope.take(*(port.name for port in flat_ports(bank, others)))
     return [(pin, scope.unique(f"{pin.name}_pad")) for pin in bank.wiring.pins if pin.way is Way.INOUT]

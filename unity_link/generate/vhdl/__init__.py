@@ -1,11 +1,11 @@
-"""VHDL: the gateway, its register bank and its bench, as an interface describes them.
+"""VHDL: the gateway, its register bank and the bank's bench, generated from an interface.
 
-- `names`, `types`, `records`, `bank`: the interface in VHDL's terms
-- `stimuli`: what the bench does, and what it must see
+- `names`, `types`, `records`, `bank`, `wiring`: the interface in terms of VHDL
+- `stimuli`: the accesses of the bench, and their expected results
 - `layout`: the columns of the text
-- the templates: a package, the register bank, gateway and bank as one entity, boards without further logic, the bench
+- the templates: a package, the register bank, gateway and bank as one entity, complete designs for boards, the bench
 
-The bank is a Wishbone B4 slave; `registers.vhd.jinja` says at its top how it behaves.
+The bank is a Wishbone B4 slave; the comment at the top of `registers.vhd.jinja` describes its behaviour.
 """
 
 from __future__ import annotations
@@ -37,29 +37,27 @@ FILTERS: dict[str, Callable[..., Any]] = {
 _LEAST_GROUPS = 16
 _LEAST_GROUP_WORDS = 32
 _LEAST_SAMPLE_DEPTH = 256
-"""Least depth of the sample FIFO of a gateway by itself: room for the subscriptions of programs beside the groups of
-the spec.
-"""
+"""Minimum depth of the gateway's sample FIFO: room for subscriptions of programs besides the groups of the spec."""
 _MEDIA = ("uart", "ft245", "ft245_sync", "rmii", "mii", "rgmii", "w5500")
 _BYTES_OF_DATAGRAM = 1378
 _BYTES_BESIDE_WORDS = 32
-"""Most bytes of a frame on Ethernet, and enough for what a frame of a block has beside its words."""
+"""Most bytes of a frame on Ethernet, and an upper limit for the part of a block's frame that is not words."""
 _MOST_WORDS = 255
 
 
 def files(
     interface: Interface, templates: Templates, *, clk_ready: bool = False, whole: bool = True
 ) -> Iterator[GeneratedFile]:
-    """Make the files of an interface; without whole designs, where `left_open` says that they would not be whole.
+    """Yield the files of an interface. Complete designs are left out if `left_open` reports missing gateware.
 
     Args:
-        interface: of a spec.
-        templates: of this target.
-        clk_ready: whether the whole designs have a port for a PLL's lock; it is no pin.
-        whole: whether whole designs are made at all.
+        interface: the interface.
+        templates: templates of this target.
+        clk_ready: whether complete designs have an input for a PLL's lock, which is not a pin.
+        whole: whether complete designs are generated.
 
     Raises:
-        UnsupportedError: where addresses belong to two modules alike.
+        UnsupportedError: if two modules have the same addresses.
     """
     bank = Bank(interface)
     name = identifier(interface.name)
@@ -88,38 +86,38 @@ def files(
 
 
 def left_open(interface: Interface) -> str:
-    """Return a sentence that names what a whole design of an interface would lack; empty where it lacks nothing.
+    """Return a sentence that names the gateware that a complete design would lack; empty if it lacks none.
 
     Raises:
-        UnsupportedError: where addresses belong to two modules alike.
+        UnsupportedError: if two modules have the same addresses.
     """
     name, lacking = identifier(interface.name), Bank(interface).open_ends
     if not lacking:
         return ""
     return (
-        f"{interface.name} is no whole design by itself: no gateware stands behind {', '.join(lacking)}; take "
+        f"{interface.name} is no whole design by itself: no gateware implements {', '.join(lacking)}; take "
         f"{name}_gateway of generate vhdl into a top of your own, connect its ports for them to VHDL of yours, and "
         "give the top to unity-link build by --top"
     )
 
 
 def check_whole(interface: Interface) -> None:
-    """Refuse an interface of which a whole design would lack something.
+    """Raise an error if a complete design of an interface would lack gateware.
 
     Raises:
-        UnsupportedError: for what it would lack, by name; or where addresses belong to two modules alike.
+        UnsupportedError: with the names of the missing parts; or if two modules have the same addresses.
     """
     if fault := left_open(interface):
         raise UnsupportedError(fault)
 
 
 def block_words(interface: Interface) -> int:
-    """Return the most words of a block on Ethernet, where a frame has a datagram at most."""
+    """Return the most words of a block on Ethernet, for which the frame fits into a datagram."""
     return min(_MOST_WORDS, (_BYTES_OF_DATAGRAM - _BYTES_BESIDE_WORDS) // -(-interface.data_bits // 4))
 
 
 def gateway_generics(interface: Interface) -> dict[str, int | str]:
-    """Return the generics of `unity_link` that follow from an interface."""
+    """Return the generics of the entity `unity_link` for an interface."""
     published = [group for group in interface.groups if group.number is not None]
     words = max([_LEAST_GROUP_WORDS, *(len(group.addresses) for group in published)])
     numbers = [group.number + 1 for group in published if group.number is not None]

@@ -1,4 +1,4 @@
-"""The generated VHDL together with the gateware: a folder that a tool takes as it is, by a script for each."""
+"""The generated VHDL with the gateware: a folder that tools can use directly, with a script for each tool."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ CORES_FOLDER = "cores"
 
 
 def read_vhdl(path: Path) -> str:
-    """Return the text of a file of VHDL, in UTF-8 or, as the standard has it, in Latin-1.
+    """Return the text of a VHDL file, in UTF-8 or otherwise in Latin-1, which the VHDL standard specifies.
 
     Raises:
-        ArgumentError: where it cannot be read.
+        ArgumentError: if it cannot be read.
     """
     try:
         data = path.read_bytes()
@@ -36,25 +36,25 @@ def read_vhdl(path: Path) -> str:
 
 
 def design_files(generated: Iterable[GeneratedFile], own: Iterable[str] = ()) -> list[str]:
-    """Return the VHDL of a design beside the gateware in compile order; the bench is no part of it.
+    """Return the VHDL files of a design besides the gateware in compile order, without the bench.
 
     Args:
-        generated: from a spec.
-        own: of the spec's own cores, which the generated gateway needs.
+        generated: files that were generated from a spec.
+        own: names of the files of the spec's own cores, which the generated gateway uses.
     """
     boards = [f"{GATEWARE_FOLDER}/boards/{source.name}" for source in board_sources()]
     return [*boards, *own, *(file.name for file in generated if not file.name.endswith("_bench.vhd"))]
 
 
 def with_gateware(generated: list[GeneratedFile], cores: Iterable[Path] = ()) -> Iterator[GeneratedFile]:
-    """Return the files of the target `vhdl` with the gateware in a folder beside them, and a script for each tool.
+    """Yield the files of the target `vhdl`, the gateware in a folder beside them, and a script for each tool.
 
     Args:
-        generated: from a spec.
-        cores: VHDL of the spec's own cores, which is copied.
+        generated: files that were generated from a spec.
+        cores: VHDL files of the spec's own cores, which are copied.
 
     Raises:
-        ArgumentError: where a file of a core cannot be read.
+        ArgumentError: if a file of a core cannot be read.
     """
     yield from generated
     own = {f"{CORES_FOLDER}/{path.parent.name}/{path.name}": path for path in cores}

@@ -1,8 +1,8 @@
-"""Columns: what stands below each other in VHDL is aligned, so that templates need not count blanks.
+"""Aligns the columns of VHDL, so that templates need no padding.
 
-In consecutive lines of the same depth, ``:``, ``:=``, ``=>`` and ``<=`` each stand in one column, as vsg asks for and
-as the sources of the gateware are written; calls may stand between them. A blank line, a comment or a line of another
-depth ends a block. Comments are filled to the length of a line.
+In consecutive lines of the same depth, ``:``, ``:=``, ``=>`` and ``<=`` are each aligned, as vsg requires and as in the
+sources of the gateware; calls between them are ignored. A blank line, a comment or a line of another depth ends a
+block. Comments are wrapped at the length of a line.
 """
 
 from __future__ import annotations
@@ -29,11 +29,11 @@ class _Line(NamedTuple):
     text: str
     depth: int
     sign: str
-    """Sign by which its lines are aligned: a sign, ":" for a declaration, "()" for a call, or nothing."""
+    """Kind of the line for alignment: the sign itself, ":" for a declaration, "()" for a call, or empty."""
 
 
 def align(text: str) -> str:
-    """Align the columns of a whole file, fill its comments, and end each line where its last letter is."""
+    """Return a file with aligned columns, wrapped comments, and no trailing blanks."""
     lines = [_classify(line.rstrip()) for line in _filled(text.splitlines())]
     aligned: list[str] = []
     start = 0
@@ -47,7 +47,7 @@ def align(text: str) -> str:
 
 
 def _filled(lines: list[str]) -> list[str]:
-    """Fill the paragraphs of comments: those at the top always, others where a line is too long."""
+    """Wrap paragraphs of comments: always at the top of the file, elsewhere only if a line is too long."""
     filled: list[str] = []
     at_top = True
     for is_prose, some in groupby(lines, key=lambda line: re.match(r" *-- \S", line) is not None):
@@ -56,7 +56,7 @@ def _filled(lines: list[str]) -> list[str]:
         if is_prose and (at_top or max(map(len, paragraph)) > LINE):
             prefix = paragraph[0][: paragraph[0].index("--")] + "-- "
             words = " ".join(line.strip().removeprefix("-- ") for line in paragraph)
-            # What is not obeyed in the midst of a line is not to be at the beginning of another.
+            # Quote each new line: tools obey some words at the beginning of a comment, but not within it.
             paragraph = [prefix + hdl_comment(line) for line in textwrap.wrap(words, LINE - len(prefix))]
         filled += paragraph
     return filled

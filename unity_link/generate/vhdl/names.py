@@ -1,6 +1,6 @@
-"""Names of a spec as VHDL takes them: of any case, never a reserved word, each once in its scope.
+"""Names of a spec as identifiers of VHDL: in lower case, not reserved, and unique in their scope.
 
-A word of SystemVerilog is none either: the names of ports become names in Verilog.
+Words of SystemVerilog are avoided too, because names of ports become names in Verilog.
 """
 
 from __future__ import annotations
@@ -18,15 +18,15 @@ RESERVED = frozenset(
     restrict_guarantee return rol ror select sequence severity shared signal sla sll sra srl strong subtype then to
     transport type unaffected units until use variable view vmode vprop vunit wait when while with xnor xor""".split()  # noqa: SIM905  (a line for each word would be a page)
 )
-"""Words of VHDL up to its version of 2019."""
+"""Reserved words of VHDL, up to VHDL-2019."""
 TYPES = frozenset({"std_logic", "std_logic_vector", "unsigned", "signed"})
-"""Names that an element of a record would hide from the elements behind it; our own types end with ``_t``."""
+"""Types that an element of a record would hide from later elements; generated types end in ``_t``."""
 
 
 def identifier(text: str) -> str:
-    """Write a name or a path of a spec in small letters, as VHDL allows: ``legs[2].__Pos`` is ``legs_2_pos``.
+    """Return a name or path as an identifier of VHDL in lower case: ``legs[2].__Pos`` becomes ``legs_2_pos``.
 
-    A word of VHDL or of SystemVerilog, or the name of a type, gets ``_x`` behind it.
+    A reserved word of VHDL or SystemVerilog, or a name of a type, gets ``_x`` appended.
     """
     name = _letters(text)
     return f"{name}_x" if name in RESERVED | SYSTEMVERILOG | TYPES or name.endswith("_t") else name
@@ -44,15 +44,15 @@ class Scope:
         self._taken = set(taken)
 
     def take(self, *names: str) -> None:
-        """Take names as they are."""
+        """Add names to the taken ones, unchanged."""
         self._taken.update(names)
 
     def unique(self, text: str, *endings: str) -> str:
-        """Return a name for a text, numbered where it is taken.
+        """Return a unique name for a text, numbered if it is taken, and add it to the taken ones.
 
         Args:
             text: a name or a path of a spec.
-            endings: what stands behind the name wherever it is used; an empty one where it is used by itself.
+            endings: endings that are appended to the name where it is used; "" if it is also used without one.
         """
         endings = endings or ("",)
         name = first = identifier(text) if "" in endings else _letters(text)

@@ -1,7 +1,7 @@
-"""The hardware's side of an interface: one record of what hardware gives, one of what it gets, nested as the spec is.
+"""The hardware's side of an interface as two nested records: values from hardware, and values to hardware.
 
-A component becomes a record type of each direction, and components of one declaration share theirs as long as they look
-the same. An array whose components do not (their widths may depend on the index) becomes one element for each.
+A component becomes one record type for each direction; components of one declaration share a type if they have equal
+elements. If the elements in an array differ (a width may depend on the index), the array becomes one element for each.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class Direction(enum.StrEnum):
-    """Record of a port; the value is the name of the port, and the end of the names of its types."""
+    """Direction of a record; the value is the name of its port, and the end of the names of its types."""
 
     FROM = "from_hardware"
     TO = "to_hardware"
@@ -35,7 +35,7 @@ class Element(NamedTuple):
 
 
 class RecordType(NamedTuple):
-    """A record, or with `item` an array of one."""
+    """A record type; with `item`, an array type."""
 
     name: str
     elements: tuple[Element, ...] = ()
@@ -43,24 +43,24 @@ class RecordType(NamedTuple):
 
 
 class Pins(NamedTuple):
-    """Ports of the hardware's side of a signal: names of elements of the two records, empty where there is none."""
+    """Names of a signal's elements in the two records, with the record; empty for elements that do not exist."""
 
     given: str = ""
-    """Port that hardware drives: the value that is read."""
+    """Input: the value that is read, driven by hardware."""
     got: str = ""
-    """Port that hardware reads: the value that is written."""
+    """Output: the written value, used by hardware."""
     written: str = ""
-    """Pulses with each write."""
+    """Output: '1' for one cycle at each write."""
     given_valid: str = ""
     given_ready: str = ""
-    """Port of a FIFO that is read: hardware's word counts; it is being taken."""
+    """FIFO port that is read: input, the word of hardware is valid; output, the word is taken."""
     got_valid: str = ""
     got_ready: str = ""
-    """Port of a FIFO that is written: a word is there; hardware takes it."""
+    """FIFO port that is written: output, a word is available; input, hardware takes it."""
 
 
 def elements_of(signal: Signal, name: str, type_: str) -> Iterator[tuple[Direction, str, Element]]:
-    """Return the elements of a signal: the direction, which of `Pins` it is, and the element."""
+    """Yield the elements of a signal: direction, field of `Pins`, and element."""
     comment = str(signal.kind) if signal.kind.name in {KindName.FIXED, KindName.UFIXED, KindName.FLOAT} else ""
     value = Element(name, type_, comment)
     valid, ready = Element(f"{name}_valid", "std_logic"), Element(f"{name}_ready", "std_logic")
@@ -80,18 +80,18 @@ def elements_of(signal: Signal, name: str, type_: str) -> Iterator[tuple[Directi
 
 
 class RowElement(NamedTuple):
-    """An element of a record, for a signal or for a row of them."""
+    """An element of a record for a signal or a row of signals."""
 
     direction: Direction
     pin: str
-    """Name of a field of `Pins`."""
+    """Name of the field of `Pins`."""
     element: Element
     places: dict[str, str]
-    """Names of the element, or of its items, by the paths of the signals."""
+    """Names of the element, or of its items, by signal path."""
 
 
 def _endings(signals: tuple[Signal, ...]) -> list[str]:
-    """Return the ends of the names of elements for a signal, or for a row of them."""
+    """Return the endings of names that a signal or a row may need."""
     ends = ("", "_valid", "_ready") if signals[0].fifo else ("", "_written")
     return [f"{place}{end}" for place in ("", *(f"_{one.index}" for one in signals)) for end in ends]
 
@@ -100,10 +100,10 @@ class Records:
     """The record types of an interface.
 
     Args:
-        interface: whose records these are.
-        signals: its signals that have a hardware's side, by their paths.
-        enumerations: their types.
-        scope: the names of the package, in which the types get theirs.
+        interface: the interface.
+        signals: its signals that have elements, by path.
+        enumerations: the VHDL types of its enumerations, by name.
+        scope: names of the package, to which the types are added.
     """
 
     def __init__(
@@ -121,18 +121,18 @@ class Records:
         self._of_component: dict[tuple[str, Direction], str | None] = {}
         self._arrays: dict[tuple[str, Direction], str | None] = {}
         self._rows: dict[str, str] = {}
-        """Types of arrays by those of the values in them."""
+        """Array types, by the type of their items."""
         self.types: list[RecordType] = []
-        """Types in an order in which each uses only those before it."""
+        """All types, each after the types that it uses."""
         self.pins: dict[str, Pins] = {path: Pins() for path in signals}
-        """Ports by the paths of the signals."""
+        """Names of the elements, by signal path."""
         self.roots = {direction: self._record(interface.root, direction) for direction in Direction}
-        """Names of the outermost types; None where that record would be empty."""
+        """Names of the outermost types; None if the record would be empty."""
         for direction in Direction:
             self._place(interface.root, direction, direction.value)
 
     def _names_in(self, component: ComponentSpec) -> dict[str, str]:
-        """Return the VHDL names of a component's members, which are the same in both records."""
+        """Return the VHDL names of a component's members; both records use the same names."""
         if component.path not in self._names:
             scope = Scope()
             names = {name: scope.unique(name, *_endings(signals)) for name, signals in component.rows.items()}
@@ -177,7 +177,7 @@ class Records:
                 )
 
     def _of_row(self, name: str, signals: tuple[Signal, ...]) -> Iterator[RowElement]:
-        """Return the elements of a signal or a row; one of which the signals are not alike has some for each signal."""
+        """Yield the elements of a signal or a row; if the signals of a row differ, elements for each of them."""
         types = {vhdl_type(signal.kind, self._enumerations) for signal in signals}
         own = [signal for signal in signals if signal.path in self._signals]
         if signals[0].index is None or len(types) > 1 or len(own) < len(signals):
@@ -192,7 +192,7 @@ class Records:
             yield RowElement(direction, pin, one._replace(type=array), places)
 
     def _array_of(self, item: str, width: int) -> str:
-        """Return the type of an array of values."""
+        """Return the array type for values of a type."""
         if item == "std_logic":
             return "std_logic_vector"
         if item not in self._rows:
@@ -202,7 +202,7 @@ class Records:
         return self._rows[item]
 
     def _array(self, records: list[str | None]) -> str | None:
-        """Return the type of an array of such records, or None where there is none that holds them all."""
+        """Return the array type for records; None if they do not all have the same type."""
         first = records[0]
         if first is None or any(record != first for record in records):
             return None
@@ -212,7 +212,7 @@ class Records:
         return name
 
     def _place(self, component: ComponentSpec, direction: Direction, prefix: str) -> None:
-        """Find the elements of all signals of a component, which is the element `prefix` itself."""
+        """Set the element names of all signals of a component, whose own record element is `prefix`."""
         names = self._names_in(component)
         for name, signals in component.rows.items():
             for one in self._of_row(names[name], signals):

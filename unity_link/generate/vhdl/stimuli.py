@@ -1,8 +1,8 @@
-"""The accesses of the bench to a register bank, and their results: computed from the signals, not from the bank.
+"""The bench's accesses to a register bank, and the expected results: computed from the signals, not from the bank.
 
-Which words a value has is what `Signal.encode` says of it to every client, so that a bank which passes agrees with the
-programs that are generated from the same spec. Values are random, but the same for the same spec. Each signal gets
-several, all signals at once, so that one that answers for another is seen, and each bit is 0 once and 1 once.
+`Signal.encode` gives the words of values, as in every client, so that a bank that passes agrees with the programs
+generated from the same spec. Values are random, but reproducible for a spec. Each signal gets several values, all
+signals at once, so that a register that answers for another one is detected; each bit is both 0 and 1 at least once.
 """
 
 from __future__ import annotations
@@ -20,18 +20,18 @@ if TYPE_CHECKING:
 
 ROUNDS = 3
 _UNUSED_ADDRESSES = 8
-"""Number of addresses without a signal that are tried."""
+"""Number of addresses without a signal that are accessed."""
 
 
 class Section(NamedTuple):
-    """Some statements that try one thing."""
+    """Statements that check one property."""
 
     title: str
     statements: tuple[str, ...]
 
 
 class Stimuli:
-    """The statements of the bench's one process, and the order in which it watches pulses."""
+    """The statements of the bench's process, and the order of the pulses that it watches."""
 
     def __init__(self, bank: Bank) -> None:
         self._bank = bank
@@ -44,11 +44,11 @@ class Stimuli:
             if register.signal.access.writes or register.has_events
         }
         self._pulsed = dict.fromkeys((register.signal.path for register in bank.pulses), 0)
-        """Cycles in which pulses were '1', by the paths of the signals."""
+        """Number of cycles in which each PULSE signal was '1', by path."""
         self._staged: dict[str, int] = {}
-        """Values on the stages of schedules, by the paths of the signals."""
+        """Values on the stages of schedules, by the path of the signal."""
         self._gathered: dict[int, int] = {}
-        """Words written to values that are not whole yet, by their addresses."""
+        """Words written to values of several words that are not complete yet, by address."""
         self._word_at = {word.address: word for word in bank.words}
         self._first_strobe: dict[int, int] = {}
         strobes: list[Register] = []
@@ -56,27 +56,27 @@ class Stimuli:
             self._first_strobe[word.address] = len(strobes)
             strobes += self._struck(word)
         self.strobes = tuple(strobes)
-        """The registers whose pulses are watched; those of one word stand side by side."""
+        """Registers whose `written` pulses are watched; those of one word are adjacent."""
 
     @property
     def sections(self) -> Iterator[Section]:
-        """Return all that the bench tries, in this order."""
+        """Yield the sections of the bench, in order."""
         parts = (
             ("After reset, each register has the value of its RESET, or 0.", self._reset()),
-            *((f"What hardware gives can be read, round {one}.", self._reads(one)) for one in range(1, ROUNDS + 1)),
-            *((f"What is written reaches hardware, round {one}.", self._writes(one)) for one in range(1, ROUNDS + 1)),
+            *((f"Values from hardware can be read, round {one}.", self._reads(one)) for one in range(1, ROUNDS + 1)),
+            *((f"Written values reach hardware, round {one}.", self._writes(one)) for one in range(1, ROUNDS + 1)),
             (
-                "While a lease is not armed, what it guards is safe and not written, nor is it while finishing.",
+                "While a lease is not armed, guarded signals are safe and refuse writes; as while it finishes.",
                 self._leases(),
             ),
-            ("What a schedule writes is taken over at once, while its lease is armed.", self._schedules()),
+            ("Values on a stage are committed at once, while the lease is armed.", self._schedules()),
             ("Fields of one word are written by reading it first.", self._fields()),
             ("Accesses in a row take a cycle each.", self._rows()),
             ("A value of several words is read from one instant.", self._instants()),
             ("A sample is read from one instant, also between the words of a block.", self._samples()),
-            ("What hardware sets stays until it is cleared, also what it sets in that very cycle.", self._events()),
+            ("Bits that hardware sets stay until they are cleared, also bits set in that very cycle.", self._events()),
             ("A pulse lasts for one cycle, and reads as 0.", self._pulses()),
-            ("A FIFO port moves each word once, and refuses what it cannot move.", self._streams()),
+            ("A FIFO port moves each word once, and refuses words that it cannot move.", self._streams()),
             ("A module gets the accesses to its addresses, counted from its base.", self._windows()),
             ("The description is read a page at a time.", self._description()),
             ("Everything else is refused.", self._refusals()),
@@ -86,10 +86,10 @@ class Stimuli:
             if some:
                 yield Section(title, some)
 
-    # What stands where
+    # Expected contents
 
     def _struck(self, word: BankWord) -> list[Register]:
-        """Return the registers that pulse when a word is written."""
+        """Return the registers whose `written` pulses when a word is written."""
         return [
             register
             for register in word.written
@@ -102,7 +102,7 @@ class Stimuli:
         return self._stored[path] if is_stored else self._given.get(path, 0)
 
     def _word(self, address: int) -> int:
-        """Return what an address must read as."""
+        """Return the word that a read of an address must return."""
         registers = self._word_at[address].read
         return sum(part_of(register.signal, self._raw_of(register), address) for register in registers)
 
@@ -139,7 +139,7 @@ class Stimuli:
         return f"{register.pins.given} <= {self._literal(register, raw)};"
 
     def _write(self, word: BankWord, value: int) -> Iterator[str]:
-        """Write a word, and see what hardware gets of it."""
+        """Write a word, and check the values on the hardware's side."""
         struck = self._struck(word)
         first = self._first_strobe[word.address]
         self._store(word, value)
@@ -149,7 +149,7 @@ class Stimuli:
             yield self._read(word.address)
 
     def _store(self, word: BankWord, value: int) -> None:
-        """Note what a word was written."""
+        """Record a write of a word."""
         struck = self._struck(word)
         for register in struck:
             part = register.signal.mask_at(word.address) & value
@@ -179,13 +179,13 @@ class Stimuli:
         return random.Random(" ".join(map(str, (self._bank.interface.name, *what))))  # noqa: S311  (not for secrets)
 
     def _number(self, bits: int, round_: int, *what: object) -> int:
-        """Return a number; that of the second round is the first one with every bit turned."""
+        """Return a random number; in round 2 it is the inverse of that of round 1."""
         if round_ == 2:
             return self._number(bits, 1, *what) ^ (1 << bits) - 1
         return self._chance(round_, *what).getrandbits(bits)
 
     def _raw(self, register: Register, round_: int) -> int:
-        """Return a raw that hardware can give: of an enumeration, one with a name."""
+        """Return a raw that hardware can supply; for an enumeration, one that has a name."""
         kind, path = register.signal.kind, register.signal.path
         if register in self._bank.leases:
             return 1
@@ -223,7 +223,7 @@ class Stimuli:
             for register in guarded:
                 if register.signal.safe is not None and register.signal.safe.bits is not None:
                     self._stored[register.signal.path] = register.signal.reset
-            # Those of other leases have what they had.
+            # Signals guarded by other leases keep their values.
             yield from (self._see(register) for register in self._bank.guarded)
             for word in words:
                 yield f"refuse({self._at(word.address)}, '1');"
@@ -247,7 +247,7 @@ class Stimuli:
             yield from (self._see(register) for register in every)
             yield from self._commit(stage, every)
             yield from self._commit(stage, ())
-            # What is staged twice has the second value, and what is cleared has none.
+            # If a value is staged twice, the second one counts; a cleared stage commits nothing.
             yield from self._put_on_stage(stage, every[::2], 1)
             yield from self._put_on_stage(stage, every[::2], 2)
             yield from self._commit(stage, every[::2])
@@ -269,19 +269,19 @@ class Stimuli:
                 yield from _for_a_cycle(f"{stage.name}_stage_write")
 
     def _commit(self, stage: Stage, changed: Sequence[Register]) -> Iterator[str]:
-        """Commit, and see which registers have what is staged for them, and that these alone pulse."""
+        """Commit, and check that exactly the changed registers get their staged values and pulse."""
         for register in changed:
             self._stored[register.signal.path] = self._staged[register.signal.path]
         yield from _for_a_cycle(f"{stage.name}_commit")
         yield "pass(1);"
         pulses = "".join(str(int(register in changed)) for register in self.strobes)
-        yield f'check(strobes = "{pulses}", "what pulses by {stage.path}");'
+        yield f'check(strobes = "{pulses}", "the set of pulses at a commit of {stage.path}");'
         yield from (self._see(register) for register in stage.registers)
         yield "pass(1);"
-        yield f'check(unsigned(strobes) = 0, "a pulse behind those by {stage.path}");'
+        yield f'check(unsigned(strobes) = 0, "a pulse after a commit of {stage.path}");'
 
     def _commit_beside_a_write(self, stage: Stage) -> Iterator[str]:
-        """See that a commit goes before a write that is taken in the same cycle."""
+        """Check that a commit has priority over a write in the same cycle."""
         register = stage.registers[0]
         address = register.signal.addresses[-1]
         yield from self._put_on_stage(stage, [register], 1)
@@ -305,7 +305,7 @@ class Stimuli:
                     self._stored[register.signal.path] = safe.bits
             yield from (self._give(lease, 1), "pass(2);")
             yield from self._commit(stage, ())
-            # In the cycle in which the lease ends, nothing acts either.
+            # A commit in the cycle in which the lease ends has no effect either.
             yield from self._put_on_stage(stage, guarded, 3)
             yield self._give(lease, 0)
             yield from self._commit(stage, ())
@@ -357,7 +357,7 @@ class Stimuli:
         of_sample = [self._read(word.address, keep=True) for word in self._readable()]
         yield from (self._give(register, self._raw(register, 3)) for register in given)
         yield from of_sample
-        # As behind a sample that was not answered, the transaction that it came into goes on.
+        # As after a sample without an answer, the interrupted transaction continues.
         yield from ("cyc <= '0';", "pass(2);", f"cyc <= '{int(bool(block))}';", "pass(1);", "sample_access <= '0';")
         yield from (*of_block[1:], "pass(2);")
         yield from (self._read(word.address) for word in self._readable())
@@ -378,21 +378,21 @@ class Stimuli:
                 yield from ("pass(2);", self._read(word.address))
                 every = (1 << self._data_bits) - 1
                 self._store(word, every)
-                # What is cleared is seen in the next cycle already.
+                # A read in the next cycle already returns the cleared bits.
                 yield f"go_on({self._at(word.address)}, '1', {self._data(every)});"
                 yield f"go_on({self._at(word.address)}, '0', {self._data(self._word(word.address))});"
                 yield "end_row;"
             yield self._read(word.address)
 
     def _set(self, register: Register, round_: int) -> str:
-        """Return a statement by which hardware sets bits for one cycle, at the next edge."""
+        """Return a statement by which hardware sets bits at the next edge, for one cycle."""
         raw = self._number(register.signal.width, round_, "events", register.signal.path)
         self._stored[register.signal.path] |= raw
         some, none = (self._literal(register, bits) for bits in (raw, 0))
         return f"{register.pins.given} <= {some}, {none} after period + period / 4;"
 
     def _clear(self, word: BankWord, registers: Sequence[Register], round_: int) -> Iterator[str]:
-        """See what is set, and clear bits in the cycle in which others are set, or the same anew."""
+        """Check set bits, and clear bits in the cycle in which hardware sets other bits or the same ones again."""
         access = self._read(word.address)
         if registers[0].is_frozen:
             yield access
@@ -457,7 +457,7 @@ class Stimuli:
                 yield "window_fails <= '0';"
 
     def _window_addresses(self, first: int, last: int, index: int) -> Iterable[int]:
-        """Return some addresses that go to a window: those of no register and no window before it."""
+        """Return some addresses of a window that belong to no register and no earlier window."""
         taken = {word.address for word in self._bank.words}
         before = [range(window.first, window.last + 1) for window in self._bank.windows[:index]]
         tried = dict.fromkeys((first, first + 1, (first + last) // 2, last))
@@ -494,7 +494,7 @@ class Stimuli:
             yield f"refuse({self._at(address)}, '1');"
 
     def _unused(self) -> list[int]:
-        """Return some addresses that belong to nothing: beside what is there, and the last one."""
+        """Return some unused addresses: next to used ones, and the last address."""
         taken = {word.address for word in self._bank.words}
         windows = [range(window.first, window.last + 1) for window in self._bank.windows]
         if self._bank.page is not None:
@@ -510,22 +510,22 @@ class Stimuli:
 
 
 def _for_a_cycle(signal: str) -> tuple[str, ...]:
-    """Write a '1' for one cycle."""
+    """Return statements that set a signal to '1' for one cycle."""
     return f"{signal} <= '1';", "pass(1);", f"{signal} <= '0';"
 
 
 def _after(round_: int) -> str:
-    """Write a '1' that comes at once in the first round, and later in each further one, never with a rising edge."""
+    """Return a waveform for a '1': at once in round 0, later in each further round, never at a rising edge."""
     return f"'0', '1' after {3 * round_} * period + period / 4" if round_ else "'1'"
 
 
 def part_of(signal: Signal, raw: int, address: int) -> int:
-    """Return what a signal adds to the word at an address."""
+    """Return the bits that a signal contributes to the word at an address."""
     return raw << signal.lowest_bit >> (address - signal.address) * signal.word_bits & (1 << signal.word_bits) - 1
 
 
 def _joined(signal: Signal, gathered: dict[int, int], last: int, value: int) -> int:
-    """Return the raw that a signal has once its last word is written."""
+    """Return the raw of a signal after the write of its last word."""
     words = [gathered[address] for address in signal.addresses[:-1]] + [value]
     assert signal.addresses[-1] == last
     whole = sum(word << (index * signal.word_bits) for index, word in enumerate(words))

@@ -1,4 +1,4 @@
-"""The VHDL of a kind: its type on the hardware's side, and the way between that and the bits on the bus."""
+"""The VHDL types of kinds on the hardware's side, and conversions to and from the bits on the bus."""
 
 from __future__ import annotations
 
@@ -21,31 +21,31 @@ _VECTORS = {
     KindName.FLOAT: "std_logic_vector",
 }
 ENUMERATION_BITS = 64
-"""Width of the numbers of enumerations between `to_bits` and its inverse: that of the widest signal."""
+"""Width of the numbers in `to_bits` for enumerations and its inverse: that of the widest signal."""
 
 
 class Literal(NamedTuple):
-    """One value of an enumeration."""
+    """A value of an enumeration as a VHDL literal."""
 
     name: str
     bits: str
-    """Its number as a VHDL literal."""
+    """Its number as a bit string literal."""
     doc: str
 
 
 class VhdlEnumeration(NamedTuple):
-    """An enumeration as a VHDL type; its last literal stands for all numbers that have no name."""
+    """An enumeration as a VHDL type; its last literal represents all numbers without a name."""
 
     source: Enumeration
     type: str
     literals: tuple[Literal, ...]
     unnamed: Literal
     decode: str
-    """Name of the function that gives a literal for bits."""
+    """Name of the function that converts bits to a literal."""
 
 
 def enumeration_type(enumeration: Enumeration, scope: Scope) -> VhdlEnumeration:
-    """Name the type of an enumeration and its literals, which begin with its name."""
+    """Return the VHDL type of an enumeration; its literals begin with the enumeration's name."""
     name = scope.unique(enumeration.name, "_t")
     literals = [
         Literal(scope.unique(f"{name}_{value.name}"), bit_literal(value.value, ENUMERATION_BITS), value.doc)
@@ -58,7 +58,7 @@ def enumeration_type(enumeration: Enumeration, scope: Scope) -> VhdlEnumeration:
 
 
 def bit_literal(number: int, width: int) -> str:
-    """Write a number as so many bits: in hexadecimal digits where there are more than four."""
+    """Return a number as a bit string literal, in hexadecimal if it has more than four bits."""
     if width <= 4:
         return f'"{number:0{width}b}"'
     size = str(width) if width % 4 else ""
@@ -66,14 +66,14 @@ def bit_literal(number: int, width: int) -> str:
 
 
 def real_literal(number: float) -> str:
-    """Write a number as VHDL's type `real`."""
+    """Return a number as a literal of VHDL's type `real`."""
     mantissa, _, exponent = repr(float(number)).partition("e")
     whole = mantissa if "." in mantissa else f"{mantissa}.0"
     return whole + (f"e{int(exponent)}" if exponent else "")
 
 
 def vhdl_type(kind: Kind, enumerations: Mapping[str, VhdlEnumeration]) -> str:
-    """Return the type of a signal of a kind."""
+    """Return the VHDL type of a signal's kind."""
     if kind.name is KindName.BOOL:
         return "std_logic"
     if kind.enumeration is not None:
@@ -82,7 +82,7 @@ def vhdl_type(kind: Kind, enumerations: Mapping[str, VhdlEnumeration]) -> str:
 
 
 def to_bits(kind: Kind, expression: str) -> str:
-    """Write the bits of a value, a `std_logic_vector`; of a bool, a `std_logic`."""
+    """Return an expression for the bits of a value: a `std_logic_vector`, or for a bool a `std_logic`."""
     if kind.name in {KindName.BOOL, KindName.FLOAT}:
         return expression
     if kind.enumeration is not None:
@@ -91,7 +91,7 @@ def to_bits(kind: Kind, expression: str) -> str:
 
 
 def from_bits(kind: Kind, expression: str, enumerations: Mapping[str, VhdlEnumeration]) -> str:
-    """Write the value of bits, a `std_logic_vector`; of a bool, of a `std_logic`."""
+    """Return an expression for the value of bits: a `std_logic_vector`, or for a bool a `std_logic`."""
     if kind.name is KindName.BOOL:
         return expression
     if kind.enumeration is not None:
@@ -100,6 +100,6 @@ def from_bits(kind: Kind, expression: str, enumerations: Mapping[str, VhdlEnumer
 
 
 def comment(text: str, indent: int = 0, width: int = 120) -> list[str]:
-    """Write a text as lines of comment."""
+    """Return a text as lines of comment."""
     prefix = " " * indent + "-- "
     return [(prefix + line).rstrip() for line in hdl_comment_lines(text, width - len(prefix))]

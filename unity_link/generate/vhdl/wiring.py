@@ -1,8 +1,8 @@
-"""Cores of an interface, and registers that are pins: all between the register bank and the pins.
+"""The cores of an interface, and registers at pins: everything between the register bank and the pins.
 
-A core has no bus. Its ports are the registers of its component, its pins, and what its entity wants of the gateway.
-Placements of one entity that look the same are gathered: they share one instance, whose ports have the bits of all of
-them, the first placement in the lowest.
+A core has no bus. Its ports are the registers of its component, its pins, and ports of the gateway that it uses.
+Placements with the same entity and ports share one instance. Its ports contain the bits of all placements, the first
+placement in the lowest bits.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from unity_link.spec import ComponentSpec, Core, Interface, Signal
 
 EMPTY = "empty"
-"""Port of a schedule's entity, an output, and of a lease's, which looks at it."""
+"""Port of the entity of a schedule, an output, and of the entity of a lease, an input."""
 STAGE_PORTS = {
     "stage_write": "std_logic",
     "stage_index": "std_logic_vector(15 downto 0)",
@@ -33,7 +33,7 @@ STAGE_PORTS = {
     "stage_clear": "std_logic",
     "commit": "std_logic",
 }
-"""Ports of a schedule's entity that write to registers of others, and their types."""
+"""Ports by which the entity of a schedule writes to registers, with their types."""
 _DESIGN_NAMES = (
     *("clk", "rst", "clk_ready", "not_ready", "physical", "baud", "flow_control", "clock_hz", "id_digits", "groups"),
     *("checked_frames", "crc_bits", "crc_polynomial", "block_words", "group_words", "sample_depth", "node", "build_id"),
@@ -55,9 +55,9 @@ _DESIGN_NAMES = (
     *(f"out_{pin}" for pin in ("data", "valid", "ready", "flush")),
     *(f"wb_{pin}" for pin in ("cyc", "stb", "we", "adr", "to_bank", "to_gateway", "ack", "err", "stall")),
 )
-"""Names in the generated designs beside those of pins."""
+"""Names in the generated designs, which pins cannot have."""
 _INPUTS = {"tick": "base_tick", "now": "timestamp"}
-"""Ports of the gateway's that an entity can want, and its signals for them."""
+"""Ports that an entity can request, and the gateway's signals for them."""
 
 
 class PinPort(NamedTuple):
@@ -70,33 +70,33 @@ class PinPort(NamedTuple):
     width: int
     """Width of a vector; 0 for a single pin."""
     at: str | None
-    """Pin of the board, by its name; of a row, the name of the row."""
+    """Name of the board's pin, or of its row of pins; None if the spec names none."""
 
     @property
     def type(self) -> str:
-        """Its type in VHDL."""
+        """VHDL type of the port."""
         return f"std_logic_vector({self.width - 1} downto 0)" if self.width else "std_logic"
 
     @property
     def ports(self) -> tuple[tuple[str, str], ...]:
-        """Name and direction of each port of an entity that has no pins itself: of an INOUT there are three."""
+        """Names and directions of the ports without a tristate pad; an INOUT pin has three."""
         if self.way is Way.INOUT:
             return (f"{self.name}_in", "in"), (f"{self.name}_out", "out"), (f"{self.name}_oe", "out")
         return ((self.name, self.way.lower()),)
 
 
 class EntityPort(NamedTuple):
-    """A port of an instance, as a signal of the design, and the assignments that join it with others."""
+    """A port of an instance, the signal connected to it, and the assignments of that signal."""
 
     port: str
     signal: str
     width: int
     joins: tuple[tuple[str, str], ...]
-    """Targets and values."""
+    """Pairs of target and value."""
 
 
 class Instance(NamedTuple):
-    """An entity in the design, for one placement or for several."""
+    """An instance of an entity, for one or several placements."""
 
     label: str
     library: str
@@ -104,29 +104,29 @@ class Instance(NamedTuple):
     paths: str
     generics: tuple[tuple[str, str], ...]
     joined: tuple[tuple[str, str], ...]
-    """Ports that are joined with signals of the design as they are, and these."""
+    """Ports that are connected directly to signals of the design, and these signals."""
     wires: tuple[EntityPort, ...]
 
 
 class Triggering(NamedTuple):
-    """A group that cores trigger, by its number."""
+    """The expression that triggers a group, by the group's number."""
 
     group: int
     value: str
 
 
 class Wiring:
-    """The cores of an interface, and its pins.
+    """The instances of cores, and the pins of an interface.
 
     Args:
-        interface: of a spec.
-        wires: ports of the register bank for each signal, by its path.
-        stages: prefixes of the register bank's ports for each schedule that writes to registers, by its path.
+        interface: the interface.
+        wires: signals of the register bank, by the path of the spec's signal.
+        stages: prefixes of the bank's ports for each schedule that writes to registers, by the path of the schedule.
         scope: names of the package.
         windows: names of the bank's master ports.
 
     Raises:
-        UnsupportedError: where a port of a core has a name that is taken.
+        UnsupportedError: if a port of a core has a reserved name.
     """
 
     def __init__(
@@ -146,23 +146,23 @@ class Wiring:
         """All pins, in the order of the spec."""
         self.instances: list[Instance] = []
         self.joins: list[tuple[str, str]] = []
-        """Targets and values of registers that are output pins."""
+        """Assignments for registers at output pins: target and value."""
         self.buttons: list[tuple[PinPort, str]] = []
-        """Registers that are input pins, and the signals that they are read from."""
+        """Input pins with a register, and the signal of the bank that the register reads."""
         self.triggers: dict[int, list[str]] = {}
-        """Signals that trigger groups, by the numbers of these."""
+        """Signals that trigger groups, by group number."""
         self._numbers = {group.name: group.number for group in interface.groups}
         for signal in interface.signals.values():
             if signal.pin is not None and signal.path in wires:
                 self._pin_register(signal)
         self._empty: dict[str, str] = {}
-        """Signals that tell whether schedules are empty, by the paths of these."""
-        # Leases look at them.
+        """Signals that are '1' while a schedule is empty, by the path of the schedule."""
+        # Make the instances of leases last: they use the signals of schedules.
         for placements in sorted(gathered(interface.cores), key=lambda parts: EMPTY in _wants(parts)):
             self.instances.append(self._instance(placements))
 
     def own_instances(self, clock_hz: int) -> tuple[OwnInstance, ...]:
-        """Return the instances of entities that are not the gateware's, in a design with a clock of so many Hz."""
+        """Return the instances of entities outside of the gateware, for a clock frequency in Hz."""
         return tuple(
             OwnInstance(
                 f"{one.label}_inst", one.entity, tuple((dict(one.generics) | {"clock_hz": str(clock_hz)}).items())
@@ -173,12 +173,12 @@ class Wiring:
 
     @property
     def wants(self) -> set[str]:
-        """Signals of the design that instances are joined with."""
+        """Signals of the design that instances use."""
         return {value for instance in self.instances for _, value in instance.joined}
 
     @property
     def triggerings(self) -> list[Triggering]:
-        """The groups that cores trigger."""
+        """The trigger expressions of groups, by ascending number."""
         return [Triggering(group, " or ".join(signals)) for group, signals in sorted(self.triggers.items())]
 
     def _pin_register(self, signal: Signal) -> None:
@@ -233,7 +233,7 @@ class Wiring:
         )
 
     def _check_ports(self, component: ComponentSpec, core: Core) -> None:
-        """Refuse names of ports that VHDL, or the contract of cores, has another meaning for."""
+        """Raise an error if a port has a name that VHDL or the contract of cores reserves."""
         others = [*(pin.name for pin in core.pins), *(trigger.name for trigger in core.triggers)]
         for name in [*component.rows, *others]:
             taken = {"clk", "rst", *core.wants, *((*STAGE_PORTS, EMPTY) if core.stages else ())}
@@ -244,7 +244,7 @@ class Wiring:
                 )
 
     def _of_row(self, label: str, placements: list[ComponentSpec], row: str) -> Iterator[EntityPort]:
-        """Return the ports of a signal, or of a row of them: the first axis has the lowest bits, and all of its row."""
+        """Yield the ports for a signal or a row: the lowest bits are those of the first placement, all of its row."""
         signals = [signal for part in placements for signal in part.rows[row]]
         name, width = row.lower(), signals[0].width
         if not signals[0].is_given:
@@ -255,7 +255,7 @@ class Wiring:
             yield self._wire(label, name, width, [self._wires[one.path].given for one in signals], drives=False)
 
     def _of_lease(self, part: ComponentSpec, register: str, otherwise: str) -> str:
-        """Return a bit of the lease of a component, or of what it writes; without one, another value."""
+        """Return a bit of the lease that guards a component or its timed signals; `otherwise` if there is none."""
         timed = (signal for signal in self._interface.signals.values() if signal.timed == part.path)
         leases = (signal.safe.lease for signal in (*part.signals, *timed) if signal.safe is not None)
         lease = next(leases, None)
@@ -263,7 +263,7 @@ class Wiring:
         return otherwise if wires is None else f"{wires.given}(0)"
 
     def _all_empty(self, lease: ComponentSpec) -> str:
-        """Return what is '1' while all schedules are empty that write what a lease guards."""
+        """Return an expression that is '1' while all schedules that write signals of a lease are empty."""
         return " and ".join(self._empty[path] for path in self._interface.schedules_of(lease.path)) or "'1'"
 
     def _of_trigger(self, label: str, placements: list[ComponentSpec], index: int) -> EntityPort:
@@ -290,9 +290,9 @@ class Wiring:
             yield self._wire(label, f"{pins[0].name.lower()}{ending}", 0, names, drives=is_input)
 
     def _wire(self, label: str, port: str, width: int, names: list[str], *, drives: bool) -> EntityPort:
-        """Return the port of an instance; with `drives`, what is named drives it, one name for each placement.
+        """Return a port of an instance with the signal that connects it to `names`, one for each placement.
 
-        A width of 0 is a single bit of each.
+        `drives`: the names drive the port, otherwise the port drives them. A width of 0 is a single bit each.
         """
         signal = self._scope.unique(f"{label}_{port}")
         joins = []
