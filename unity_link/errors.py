@@ -76,7 +76,7 @@ class Outcome(enum.Enum):
 
 
 class UnansweredError(UnityLinkError):
-    """The call was not answered, and cannot be any more.
+    """The call was not answered, and no answer can arrive any more.
 
     `outcome` is the outcome of the request as far as it is known: a write that is ``NOT_EXECUTED`` can be sent again,
     one that is ``UNKNOWN`` may have reached the bus.

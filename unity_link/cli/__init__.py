@@ -126,7 +126,7 @@ def _run(program: typer.Typer, name: str = NAME) -> int:
         print_error(str(error))
         return FAILED
     except OSError as error:
-        _tell(error)
+        _print_os_error(error)
         return FAILED
     except KeyboardInterrupt:
         return INTERRUPTED
@@ -135,7 +135,7 @@ def _run(program: typer.Typer, name: str = NAME) -> int:
     return code or 0
 
 
-def _tell(error: OSError) -> None:
+def _print_os_error(error: OSError) -> None:
     """Print an error of the operating system."""
     # Commands report errors of files that they write; without a file name, an unwritable stdout is the cause.
     if error.filename is not None or error.errno not in _UNWRITABLE:

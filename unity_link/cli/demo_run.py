@@ -162,10 +162,10 @@ class Demo:
 
     def _end_step(self, result: str) -> None:
         self.steps[-1].result = result
-        self._tell(f"{self.steps[-1].code}: {result}")
+        self._print(f"{self.steps[-1].code}: {result}")
         self._draw()
 
-    def _tell(self, line: str) -> None:
+    def _print(self, line: str) -> None:
         if self._say is not None:
             self._say(line)
 
@@ -232,4 +232,4 @@ class Demo:
                 text = ", ".join(
                     f"{joint.name} {count / joint.counts_per_unit:+.1f} {joint.unit}" for joint, count in positions
                 )
-                self._tell(f"{self.elapsed:4.1f} s: {text}")
+                self._print(f"{self.elapsed:4.1f} s: {text}")

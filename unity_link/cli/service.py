@@ -27,7 +27,7 @@ class Service:
         self._address = os.environ.get("NOTIFY_SOCKET", "")
         if self._address.startswith("@"):
             self._address = "\0" + self._address[1:]
-        self._told = ""
+        self._last_status = ""
         microseconds = os.environ.get("WATCHDOG_USEC", "")
         mine = os.environ.get("WATCHDOG_PID", str(os.getpid())) == str(os.getpid())
         self._watched = mine and microseconds.isdigit() and int(microseconds) > 0
@@ -45,8 +45,8 @@ class Service:
 
     def status(self, text: str) -> None:
         """Send a status if it differs from the last one that was sent."""
-        if text != self._told and self.tell(f"STATUS={text}"):
-            self._told = text
+        if text != self._last_status and self.tell(f"STATUS={text}"):
+            self._last_status = text
 
     async def live(self, status: Callable[[], str]) -> None:
         """Send keep-alive notifications and the status until cancelled; a blocked event loop sends none."""

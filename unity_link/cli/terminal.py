@@ -241,14 +241,14 @@ class _Session(_Receiver):
                 await self.answered.wait()
         return self.answered.is_set()
 
-    def tell_of_silence(self, line: str, seconds: float) -> None:
+    def note_silence(self, line: str, seconds: float) -> None:
         """Print a note after `seconds` if the last line, `line`, has no answer by then."""
 
-        def tell() -> None:
+        def note() -> None:
             if not self.answered.is_set():
                 print_note(_silence(line, seconds))
 
-        self._patience = asyncio.get_running_loop().call_later(seconds, tell)
+        self._patience = asyncio.get_running_loop().call_later(seconds, note)
 
     def take(self, data: bytes) -> int:
         """Show the whole frames."""
@@ -391,7 +391,7 @@ async def _converse_lines(prompt: Any, session: _Session, timeout: float) -> boo
         elif line:
             silent = session.send(line) == "WS"
             if not await session.answer(min(NEAR, timeout)) and not silent:
-                session.tell_of_silence(line, timeout)
+                session.note_silence(line, timeout)
 
 
 def _history() -> Any:

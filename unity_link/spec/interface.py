@@ -526,9 +526,9 @@ class InterfaceDraft:
         for component, joint in found.items():
             paths = {part: f"{component}.{name}".lstrip(".") for part, name in set_points.items()}
             joint.update((part, path) for part, path in paths.items() if path in writable)
-        told = {part for joint in found.values() for part in joint}
+        found_parts = {part for joint in found.values() for part in joint}
         for part, name in clause.items():
-            if part.lower() not in told:
+            if part.lower() not in found_parts:
                 one = (
                     "signal of its joints that can be written"
                     if part.lower() in set_points

@@ -153,23 +153,23 @@ class Loader:
         self._load(SourceText(name, text), target)
 
     def _declare(self, source: SourceText, file: File, *, is_first: bool) -> None:
-        rooms = self.declarations
+        declarations = self.declarations
         for item in file.items:
             if isinstance(item, ComponentDeclaration):
                 if item.name in MODULES and not item.public:
                     message = f"{item.name} is the word of a hardware module, and no component can have it"
                     self._reporter.error(source, item.name.place, "module-word", message, help="call it otherwise")
                 elif self._is_new(source, item.name, declared := Declared(source, item)):
-                    rooms.components[str(item.name)] = declared
+                    declarations.components[str(item.name)] = declared
                     if item.public and is_first:
-                        rooms.interfaces.append(declared)
+                        declarations.interfaces.append(declared)
             elif isinstance(item, EnumDeclaration):
                 if self._is_new(source, item.name, enumeration := Declared(source, item)):
-                    rooms.enumerations[str(item.name)] = enumeration
+                    declarations.enumerations[str(item.name)] = enumeration
             elif isinstance(item, GroupDeclaration) and self._is_new(
                 source, item.name, group := Declared(source, item)
             ):
-                rooms.groups[str(item.name)] = group
+                declarations.groups[str(item.name)] = group
 
     def _is_new(
         self,

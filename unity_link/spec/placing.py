@@ -140,7 +140,7 @@ class Contents:
         other = source.text[slice(*first)]
         message = f"'{member.name}' is declared twice in {self._node.name}"
         if other != member.name:
-            message = f"'{member.name}' and '{other}' differ only in case, which is the same name in VHDL"
+            message = f"'{member.name}' and '{other}' differ only in case, which VHDL ignores"
         span = source.span(*first)
         note = (span, "the first one is here", source.line(span.line))
         self._context.reporter.error(source, member.name.place, "name-twice", message, notes=[note])
@@ -360,7 +360,7 @@ class Contents:
         bits = self._builder.data_bits
         if component.core is not None and component.core.stages and bits < STAGE_BITS:
             message = f"{member.name} takes words of {STAGE_BITS} bits, and the gateway has {bits}"
-            self._evaluator.fault(member.type.place, "bad-timed", message, f"as GATEWAY(DATA_BITS={STAGE_BITS}); has")
+            self._evaluator.fault(member.type.place, "bad-timed", message, f"as in GATEWAY(DATA_BITS={STAGE_BITS});")
 
     def _addresses(
         self,

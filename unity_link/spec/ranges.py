@@ -48,7 +48,9 @@ def _check_kind(path: str, kind: Kind) -> None:
         raise ArgumentError(f"{path}: {kind} wraps, expected a number of at most {MOST_WRAPPED} bits")
     if kind.is_scaled and (kind.name in WITHOUT_SCALE or not kind.is_exact()):
         scaled = f"{kind.scale} and offset {kind.offset}"
-        raise ArgumentError(f"{path}: scale is {scaled}, expected those by which {kind} has a value for each number")
+        raise ArgumentError(
+            f"{path}: scale is {scaled}, expected ones that give each number of {kind} a different value"
+        )
 
 
 def _check(what: str, value: float | None, low: float, high: float) -> None:

@@ -208,7 +208,7 @@ class _Importer:
     def _fault(self, node: Any, message: str) -> None:
         self.faults.append(about("error", "unsupported", f"{flat_path(node)}: {message}", node))
 
-    # From SystemRDL's own tree
+    # From the hierarchy of other SystemRDL
 
     def _part(self, node: Any) -> _Part:
         part = _Part(node.type_name or node.inst_name, doc=_desc(node))
@@ -292,8 +292,8 @@ class _Importer:
         low, high = min(one.low for one in fields), max(one.high for one in fields)
         first, width = low % self._bits, high - low + 1
         bits = "" if width == self._bits else f"[{first + width - 1}:{first}]"
-        told = [f"{_bits_of(one, low)}: {one.inst_name}. {_desc(one)}".rstrip() for one in fields]
-        doc = "\n".join(filter(None, (_desc(node), *told)))
+        described = [f"{_bits_of(one, low)}: {one.inst_name}. {_desc(one)}".rstrip() for one in fields]
+        doc = "\n".join(filter(None, (_desc(node), *described)))
         arguments = [f"EFFECT={Effect.CLEAR_ON_READ}"]
         name = self._call(node, part)
         for one in fields:
@@ -385,7 +385,7 @@ class _Importer:
         self._names.add(name.lower())
         return name
 
-    # From the paths of our own export
+    # From the `ul_path` properties of an exported map
 
     def _part_of_paths(self) -> _Part:
         whole = _Part("top", doc=_desc(self._top))
