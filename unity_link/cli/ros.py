@@ -49,14 +49,14 @@ Poll = Annotated[
 ]
 AllowArm = Annotated[
     bool,
-    typer.Option("--allow-arm", help="Let any program on ROS arm the leases of the robot: nobody is authenticated."),
+    typer.Option("--allow-arm", help="Let any program on ROS arm the leases of the robot, without authentication."),
 ]
 Timeout = Annotated[
     float | None,
     typer.Option(
         "--timeout",
         metavar="SECONDS",
-        help="From a set point to the end of a lease that ROS has armed; the most without.",
+        help="Time from a set point until a lease that ROS has armed ends; the longest allowed without.",
     ),
 ]
 FrameId = Annotated[
