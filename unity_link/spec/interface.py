@@ -538,7 +538,7 @@ class InterfaceDraft:
         return tuple(Joint(name=name, **signals) for name, signals in found.items())
 
     def _sensors(self, draft: GroupDraft, word: str) -> Iterator[Sensor]:
-        """Return the sensors of a group by a word: the components with signals of the names that the word gives."""
+        """Yield the sensors of a group for a word: the components that contain a signal with a name from its clause."""
         clause: dict[str, Any] | None = draft.bound.get(word)
         if clause is None:
             return

@@ -497,7 +497,7 @@ class Joint(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class Sensor(msgspec.Struct, frozen=True, kw_only=True):
-    """One sensor of a group: a component whose signals have the names that a word such as IMU gives."""
+    """One sensor of a group: a component that contains the signals named in a clause such as IMU(...)."""
 
     word: str
     """``IMU``, ``BATTERY`` or ``RANGEFINDER``."""
@@ -506,9 +506,9 @@ class Sensor(msgspec.Struct, frozen=True, kw_only=True):
     signals: dict[str, tuple[str, ...]]
     """Paths of the signals of each part, such as ``ANGULAR_VELOCITY``: x, y, z, and w of an orientation."""
     field_of_view: float = 0.0
-    """Width of the cone of a rangefinder, in radians; 0 if it is not known."""
+    """Opening angle of a rangefinder's cone in radians; 0 if unknown."""
     infrared: bool = False
-    """True for a rangefinder of infrared light, False for ultrasound."""
+    """True for an infrared rangefinder, False for an ultrasonic one."""
 
 
 class GroupSpec(msgspec.Struct, frozen=True, kw_only=True):

@@ -221,7 +221,7 @@ def _group(group: GroupSpec) -> str:
 
 
 def _sensors(group: GroupSpec) -> Iterator[str]:
-    """Return the clauses of the sensors of a group."""
+    """Yield the clauses for the sensors of a group, one for each word."""
     for word in dict.fromkeys(sensor.word for sensor in group.sensors):
         sensors = [sensor for sensor in group.sensors if sensor.word == word]
         parts = {part: paths[0] for sensor in sensors for part, paths in sensor.signals.items()}
