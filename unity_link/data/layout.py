@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from unity_link.data.laps import ColumnLaps
-from unity_link.errors import ArgumentError
+from unity_link.errors import ArgumentError, GatewayError
+from unity_link.link.asked import most_words, read_blocks
 from unity_link.link.runtimes.synchronisation import gather
 from unity_link.spec import Effect
 from unity_link.spec.columns import Columns
@@ -21,6 +22,46 @@ if TYPE_CHECKING:
     from unity_link.data.proxies import Proxy
     from unity_link.link.link import Link
     from unity_link.protocol.wire.arrays import Words
+
+MOST_BLOCKS = 8
+"""Blocks by which a group is read; a group with more runs of addresses is read word by word."""
+
+
+class _Requests(NamedTuple):
+    """The requests that read the words of some addresses."""
+
+    most: int
+    """Words of a block for which these were chosen."""
+    single: NDArray[np.uint64]
+    """Addresses that are read by a request each."""
+    blocks: list[range]
+    order: NDArray[np.intp] | None
+    """Place of each address among the words of all requests; None if they are in the order of the addresses."""
+
+    @classmethod
+    def of(cls, addresses: Sequence[int], parts: Sequence[range], most: int) -> _Requests:
+        """Choose the requests.
+
+        Args:
+            addresses: of all words.
+            parts: addresses of each value. A value of several words is read in one bus transaction, because it could
+                be of two instants otherwise.
+            most: words of a block.
+        """
+        runs: list[range] = []
+        for part in sorted(parts, key=lambda one: (one.start, one.stop)):
+            if runs and part.start <= runs[-1].stop and part.stop <= runs[-1].start + most:
+                runs[-1] = range(runs[-1].start, max(part.stop, runs[-1].stop))
+            else:
+                runs.append(part)
+        # Many short blocks take longer than single words, of which one batch has all.
+        blocks = runs if len(runs) <= MOST_BLOCKS else [part for part in parts if len(part) > 1]
+        of_blocks = [address for block in blocks for address in block]
+        single = [address for address in addresses if address not in set(of_blocks)]
+        places = {address: place for place, address in enumerate([*single, *of_blocks])}
+        order = [places[address] for address in addresses]
+        is_sorted = order == [*range(len(order))]
+        return cls(most, np.array(single, np.uint64), blocks, None if is_sorted else np.array(order))
 
 
 class GroupLayout:
@@ -39,9 +80,8 @@ class GroupLayout:
                 raise ArgumentError(f"{proxy.path} can only be written")
         signals = [proxy.signal for proxy in proxies]
         self.addresses = tuple(dict.fromkeys(address for signal in signals for address in signal.addresses))
-        self._array = np.array(self.addresses, np.uint64)
-        # A value of several words must be read in one bus transaction, or it may be of two instants.
-        self._wide = tuple(dict.fromkeys(signal.addresses for signal in signals if signal.words > 1))
+        self._parts = tuple(dict.fromkeys(signal.addresses for signal in signals))
+        self._requests: _Requests | None = None
         self._columns = Columns(signals, self.addresses)
         # Thousands of batches of dozens of signals may come a second, and to find an attribute of a class that has a
         # `__getattr__` takes longer than all else that `Batch.see` does.
@@ -83,26 +123,27 @@ class GroupLayout:
                 raise ArgumentError(f"{proxy.path} is cleared by each read, and is read by its `get` alone")
 
     async def read(self) -> Words:
-        """Read all words in one pipelined batch; shape (addresses,).
+        """Read all words, runs of consecutive addresses by blocks; shape (addresses,).
 
         Raises:
             ArgumentError: as by `check_registers`.
+            GatewayError: the error of the first word that fails.
         """
         self.check_registers()
-        if not self._wide:
-            return await self.link.read_many(self._array)
-        apart = {address for addresses in self._wide for address in addresses}
-        single = [address for address in self.addresses if address not in apart]
-        parts = [(addresses, self.link.read_block(addresses.start, len(addresses))) for addresses in self._wide]
-        many = [(single, self.link.read_many(single))] if single else []
-        wanted = [*many, *parts]
-        words = await gather(*(reading for _, reading in wanted))
-        found = {
-            address: int(word)
-            for (addresses, _), part in zip(wanted, words, strict=True)
-            for address, word in zip(addresses, part, strict=True)
-        }
-        return np.array([found[address] for address in self.addresses], np.uint64)
+        link = self.link
+        most = most_words(link)
+        if self._requests is None or self._requests.most != most:
+            self._requests = _Requests.of(self.addresses, self._parts, most)
+        single, blocks, order = self._requests[1:]
+        reads = [link.read_many(single)] if len(single) else []
+        reads += [read_blocks(link, blocks)] if blocks else []
+        try:
+            words = await reads[0] if len(reads) == 1 else np.concatenate(await gather(*reads))
+        except GatewayError:
+            # The error of a block names no word of it; that of a word does.
+            await link.read_many(self.addresses)
+            raise
+        return words if order is None else words[order]
 
     def row(self, words: Words) -> list[Any]:
         """Return the values in words of shape (addresses,), in the order of the proxies."""

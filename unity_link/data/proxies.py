@@ -62,7 +62,7 @@ class SampledColumns(Protocol):
 class _Last(Generic[T]):
     """The last value of a signal that was seen, with each read or batch another one, and what is called for it."""
 
-    __slots__ = ("at", "batch", "callbacks", "value")
+    __slots__ = ("at", "batch", "callbacks", "value", "words")
 
     def __init__(self) -> None:
         self.callbacks: tuple[Callback[T], ...] = ()
@@ -72,6 +72,8 @@ class _Last(Generic[T]):
         """Instant by `time.monotonic`."""
         self.batch: SampledColumns | None = None
         """Batch with the value, if the last one came in a batch."""
+        self.words: Sequence[int] | None = None
+        """Words of the value, if the last one was written and nothing has asked for it."""
 
 
 class Proxy(Sealed, Generic[T]):
@@ -156,8 +158,10 @@ class Proxy(Sealed, Generic[T]):
         """The last value that was seen, by whatever way; None where there was none yet."""
         last = self._last
         # Read once: the link may live in another thread, and bring the next batch meanwhile.
-        batch = last.batch
-        return last.value if batch is None else self.scalars(batch[self][-1:])[0]
+        batch, words, value = last.batch, last.words, last.value
+        if batch is not None:
+            return self.scalars(batch[self][-1:])[0]
+        return value if words is None else self.decode(words)
 
     @property
     def age(self) -> float:
@@ -243,8 +247,13 @@ class Proxy(Sealed, Generic[T]):
 
     def see_written(self, words: Sequence[int]) -> None:
         """Keep the value of words that were written as the last one, unless they are not what is read then."""
-        if self.signal.effect is None:
+        if self.signal.effect is not None:
+            return
+        last = self._last
+        if last.callbacks or self.signal.laps_of is not None:
             self.see(self.decode(words))
+        else:
+            last.words, last.at, last.batch = words, time.monotonic(), None
 
     def see(self, value: T, at: float | None = None) -> None:
         """Keep a value as the last one, and call the handlers that wait for another one.
@@ -255,7 +264,8 @@ class Proxy(Sealed, Generic[T]):
         """
         last = self._last
         before = self.value if last.callbacks else None
-        last.value, last.at, last.batch = value, time.monotonic() if at is None else at, None
+        last.value, last.at = value, time.monotonic() if at is None else at
+        last.words = last.batch = None
         if not last.callbacks:
             return
         if value == before or (value != value and before != before):  # noqa: PLR0124  (NaN, twice)

@@ -8,6 +8,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from unity_link.link.link import Link
+    from unity_link.protocol.wire.arrays import Words
 
 
 async def post_in_session(link: Link, address: int, value: int) -> None:
@@ -18,6 +19,19 @@ async def post_in_session(link: Link, address: int, value: int) -> None:
 def most_words(link: Link) -> int:
     """Return the most words of one request: ``gateway.block_words``, or over UDP as many as a datagram holds."""
     return link._flow.block_words  # noqa: SLF001  (the same package)
+
+
+async def read_blocks(link: Link, blocks: Sequence[range]) -> Words:
+    """Read blocks of consecutive addresses, each of at most `most_words` words and in one bus transaction.
+
+    Returns:
+        The words of all blocks, shape (words,).
+
+    Raises:
+        GatewayError: the first error.
+        LinkLostError: if the link has ended.
+    """
+    return await link._read_blocks(blocks)  # noqa: SLF001  (the same package)
 
 
 class Asked:

@@ -659,6 +659,15 @@ class Link(OfLink, Connection):
                 requests.append(Request(codec, command, fields, part * info.data_digits))
         return arrays.joined(await self._all(requests))
 
+    async def _read_blocks(self, blocks: Sequence[range]) -> Words:
+        """Return the words of blocks of addresses, each read in one bus transaction, in one array."""
+        arrays = wire.arrays
+        codec, digits = self._session.codec, self.gateway.data_digits
+        requests = [
+            Request(codec, "RM", codec.fields("RM", block.start, len(block)), len(block) * digits) for block in blocks
+        ]
+        return arrays.joined(await self._all(requests))
+
     def _begin_block(
         self, address: int, count: int, write: Sequence[int], *, to_queue: bool
     ) -> tuple[Waiter, Callable[[], None]]:

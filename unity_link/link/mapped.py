@@ -185,6 +185,10 @@ class MappedLink(Link):
     async def _post_many_for(self, poster: Any, addresses: ArrayLike, values: ArrayLike) -> None:  # noqa: ARG002
         await self.write_many(addresses, values)
 
+    async def _read_blocks(self, blocks: Sequence[range]) -> Words:
+        """Read blocks of words, one word after the other."""
+        return await self._read_each([address for block in blocks for address in block])
+
     def _begin_block(
         self, address: int, count: int, write: Sequence[int], *, to_queue: bool
     ) -> tuple[Waiter, Callable[[], None]]:

@@ -182,7 +182,7 @@ def _member(enumeration: Enumeration, number: int) -> NamedNumber:
     return _python_type(enumeration)(number)
 
 
-class Kind(msgspec.Struct, frozen=True):
+class Kind(msgspec.Struct, frozen=True, dict=True):
     """Meaning of the bits of a signal.
 
     A value is ``number * scale + offset``; `number` is the whole, fixed-point or floating-point number in the bits.
@@ -209,27 +209,27 @@ class Kind(msgspec.Struct, frozen=True):
             return f"{self.name} {self.width - self.fraction}.{self.fraction}"
         return f"{self.name} {self.width}"
 
-    @property
+    @functools.cached_property
     def is_signed(self) -> bool:
         """Return whether the raw is in two's complement."""
         return self.name in {KindName.SIGNED, KindName.FIXED}
 
-    @property
+    @functools.cached_property
     def is_scaled(self) -> bool:
         """Return whether the value is a multiple of a scale or binary fraction, so that it is a float."""
         return self.scale != 1 or self.offset != 0 or self.name in {KindName.FIXED, KindName.UFIXED}
 
-    @property
+    @functools.cached_property
     def is_float(self) -> bool:
         """Return whether the value is a float."""
         return self.is_scaled or self.name is KindName.FLOAT
 
-    @property
+    @functools.cached_property
     def step(self) -> float:
         """Change of the value for a change of the raw by one; meaningless for floats."""
         return math.ldexp(self.scale, -self.fraction)
 
-    @property
+    @functools.cached_property
     def span(self) -> int | float:
         """Change of the value over one full round of the raw."""
         return (1 << self.width) * (abs(self.step) if self.is_scaled else 1)
@@ -245,14 +245,14 @@ class Kind(msgspec.Struct, frozen=True):
         number = self._nearest(value) if self.is_scaled else self._whole(value)
         return self._scaled((number - low) % (1 << self.width) + low)
 
-    @property
+    @functools.cached_property
     def raw_range(self) -> tuple[int, int]:
         """Smallest and largest whole number in the bits, sign included."""
         if self.is_signed:
             return -1 << self.width - 1, (1 << self.width - 1) - 1
         return 0, (1 << self.width) - 1
 
-    @property
+    @functools.cached_property
     def range(self) -> tuple[float, float]:
         """Smallest and largest value; for floats minus and plus infinity."""
         if self.name is KindName.FLOAT:
@@ -260,7 +260,7 @@ class Kind(msgspec.Struct, frozen=True):
         low, high = (self._scaled(number) for number in self.raw_range)
         return min(low, high), max(low, high)
 
-    @property
+    @functools.cached_property
     def dtype(self) -> np.dtype[Any]:
         """The numpy type of an array of values."""
         if self.name is KindName.FLOAT:

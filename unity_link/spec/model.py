@@ -167,7 +167,7 @@ class Safe(msgspec.Struct, frozen=True):
     """Path of the lease."""
 
 
-class Signal(msgspec.Struct, frozen=True, kw_only=True):
+class Signal(msgspec.Struct, frozen=True, kw_only=True, dict=True):
     """A named value: bits of a word, a whole word, or several consecutive words, the lowest bits in the first one."""
 
     name: str
@@ -244,22 +244,22 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
         """Return whether hardware supplies the bits, not a write."""
         return self.access is Access.READ or self.has_events
 
-    @property
+    @functools.cached_property
     def width(self) -> int:
         """Width in bits."""
         return self.kind.width
 
-    @property
+    @functools.cached_property
     def words(self) -> int:
         """Number of words that the signal occupies."""
         return -(-(self.lowest_bit + self.width) // self.word_bits)
 
-    @property
+    @functools.cached_property
     def addresses(self) -> range:
         """The addresses of its words."""
         return range(self.address, self.address + self.words)
 
-    @property
+    @functools.cached_property
     def mask(self) -> int:
         """The signal's bits in its word; for several words, in the number that the words form together."""
         return ((1 << self.width) - 1) << self.lowest_bit
@@ -268,7 +268,7 @@ class Signal(msgspec.Struct, frozen=True, kw_only=True):
         """Return the signal's bits within the word at one of its addresses."""
         return self.mask >> (address - self.address) * self.word_bits & (1 << self.word_bits) - 1
 
-    @property
+    @functools.cached_property
     def limits(self) -> tuple[float, float]:
         """Smallest and largest value that can be written."""
         low, high = self.kind.range
