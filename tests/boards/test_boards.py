@@ -428,7 +428,7 @@ def test_what_a_bitstream_would_leave_out_is_refused_before_anything_is_done(
     _, board = load_board(name)
     make = make_project if board.family in VENDORS else build
     with pytest.raises(
-        UnsupportedError, match=r"stands behind (MEMORY pool|the FIFO port log); take robot_gateway .* --top"
+        UnsupportedError, match=r"no gateware implements (MEMORY pool|the FIFO port log); take robot_gateway .* --top"
     ):
         make(spec, name, board, tmp_path / "out")
     assert not (tmp_path / "out").exists()

@@ -185,7 +185,7 @@ def _there(name: str, board: Board) -> str:
         return f"which has {rows[name]}"
     if not rows:
         return f"whose file has no [io], so that {', '.join(medium)} are all"
-    hint = did_you_mean(name, [*board.io_pins, *board.io, *medium])
+    hint = did_you_mean(name, [*board.io_pins, *medium])
     return f"which has {', '.join([*medium, *rows.values()])}" + (f"; {hint}" if hint else "")
 
 

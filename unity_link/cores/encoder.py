@@ -164,7 +164,8 @@ class EncoderAtPins(AtPins):
             part = (self._shown + way / 2 - begin) / moved if moved else 0.0
             cycle = max(self.around.now + min(max(part, 0.0), 1.0) * self._span, self._edge + self._least)
             if cycle > end:
-                if left * self._least > self._span:
+                # Counts that are left of an earlier span say nothing of the speed.
+                if min(left, abs(moved)) * self._least > self._span:
                     self._tell()
                 break
             self._move(way, cycle)
