@@ -1,9 +1,9 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Reset at power-up and at a button: for 16 cycles after the FPGA was configured, and while `button` is '1'.
+-- Reset after configuration and by a button: for 16 cycles after the FPGA was configured, and while `button` is '1'.
 --
--- The count starts from the initial value of its register, which FPGAs that load their configuration from outside
--- honour.
+-- The counter relies on the initial value of its register. FPGAs that load their configuration from an external memory
+-- support initial values.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -13,11 +13,11 @@ library unity_link;
 
 entity board_reset is
   port (
-    -- Rising edges count.
+    -- Clock; its rising edge is active.
     clk : in    std_logic;
-    -- '1': reset; from a pin. Leave it open if there is none. Clock: none.
+    -- '1' requests a reset; from a pin. Leave it open if the board has no button. Clock: none.
     button : in    std_logic := '0';
-    -- For 16 cycles after the configuration, and while the button is held.
+    -- '1' for 16 cycles after configuration and while the button is pressed.
     rst : out   std_logic
   );
 end entity board_reset;

@@ -1,12 +1,13 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- What the example boards have behind the gateway: a Wishbone slave with something to see and to measure.
+-- The Wishbone slave of the example boards: LEDs to see, a counter and a memory to measure with.
 --
 --   address 0    LEDs, read and write
 --   address 1    counter of clock cycles, read only
 --   80..FF       memory, 128 words
 --
--- Everything else answers with an error. An access is answered in the next cycle, as block RAM is read.
+-- Accesses to all other addresses end with an error. Each access is answered in the next cycle, because the memory is
+-- block RAM.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -41,7 +42,7 @@ architecture rtl of demo_slave is
 
 begin
 
-  -- In the cycle of the answer the strobe still belongs to the access that is answered.
+  -- In the cycle of ack or err, the strobe still belongs to the access that is being answered.
   access_now <= wb_cyc and wb_stb and not wb_ack and not wb_err;
   wb_dat_o   <= memory_word when from_memory = '1' else
                 other_word;

@@ -1,12 +1,12 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- The hardware's side of many signals on four pins: a chain of shift registers, clocked round and round.
+-- Master of a chain of shift registers: many inputs and outputs on four pins, shifted continuously.
 --
--- What is to be sent and what comes in pass through one shift register, bit 0 first, as in SPI mode 0. A frame has as
--- many bits as the longer of the two. Between frames chain_load_n is low: boards take their inputs while it is low, as a
--- 74HC165 does (SH/LD#), and show what they got from its rising edge on, as a 74HC595 does (RCLK). They shift at the
--- rising edge of chain_clk; a bit of theirs is sampled in front of that edge. So `from_chain` and what the boards show
--- change as a whole, once a frame: every (2 * bits + 2) * half_period cycles of clk.
+-- The outgoing and the incoming bits pass through one shift register, bit 0 first, as in SPI mode 0. A frame has as
+-- many bits as the longer of the two. Between frames chain_load_n is low: input boards load their inputs while it is
+-- low, as a 74HC165 does (SH/LD#); output boards update their outputs at its rising edge, as a 74HC595 does (RCLK). The
+-- boards shift at the rising edge of chain_clk; their bit is sampled before that edge. So `from_chain` and the outputs
+-- of the boards change as a whole, once per frame: every (2 * bits + 2) * half_period cycles of clk.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -14,30 +14,31 @@ library ieee;
 
 entity shift_chain is
   generic (
-    -- At least 1: bits that go out.
+    -- At least 1: number of output bits.
     bits_out : positive;
-    -- At least 1: bits that come in.
+    -- At least 1: number of input bits.
     bits_in : positive;
-    -- At least 2: cycles of clk for half a cycle of chain_clk. A bit that comes in is sampled one cycle before it
-    -- counts.
+    -- At least 2: cycles of clk in half a period of chain_clk. An input bit is sampled one cycle before the rising edge
+    -- of chain_clk.
     half_period : positive := 2
   );
   port (
-    -- Rising edges count.
+    -- Clock; its rising edge is active.
     clk : in    std_logic;
-    -- Synchronous, active high, for one cycle or more.
+    -- Synchronous reset, active high, for at least one cycle.
     rst : in    std_logic;
-    -- What is sent, bit 0 first; it is taken as a whole, once a frame.
+    -- Bits to send, bit 0 first; sampled as a whole, once per frame.
     to_chain : in    std_logic_vector(bits_out - 1 downto 0);
-    -- What came in; it changes as a whole, once a frame.
+    -- Bits received; they change as a whole, once per frame.
     from_chain : out   std_logic_vector(bits_in - 1 downto 0);
-    -- SRCLK of a 74HC595, CLK of a 74HC165: they shift at its rising edge.
+    -- SRCLK of a 74HC595 and CLK of a 74HC165, which shift at its rising edge.
     chain_clk : out   std_logic;
-    -- SH/LD# of a 74HC165, RCLK of a 74HC595: inputs are taken while it is '0', outputs change at its rising edge.
+    -- SH/LD# of a 74HC165, which loads its inputs while it is '0', and RCLK of a 74HC595, which updates its outputs at
+    -- the rising edge.
     chain_load_n : out   std_logic;
-    -- SER of the first 74HC595.
+    -- To SER of the first 74HC595.
     chain_out : out   std_logic;
-    -- QH of the last 74HC165.
+    -- From QH of the last 74HC165.
     chain_in : in    std_logic
   );
 end entity shift_chain;
@@ -90,7 +91,7 @@ begin
             if chain_clk = '0' then
               sampled <= arrived;
             else
-              -- Only now may the bit that is sent change, and the one sampled take its place.
+              -- The boards have shifted: change the bit to send, and shift the sampled bit in.
               shifted <= sampled & shifted(bits - 1 downto 1);
               if left = 0 then
                 state <= state_load;

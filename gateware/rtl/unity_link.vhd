@@ -95,9 +95,9 @@ entity unity_link is
     description : boolean := false
   );
   port (
-    -- Rising edges count.
+    -- Clock; its rising edge is active.
     clk : in    std_logic;
-    -- Synchronous, active high, for one cycle or more.
+    -- Synchronous reset, active high, for at least one cycle.
     rst : in    std_logic;
     -- The line from the host, '1' while idle. Clock: none.
     uart_rxd : in    std_logic := '1';
@@ -159,17 +159,17 @@ entity unity_link is
     phy_dropped : out   unsigned(15 downto 0);
     -- A byte in, for "fifo": it has moved at the edge at which in_valid and in_ready are both '1'.
     in_data : in    std_logic_vector(7 downto 0) := (others => '0');
-    -- With a byte: some before it were lost.
+    -- Valid with rx_data: '1' if bytes before this one were lost.
     in_lost : in    std_logic := '0';
     -- A byte stands at in_data.
     in_valid : in    std_logic := '0';
-    -- The gateway takes a byte.
+    -- The gateway accepts the byte.
     in_ready : out   std_logic;
     -- A byte out, for "fifo".
     out_data : out   std_logic_vector(7 downto 0);
     -- A byte stands at out_data.
     out_valid : out   std_logic;
-    -- The medium takes a byte.
+    -- The medium accepts the byte.
     out_ready : in    std_logic := '0';
     -- '1' for one cycle: what was sent should not wait for more.
     out_flush : out   std_logic;
@@ -183,9 +183,9 @@ entity unity_link is
     wb_we : out   std_logic;
     -- All '1': words are accessed whole.
     wb_sel : out   std_logic_vector((data_bits + 7) / 8 - 1 downto 0);
-    -- The address, counted in words.
+    -- Word address.
     wb_adr : out   std_logic_vector(address_bits - 1 downto 0);
-    -- The word that is written.
+    -- Word to write.
     wb_dat_o : out   std_logic_vector(data_bits - 1 downto 0);
     -- The word that is read, with wb_ack.
     wb_dat_i : in    std_logic_vector(data_bits - 1 downto 0) := (others => '0');

@@ -87,23 +87,23 @@ entity unity_link_core is
     description : boolean := false
   );
   port (
-    -- Rising edges count.
+    -- Clock; its rising edge is active.
     clk : in    std_logic;
-    -- Synchronous, active high, for one cycle or more.
+    -- Synchronous reset, active high, for at least one cycle.
     rst : in    std_logic;
     -- A byte from the medium: it has moved at the edge at which rx_valid and rx_ready are both '1'.
     rx_data : in    std_logic_vector(7 downto 0);
-    -- With a byte: some before it were lost.
+    -- Valid with rx_data: '1' if bytes before this one were lost.
     rx_lost : in    std_logic := '0';
-    -- A byte stands at rx_data.
+    -- rx_data is valid.
     rx_valid : in    std_logic;
-    -- The gateway takes a byte.
+    -- The gateway accepts the byte.
     rx_ready : out   std_logic;
     -- A byte for the medium.
     tx_data : out   std_logic_vector(7 downto 0);
-    -- A byte stands at tx_data.
+    -- tx_data is valid.
     tx_valid : out   std_logic;
-    -- The medium takes a byte.
+    -- The medium accepts the byte.
     tx_ready : in    std_logic;
     -- What comes is outside of every session, and changes none; stands still while anything is in the core but samples.
     no_session : in    std_logic := '0';
@@ -115,7 +115,7 @@ entity unity_link_core is
     trigger : in    std_logic_vector(maximum(groups, 1) - 1 downto 0) := (others => '0');
     -- An access is asked for; the next three stand still until it is done. '0' for a cycle at least between accesses.
     bus_request : out   std_logic;
-    -- '1': a write.
+    -- '1' for a write, '0' for a read.
     bus_write : out   std_logic;
     -- '1' over all accesses of one atomic transaction.
     bus_lock : out   std_logic;
@@ -123,15 +123,15 @@ entity unity_link_core is
     bus_ahead : out   std_logic;
     -- A read is taken, and its answer comes later; '0' without bus_pipelined.
     bus_next : in    std_logic := '0';
-    -- The address, counted in words.
+    -- Word address.
     bus_address : out   std_logic_vector(address_bits - 1 downto 0);
-    -- The word that is written.
+    -- Word to write.
     bus_write_data : out   std_logic_vector(data_bits - 1 downto 0);
-    -- With bus_done: the word that is read.
+    -- Valid with bus_done: the word read.
     bus_read_data : in    std_logic_vector(data_bits - 1 downto 0);
     -- '1' at the edge at which the access ends, which may be its first.
     bus_done : in    std_logic;
-    -- With bus_done: the access has failed.
+    -- Valid with bus_done: '1' if the access failed.
     bus_error : in    std_logic;
     -- '1' in the one cycle of which a sample's timestamp tells: modules latch their values at its end.
     sample_strobe : out   std_logic;

@@ -2,12 +2,13 @@
 --
 -- Unity-Link on the open ECP5/FT2232HQ board (gildobjanschi/ECP5_BGA381_FT2232HQ_FIFO, rev. A): synchronous FT245.
 --
--- An ECP5-25 with an FT2232H whose channel A is wired as a FIFO, all of its pins. The gateway runs on the board's
--- oscillator of 24.576 MHz; `ul_ft245_sync` crosses to the 60 MHz of the chip, which runs only while the PC holds it in
--- synchronous mode (`ft232h://...` does). An FT232H module on another ECP5 needs another .lpf alone, in which CLKOUT
--- enters at a clock input (PCLKT).
--- The registers at its pins are the ECP5's own: gateware/pads/ecp5 takes the place of its like in gateware/rtl.
--- Behind the gateway stands `demo_slave`, whose first four LEDs the board has.
+-- The board has an ECP5-25 and an FT2232H; channel A is wired as a FIFO with all of its pins. The gateway runs on the
+-- board's oscillator of 24.576 MHz. `ul_ft245_sync` crosses to the 60 MHz clock of the chip, which runs only while the
+-- PC keeps the chip in synchronous mode (`ft232h://...` does). To use an FT232H module with another ECP5, only the .lpf
+-- changes: CLKOUT must enter at a clock input (PCLKT).
+--
+-- The registers at the pins are the ECP5's pad registers: gateware/pads/ecp5 replaces the files of the same names in
+-- gateware/rtl. The bus slave is `demo_slave`; the board has its first four LEDs.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -17,7 +18,7 @@ library unity_link;
 
 entity ecp5_ft2232h is
   generic (
-    -- "ft245_sync" or "ft245" (asynchronous): the wires are the same, the PC says which.
+    -- "ft245_sync" or "ft245" (asynchronous): the wiring is the same; the PC must select the same mode.
     physical : string := "ft245_sync"
   );
   port (

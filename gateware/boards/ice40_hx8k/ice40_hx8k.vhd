@@ -1,10 +1,11 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Unity-Link on Lattice's iCE40-HX8K Breakout Board (iCE40HX8K-B-EVN): its USB port, 3 MBd, no flow control.
+-- Unity-Link on Lattice's iCE40-HX8K Breakout Board (iCE40HX8K-B-EVN): a UART on its USB port at 3 MBd without flow
+-- control.
 --
--- The board's FT2232H carries a UART on its second channel: on Linux /dev/ttyUSB1. The clock is the board's 12 MHz, of
--- which 3 MBd are a quarter, the fastest that `ul_uart` can do; it needs no PLL, so there is no vendor primitive here.
--- Behind the gateway stands `demo_slave`; `W000000005A` and Enter in a terminal light half of the LEDs.
+-- The second channel of the board's FT2232H is a UART: on Linux /dev/ttyUSB1. The clock is the board's 12 MHz
+-- oscillator. 3 MBd are a quarter of it, the highest rate of `ul_uart`; so the design needs no PLL and no other vendor
+-- primitive. The bus slave is `demo_slave`: type `W000000005A` and Enter in a terminal to light half of the LEDs.
 
 library ieee;
   use ieee.std_logic_1164.all;

@@ -22,9 +22,9 @@ entity ul_gpio is
     debounce_us : natural := 0
   );
   port (
-    -- Rising edges count.
+    -- Clock; its rising edge is active.
     clk : in    std_logic;
-    -- Synchronous, active high, for one cycle or more.
+    -- Synchronous reset, active high, for at least one cycle.
     rst : in    std_logic;
     -- Cycles of clk, as the gateway counts them; the lower half is used.
     now : in    std_logic_vector(63 downto 0);

@@ -36,7 +36,7 @@ entity ul_lease is
     estop_used : boolean := true
   );
   port (
-    -- Rising edges count.
+    -- Clock; its rising edge is active.
     clk : in    std_logic;
     -- Synchronous, active high, for one cycle or more; it disarms.
     rst : in    std_logic;

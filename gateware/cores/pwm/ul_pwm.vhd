@@ -41,9 +41,9 @@ entity ul_pwm is
     dead_time_ns : natural := 0
   );
   port (
-    -- Rising edges count.
+    -- Clock; its rising edge is active.
     clk : in    std_logic;
-    -- Synchronous, active high, for one cycle or more.
+    -- Synchronous reset, active high, for at least one cycle.
     rst : in    std_logic;
     -- '0': both pins of this axis are '0' from the next cycle on, to the beginning of the first period behind it.
     armed : in    std_logic_vector(axes - 1 downto 0) := (others => '1');

@@ -1,21 +1,22 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- `ul_pad_input` in the pads of Lattice's ECP5. The pad's own delay stands before it: without that its register wants
--- its input held for 3.3 ns (docs/gateware.md has the budget), and the chips hold theirs for 0 or 1. 59 steps of 25 ps
--- are what Lattice's tools take for a hold time of 0 (SCLK_ZEROHOLD); the rest is ours to spare.
+-- `ul_pad_input` with the pad cells of Lattice's ECP5. The pad's delay cell is in front of the register: without it the
+-- register needs a hold time of 3.3 ns (docs/gateware.md has the budget), and the chips hold their outputs for only 0
+-- or 1 ns. Lattice's tools use 59 steps of 25 ps for a hold time of 0 (SCLK_ZEROHOLD). The further steps up to 127 fit
+-- into the setup budget.
 
 library ieee;
   use ieee.std_logic_1164.all;
 
 entity ul_pad_input is
   port (
-    -- Rising edges count.
+    -- Clock; its rising edge is active.
     clk : in    std_logic;
-    -- '1': forget at once what was taken in, as in the output of the same pin. Clock: none.
+    -- '1' sets q to '1' at once, asynchronously to clk, as it does in ul_pad_output. Clock: none.
     quiet : in    std_logic;
     -- From the pin. Clock: none.
     d : in    std_logic;
-    -- What the pin showed at the last edge.
+    -- Level of the pin at the last rising edge of clk.
     q : out   std_logic
   );
 end entity ul_pad_input;

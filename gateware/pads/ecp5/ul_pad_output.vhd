@@ -1,17 +1,18 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- `ul_pad_output` in the pads of Lattice's ECP5: the cell has its place in one, or placing it is an error.
+-- `ul_pad_output` with the pad register of Lattice's ECP5. The cell exists only in pads: if it does not fit there,
+-- placing fails.
 
 library ieee;
   use ieee.std_logic_1164.all;
 
 entity ul_pad_output is
   port (
-    -- Rising edges count.
+    -- Clock; its rising edge is active.
     clk : in    std_logic;
-    -- '1': the pin rests at once, whatever clk does. Clock: none.
+    -- '1' sets the pin to its idle level '1' at once, asynchronously to clk. Clock: none.
     quiet : in    std_logic;
-    -- What the pin is to show from the next edge on.
+    -- Level of the pin from the next rising edge of clk on.
     d : in    std_logic;
     -- To the pin.
     q : out   std_logic

@@ -1,19 +1,20 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- `ul_pad_input` for Gowin's FPGAs, as `ul_pad_output` there: "Place input register to IOB", `--vopt ireg_in_iob`.
+-- `ul_pad_input` for Gowin FPGAs. Their tools move the register into the pad, as for `ul_pad_output`: with "Place input
+-- register to IOB" in Gowin EDA, and `--vopt ireg_in_iob` in nextpnr.
 
 library ieee;
   use ieee.std_logic_1164.all;
 
 entity ul_pad_input is
   port (
-    -- Rising edges count.
+    -- Clock; its rising edge is active.
     clk : in    std_logic;
-    -- '1': forget at once what was taken in, as in the output of the same pin. Clock: none.
+    -- '1' sets q to '1' at once, asynchronously to clk, as it does in ul_pad_output. Clock: none.
     quiet : in    std_logic;
     -- From the pin. Clock: none.
     d : in    std_logic;
-    -- What the pin showed at the last edge.
+    -- Level of the pin at the last rising edge of clk.
     q : out   std_logic
   );
 end entity ul_pad_input;

@@ -1,18 +1,19 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- `ul_pad_output` for Gowin's FPGAs. It is moved into the pad by the tool: "Place output register to IOB" in Gowin's
--- own, `--vopt oreg_in_iob` in nextpnr (which says nothing where it does not; docs/gateware.md has what was seen).
+-- `ul_pad_output` for Gowin FPGAs. The tool moves the register into the pad: with "Place output register to IOB" in
+-- Gowin EDA, and `--vopt oreg_in_iob` in nextpnr. nextpnr prints no message if it leaves the register in the fabric;
+-- docs/gateware.md has the observations.
 
 library ieee;
   use ieee.std_logic_1164.all;
 
 entity ul_pad_output is
   port (
-    -- Rising edges count.
+    -- Clock; its rising edge is active.
     clk : in    std_logic;
-    -- '1': the pin rests at once, whatever clk does. Clock: none.
+    -- '1' sets the pin to its idle level '1' at once, asynchronously to clk. Clock: none.
     quiet : in    std_logic;
-    -- What the pin is to show from the next edge on.
+    -- Level of the pin from the next rising edge of clk on.
     d : in    std_logic;
     -- To the pin.
     q : out   std_logic

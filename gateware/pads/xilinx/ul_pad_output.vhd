@@ -1,18 +1,18 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- `ul_pad_output` for the 7 series of Xilinx and what came after it: IOB has the tool move it into the pad, or say why
--- not.
+-- `ul_pad_output` for the 7 series of Xilinx and later families. The attribute IOB makes the tool move the register
+-- into the pad, or report why it does not.
 
 library ieee;
   use ieee.std_logic_1164.all;
 
 entity ul_pad_output is
   port (
-    -- Rising edges count.
+    -- Clock; its rising edge is active.
     clk : in    std_logic;
-    -- '1': the pin rests at once, whatever clk does. Clock: none.
+    -- '1' sets the pin to its idle level '1' at once, asynchronously to clk. Clock: none.
     quiet : in    std_logic;
-    -- What the pin is to show from the next edge on.
+    -- Level of the pin from the next rising edge of clk on.
     d : in    std_logic;
     -- To the pin.
     q : out   std_logic

@@ -1,17 +1,20 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- A FIFO between two clocks that know nothing of each other: first-word fall-through, one entry per cycle sustained.
+-- A FIFO between two asynchronous clocks: first-word fall-through, sustained throughput of one entry per cycle.
 --
--- Each side owns a pointer and shows it to the other in Gray code, where one step changes one bit: a pointer that is
--- caught while it changes reads as its old or its new value, never as something else. What a side sees of the other is
--- `stages` to `stages` + 1 of its cycles old, so `in_ready` and `out_valid` err on the safe side only. Pointers have one
--- bit more than an address, which tells full from empty. Sources: C. E. Cummings, "Simulation and Synthesis Techniques
--- for Asynchronous FIFO Design", SNUG 2002.
+-- Each side owns a pointer and passes it to the other side in Gray code. One step of a Gray code changes one bit, so a
+-- pointer sampled while it changes reads as its old or its new value, never as a third one. The copy of the other
+-- side's pointer is `stages` to `stages` + 1 cycles old, so `in_ready` and `out_valid` err on the safe side only: the
+-- FIFO may look fuller to the writer and emptier to the reader than it is. Pointers have one bit more than an address,
+-- which distinguishes full from empty. Source: C. E. Cummings, "Simulation and Synthesis Techniques for Asynchronous
+-- FIFO Design", SNUG 2002.
 --
--- Both sides must be reset together (each synchronously to its own clock, overlapping): a reset of one side alone
--- would bring back old entries. Constraints: the bits of a pointer may differ in their delays by less than a cycle of
--- the clock that makes them, or two steps could be seen as one that never was; so each way from `*_gray` into the
--- `meta` of a `ul_synchroniser` is bounded to the shorter period, and an entry, which has stood in the memory for as
+-- Both sides must be reset together, each synchronously to its own clock and for an overlapping time: a reset of one
+-- side alone would make old entries appear again. Constraints: the delays of a pointer's bits may differ by less than
+-- one cycle of the clock that launches them; otherwise two steps could be sampled as a value that the pointer never
+-- had. So the constraints bound each path from `*_gray` to the `meta` register of a `ul_synchroniser` to the shorter of
+-- the two periods. They bound the path of an entry to the same delay: when the entry is read, it has been stable in the
+-- memory for `stages` cycles. The constraint files are in gateware/constraints.
 -- many cycles as the row has registers when it is read, to as much. gateware/constraints has the files.
 
 library ieee;
@@ -25,33 +28,33 @@ entity ul_fifo_async is
   generic (
     -- At least 1: bits of an entry.
     width : positive := 8;
-    -- A power of two, at least 4: entries. One more waits in the output register.
+    -- A power of two, at least 4: entries. The output register stores one more.
     depth : positive := 16;
-    -- At least 2: registers in a row that a pointer passes.
+    -- At least 2: registers in series in the synchroniser of each pointer.
     stages : positive := 2
   );
   port (
-    -- The writing side's clock.
+    -- Clock of the writing side.
     in_clk : in    std_logic;
-    -- Synchronous, active high; it must overlap out_rst. Clock: in_clk.
+    -- Synchronous reset, active high; it must overlap out_rst. Clock: in_clk.
     in_rst : in    std_logic;
-    -- An entry: it has moved at the edge at which in_valid and in_ready are both '1'. Clock: in_clk.
+    -- Entry to store. It is transferred at the rising edge at which in_valid and in_ready are both '1'. Clock: in_clk.
     in_data : in    std_logic_vector(width - 1 downto 0);
-    -- An entry stands at in_data. Clock: in_clk.
+    -- in_data is valid. Clock: in_clk.
     in_valid : in    std_logic;
-    -- There is room. Clock: in_clk.
+    -- There is space for an entry. Clock: in_clk.
     in_ready : out   std_logic;
-    -- The most entries that can be inside, as far as this side knows; may be left open. Clock: in_clk.
+    -- Upper bound of the number of stored entries, as seen by the writing side; may be left open. Clock: in_clk.
     in_level : out   unsigned(log2_ceil(depth) downto 0);
-    -- The reading side's clock.
+    -- Clock of the reading side.
     out_clk : in    std_logic;
-    -- Synchronous, active high; it must overlap in_rst. Clock: out_clk.
+    -- Synchronous reset, active high; it must overlap in_rst. Clock: out_clk.
     out_rst : in    std_logic;
     -- The oldest entry. Clock: out_clk.
     out_data : out   std_logic_vector(width - 1 downto 0);
-    -- An entry stands at out_data. Clock: out_clk.
+    -- out_data is valid. Clock: out_clk.
     out_valid : out   std_logic;
-    -- It is taken. Clock: out_clk.
+    -- The reader accepts the entry. Clock: out_clk.
     out_ready : in    std_logic
   );
 end entity ul_fifo_async;
@@ -89,7 +92,7 @@ architecture rtl of ul_fifo_async is
 
   end function binary;
 
-  -- Full: the write pointer is one whole round ahead, which in Gray code differs in the two highest bits alone.
+  -- The FIFO is full if the write pointer is `depth` ahead; in Gray code, only the two highest bits differ then.
   function one_round_ahead (code : pointer_t) return pointer_t is
   begin
 
@@ -101,14 +104,14 @@ architecture rtl of ul_fifo_async is
 
   signal write_at   : pointer_t;
   signal write_gray : pointer_t;
-  -- As the writing side sees it.
+  -- Read pointer, synchronised to the writing side.
   signal read_seen : pointer_t;
   signal not_full  : std_logic;
   signal push      : std_logic;
 
   signal read_at   : pointer_t;
   signal read_gray : pointer_t;
-  -- As the reading side sees it.
+  -- Write pointer, synchronised to the reading side.
   signal write_seen : pointer_t;
   signal head_valid : std_logic;
   signal load       : std_logic;
@@ -149,7 +152,8 @@ begin
         write_at                                      <= write_at + 1;
         write_gray                                    <= gray(write_at + 1);
       end if;
-      -- An entry accepted in this cycle counts at once, one that left may count for longer: never too few.
+      -- Count an entry accepted in this cycle at once. An entry that was read may be counted for some more cycles, so
+      -- the level is never too low.
       if push = '1' then
         in_level <= write_at + 1 - binary(read_seen);
       else

@@ -1,14 +1,14 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- A FIFO in one clock domain: first-word fall-through, one entry in and one out in every cycle, latency one cycle.
+-- A FIFO in one clock domain: first-word fall-through, one entry in and one entry out per cycle, latency one cycle.
 --
--- Storage is a memory with a registered, enabled read port, which every vendor's block RAM has and synthesis infers.
--- The read register is the head of the queue itself: it is loaded with the next entry when the present one leaves.
--- An entry that becomes the head in the cycle in which it enters (into an empty FIFO, or behind the last one as that
--- leaves) is not in the memory yet: it is kept in `bypass` beside it. So the memory is never asked for the word that it
--- is being given, and what a block RAM answers to that does not matter.
+-- The storage is a memory with a registered read port and a read enable, which synthesis infers as block RAM on every
+-- vendor's FPGAs. The read register is the head of the queue: it loads the next entry when the present one leaves. If
+-- an entry becomes the head in the cycle in which it is written (into an empty FIFO, or when the last entry leaves),
+-- the memory does not contain it yet; the register `bypass` supplies it. So the design never uses the result of a read
+-- during a write to the same address, and the block RAM's behaviour in that case does not matter.
 --
--- `level` counts every entry inside; the capacity is exactly `depth`.
+-- `level` counts all stored entries; the capacity is exactly `depth`.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -25,23 +25,23 @@ entity ul_fifo_sync is
     depth : positive := 16
   );
   port (
-    -- Rising edges count.
+    -- Clock; its rising edge is active.
     clk : in    std_logic;
-    -- Synchronous, active high, for one cycle or more.
+    -- Synchronous reset, active high, for at least one cycle.
     rst : in    std_logic;
-    -- An entry: it has moved at the edge at which in_valid and in_ready are both '1'.
+    -- Entry to store. It is transferred at the rising edge at which in_valid and in_ready are both '1'.
     in_data : in    std_logic_vector(width - 1 downto 0);
-    -- An entry stands at in_data.
+    -- in_data is valid.
     in_valid : in    std_logic;
-    -- There is room.
+    -- There is space for an entry.
     in_ready : out   std_logic;
     -- The oldest entry.
     out_data : out   std_logic_vector(width - 1 downto 0);
-    -- An entry stands at out_data.
+    -- out_data is valid.
     out_valid : out   std_logic;
-    -- It is taken.
+    -- The reader accepts the entry.
     out_ready : in    std_logic;
-    -- Entries inside, 0 to depth; may be left open.
+    -- Number of stored entries, 0 to depth; may be left open.
     level : out   unsigned(log2_ceil(depth) downto 0)
   );
 end entity ul_fifo_sync;
@@ -64,7 +64,7 @@ architecture rtl of ul_fifo_sync is
   signal bypass     : std_logic_vector(width - 1 downto 0);
   signal use_bypass : std_logic;
 
-  -- Tells Yosys that nobody asks for a word in the cycle in which it is written: without, it adds logic for that.
+  -- For Yosys: no read uses a word in the cycle in which it is written, so Yosys need not add bypass logic.
   attribute no_rw_check : boolean;
   attribute no_rw_check of memory : signal is true;
 
@@ -117,7 +117,7 @@ begin
         use_bypass <= '0';
       end if;
 
-      -- 1, 0 or -1: one adder for both ways.
+      -- 1, 0 or -1: one adder counts up and down.
       change    := (others => pop and not push);
       change(0) := push xor pop;
       count     <= count + change;

@@ -1,17 +1,18 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Sizes of counters and pointers, worked out when the design is elaborated; nothing here becomes logic.
+-- Functions for the sizes of counters and pointers, evaluated at elaboration; none of them becomes logic.
 
 package ul_math_pkg is
 
-  -- Bits that count from 0 to value - 1: log2_ceil(1) = 0, log2_ceil(8) = 3, log2_ceil(9) = 4. 0 is
-  -- as 1, so that a generic which is too small ends with the sentence of its assertion, not before.
+  -- Number of bits that count from 0 to value - 1: log2_ceil(1) = 0, log2_ceil(8) = 3, log2_ceil(9) = 4. The result for
+  -- 0 is 0, so that a generic that is too small fails in its own assertion and not in this function.
   function log2_ceil (value : natural) return natural;
 
   function is_power_of_two (value : positive) return boolean;
 
-  -- Cycles of a clock that a duration takes, rounded up: cycles_of(1510, 1_000_000_000, 10_000_000) = 16. A second has
-  -- `per_second` units of the duration, at most 1_000_000_000. More than 2 ** 30 cycles are natural'high.
+  -- Clock cycles that a duration takes, rounded up: cycles_of(1510, 1_000_000_000, 10_000_000) = 16. `per_second` is
+  -- the number of units of the duration in a second, at most 1_000_000_000. The result is natural'high above 2 ** 30
+  -- cycles.
   function cycles_of (duration : natural; per_second : positive; clock_hz : positive) return natural;
 
 end package ul_math_pkg;
@@ -52,7 +53,7 @@ package body ul_math_pkg is
 
   begin
 
-    -- Long multiplication by the duration, its highest bit first; `rest` is what is below a cycle.
+    -- Long multiplication by the duration, highest bit first; `rest` is the remainder below one cycle.
     for bit_number in 30 downto 0 loop
 
       cycles := 2 * cycles;

@@ -1,26 +1,27 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- A reset for a clock that it does not come from: it begins at once, also while that clock stands, and ends a few edges
--- of that clock after its cause, at one of them.
+-- Reset synchroniser: asserts the reset asynchronously, even while the clock is stopped, and deasserts it at an edge of
+-- the clock, `stages` edges after the cause has ended.
 --
--- Registers take it asynchronously. Their recovery time is then kept, because its end leaves a register of their own
--- clock; its begin may come at any instant. The attributes are those of `ul_synchroniser`; what reaches the registers
--- here is no data but their clear, for which a tool needs a false path (gateware/constraints).
+-- Registers use `rst` as an asynchronous clear. Its assertion may come at any time; its deassertion comes from a
+-- register of the same clock, so recovery time is met. The attributes are those of `ul_synchroniser`. `cause` reaches
+-- only the clear inputs of the registers here, for which a tool needs a false path (gateware/constraints).
 
 library ieee;
   use ieee.std_logic_1164.all;
 
 entity ul_reset_synchroniser is
   generic (
-    -- At least 2: registers in a row.
+    -- At least 2: registers in series.
     stages : positive := 3
   );
   port (
-    -- The clock of what is reset.
+    -- Clock of the registers that rst resets.
     clk : in    std_logic;
-    -- '1': reset. Out of a register of its own, so that no hazard of logic is a reset. Clock: none.
+    -- '1' requests a reset. It must come from a register, so that no glitch of combinational logic causes a reset.
+    -- Clock: none.
     cause : in    std_logic;
-    -- '1' at once, and until some edges of clk after the cause has ended.
+    -- Asserted at once, and until `stages` edges of clk after the cause has ended.
     rst : out   std_logic
   );
 end entity ul_reset_synchroniser;

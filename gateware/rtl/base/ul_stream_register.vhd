@@ -1,9 +1,10 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- One register in a stream: cuts the path between two parts, costs one cycle of latency and none of throughput.
+-- One register stage in a stream: cuts the combinational path of data and `valid`, adds one cycle of latency, and keeps
+-- the full throughput.
 --
--- Block RAMs are slow to show what they read (5.7 ns of the 10 ns at 100 MHz on an ECP5): what comes out of a FIFO
--- passes one of these before anything is decided by it. The path of `ready` is not cut.
+-- Block RAMs have a long clock-to-output delay (5.7 ns of the 10 ns at 100 MHz on an ECP5), so the output of a FIFO
+-- passes such a register before any logic uses it. The path of `ready` is not cut.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -14,21 +15,21 @@ entity ul_stream_register is
     width : positive := 8
   );
   port (
-    -- Rising edges count.
+    -- Clock; its rising edge is active.
     clk : in    std_logic;
-    -- Synchronous, active high, for one cycle or more.
+    -- Synchronous reset, active high, for at least one cycle.
     rst : in    std_logic;
-    -- An entry: it has moved at the edge at which in_valid and in_ready are both '1'.
+    -- Entry to store. It is transferred at the rising edge at which in_valid and in_ready are both '1'.
     in_data : in    std_logic_vector(width - 1 downto 0);
-    -- An entry stands at in_data.
+    -- in_data is valid.
     in_valid : in    std_logic;
-    -- There is room.
+    -- There is space for an entry.
     in_ready : out   std_logic;
     -- The oldest entry.
     out_data : out   std_logic_vector(width - 1 downto 0);
-    -- An entry stands at out_data.
+    -- out_data is valid.
     out_valid : out   std_logic;
-    -- It is taken.
+    -- The reader accepts the entry.
     out_ready : in    std_logic
   );
 end entity ul_stream_register;

@@ -1,36 +1,37 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Signals from another clock, or from no clock at all, taken into this one: each bit through a row of registers with
--- nothing between them, so that a register that was caught by a change has a whole cycle to decide.
+-- Synchroniser for signals from another clock or from no clock. Each bit passes a row of registers with no logic
+-- between them, so that a register that became metastable has a whole cycle to settle.
 --
--- The bits know nothing of each other: what changes together comes out over two cycles. So a number may only pass in
--- Gray code, and with the delays of its bits bounded (gateware/constraints has the files).
+-- The bits are synchronised independently: bits that change together may come out in two different cycles. So a number
+-- may pass only in Gray code and with the delays of its bits bounded (gateware/constraints has the files).
 --
--- `meta` is the register that meets the other clock; every tool is told by attributes what it is, so that none of the
--- row is shared, moved, or made a shift register of: Xilinx (UG912: ASYNC_REG, SHREG_EXTRACT, KEEP), Intel (a
--- QSF assignment in the source), Lattice and Gowin (syn_preserve, syn_srlstyle, syn_keep). Constraints find it by its
--- name.
+-- `meta` is the register that samples the other clock domain. Attributes keep every tool from sharing or moving the
+-- registers of the row, and from making a shift register of them: Xilinx (UG912: ASYNC_REG, SHREG_EXTRACT, KEEP), Intel
+-- (a QSF assignment in the source), Lattice and Gowin (syn_preserve, syn_srlstyle, syn_keep). Constraints find `meta`
+-- by its name.
 
 library ieee;
   use ieee.std_logic_1164.all;
 
 entity ul_synchroniser is
   generic (
-    -- At least 1: signals, which know nothing of each other.
+    -- At least 1: number of signals, which are synchronised independently.
     width : positive := 1;
-    -- At least 1: registers in a row. One is enough only behind a register that is the first itself, as in a pad.
+    -- At least 1: registers in series. One is enough only if the signal comes from a register that samples it with clk
+    -- already, as in a pad.
     stages : positive := 2;
-    -- '0', '1': what comes out during a reset.
+    -- '0', '1': level of the outputs during a reset.
     idle : std_logic := '0'
   );
   port (
-    -- The clock into which the signals are taken.
+    -- Clock to which the signals are synchronised.
     clk : in    std_logic;
-    -- Synchronous, active high.
+    -- Synchronous reset, active high.
     rst : in    std_logic := '0';
-    -- The signals as they come. Clock: none.
+    -- Asynchronous signals. Clock: none.
     d : in    std_logic_vector(width - 1 downto 0);
-    -- The same, in step with clk.
+    -- The signals, synchronous to clk.
     q : out   std_logic_vector(width - 1 downto 0)
   );
 end entity ul_synchroniser;
@@ -61,7 +62,7 @@ architecture rtl of ul_synchroniser is
 
 begin
 
-  -- The first one again, so that there may be none behind it.
+  -- `settled(1)` is `meta`, so that q is `meta` itself if `stages` is 1.
   settled(1) <= meta;
   q          <= settled(stages);
 

@@ -1,9 +1,9 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- A memory with one write port and one registered read port, as every vendor's block RAM is.
+-- A memory with one write port and one registered read port, as in every vendor's block RAM.
 --
--- A word that was never written is 0; a reset changes none. Whether a word that is read in the cycle in which it is
--- written is the old or the new one is left open: nobody asks.
+-- All words are 0 after configuration; a reset does not change them. A read in the cycle of a write to the same address
+-- returns the old or the new word, undefined which; no user of this memory relies on it.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -24,7 +24,7 @@ entity ul_word_memory is
     write_index : in    unsigned(log2_ceil(depth) - 1 downto 0);
     write_data  : in    std_logic_vector(width - 1 downto 0);
     read_index  : in    unsigned(log2_ceil(depth) - 1 downto 0);
-    -- One cycle after read_index.
+    -- The word at read_index of the cycle before.
     read_data : out   std_logic_vector(width - 1 downto 0)
   );
 end entity ul_word_memory;
@@ -37,7 +37,7 @@ architecture rtl of ul_word_memory is
   signal memory : memory_t := (others => (others => '0'));
   -- vsg_on signal_007
 
-  -- Tells Yosys that nobody asks for a word in the cycle in which it is written: without, it adds logic for that.
+  -- For Yosys: no read uses a word in the cycle in which it is written, so Yosys need not add bypass logic.
   attribute no_rw_check : boolean;
   attribute no_rw_check of memory : signal is true;
 

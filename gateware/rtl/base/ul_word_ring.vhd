@@ -1,12 +1,12 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- A ring of words that are written on trial: what was written since the last `commit` can be taken back by `rollback`.
+-- A ring buffer of words with commit and rollback: `rollback` discards all words written since the last `commit`.
 --
--- Answers and samples are made before it is known whether they will be sent: an error further on takes them back. The
--- reader may take words as soon as it was told of them, by `available` (committed words are there) or otherwise.
+-- Answers and samples are written before it is certain that they will be sent: a later error discards them. The reader
+-- may read a word as soon as `available` reports committed words, or as soon as another signal announces the word.
 --
--- The read port is a registered memory port that always shows the oldest word: after `pop`, the next word stands there
--- from the second cycle on; a word written into an empty ring likewise.
+-- `read_data` is a registered memory port that always shows the oldest word. After `pop`, and after a write into an
+-- empty ring, the next word is valid from the second cycle on.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -26,10 +26,10 @@ entity ul_word_ring is
     rst        : in    std_logic;
     write      : in    std_logic;
     write_data : in    std_logic_vector(width - 1 downto 0);
-    -- May come with the last write; rollback not.
+    -- commit may be asserted together with the last write, rollback may not.
     commit   : in    std_logic;
     rollback : in    std_logic;
-    -- Words that can still be written.
+    -- Number of words that can still be written.
     room      : out   unsigned(log2_ceil(depth) downto 0);
     available : out   std_logic;
     read_data : out   std_logic_vector(width - 1 downto 0);
@@ -41,7 +41,7 @@ architecture rtl of ul_word_ring is
 
   type memory_t is array (0 to depth - 1) of std_logic_vector(width - 1 downto 0);
 
-  -- One bit more than an index, which tells full from empty.
+  -- One bit more than an index, which distinguishes full from empty.
   subtype pointer_t is unsigned(log2_ceil(depth) downto 0);
 
   signal memory    : memory_t;
@@ -49,7 +49,7 @@ architecture rtl of ul_word_ring is
   signal committed : pointer_t;
   signal read_at   : pointer_t;
 
-  -- Tells Yosys that nobody asks for a word in the cycle in which it is written: without, it adds logic for that.
+  -- For Yosys: no read uses a word in the cycle in which it is written, so Yosys need not add bypass logic.
   attribute no_rw_check : boolean;
   attribute no_rw_check of memory : signal is true;
 
@@ -95,7 +95,7 @@ begin
       if rollback = '1' then
         next_write_at := committed;
       end if;
-      -- depth - (write_at - read_at) by one subtraction: to add a depth, the highest bit is inverted.
+      -- depth - (write_at - read_at) by one subtraction: inverting the highest bit adds `depth`.
       free            := read_at - write_at;
       free(free'high) := not free(free'high);
       room            <= free;

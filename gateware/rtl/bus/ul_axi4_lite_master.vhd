@@ -25,23 +25,23 @@ entity ul_axi4_lite_master is
     address_bits : positive := 8
   );
   port (
-    -- Rising edges count.
+    -- Clock; its rising edge is active.
     clk : in    std_logic;
-    -- Synchronous, active high, for one cycle or more.
+    -- Synchronous reset, active high, for at least one cycle.
     rst : in    std_logic;
-    -- An access is asked for by the core.
+    -- The core requests an access.
     bus_request : in    std_logic;
-    -- '1': a write.
+    -- '1' for a write, '0' for a read.
     bus_write : in    std_logic;
-    -- The address, counted in words.
+    -- Word address.
     bus_address : in    std_logic_vector(address_bits - 1 downto 0);
-    -- The word that is written.
+    -- Word to write.
     bus_write_data : in    std_logic_vector(data_bits - 1 downto 0);
-    -- With bus_done: the word that is read.
+    -- Valid with bus_done: the word read.
     bus_read_data : out   std_logic_vector(data_bits - 1 downto 0);
-    -- The access ends at this edge.
+    -- The access ends at this rising edge.
     bus_done : out   std_logic;
-    -- With bus_done: the access has failed.
+    -- Valid with bus_done: '1' if the access failed.
     bus_error : out   std_logic;
     -- AW channel: the address, counted in bytes.
     awaddr : out   std_logic_vector(address_bits + log2_ceil(data_bits / 8) - 1 downto 0);

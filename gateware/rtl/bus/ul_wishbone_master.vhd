@@ -32,13 +32,13 @@ entity ul_wishbone_master is
     pipelined : boolean := false
   );
   port (
-    -- Rising edges count.
+    -- Clock; its rising edge is active.
     clk : in    std_logic;
-    -- Synchronous, active high, for one cycle or more.
+    -- Synchronous reset, active high, for at least one cycle.
     rst : in    std_logic;
-    -- An access is asked for by the core.
+    -- The core requests an access.
     bus_request : in    std_logic;
-    -- '1': a write.
+    -- '1' for a write, '0' for a read.
     bus_write : in    std_logic;
     -- '1' over all accesses of one atomic transaction.
     bus_lock : in    std_logic;
@@ -46,27 +46,27 @@ entity ul_wishbone_master is
     bus_ahead : in    std_logic;
     -- A read is taken, and its answer comes later.
     bus_next : out   std_logic;
-    -- The address, counted in words.
+    -- Word address.
     bus_address : in    std_logic_vector(address_bits - 1 downto 0);
-    -- The word that is written.
+    -- Word to write.
     bus_write_data : in    std_logic_vector(data_bits - 1 downto 0);
-    -- With bus_done: the word that is read.
+    -- Valid with bus_done: the word read.
     bus_read_data : out   std_logic_vector(data_bits - 1 downto 0);
-    -- The access ends at this edge.
+    -- The access ends at this rising edge.
     bus_done : out   std_logic;
-    -- With bus_done: the access has failed.
+    -- Valid with bus_done: '1' if the access failed.
     bus_error : out   std_logic;
     -- A transaction is under way.
     cyc : out   std_logic;
     -- An access is asked for.
     stb : out   std_logic;
-    -- '1': a write.
+    -- '1' for a write, '0' for a read.
     we : out   std_logic;
     -- All '1': words are accessed whole.
     sel : out   std_logic_vector((data_bits + 7) / 8 - 1 downto 0);
-    -- The address, counted in words.
+    -- Word address.
     adr : out   std_logic_vector(address_bits - 1 downto 0);
-    -- The word that is written.
+    -- Word to write.
     dat_o : out   std_logic_vector(data_bits - 1 downto 0);
     -- The word that is read, with ack.
     dat_i : in    std_logic_vector(data_bits - 1 downto 0);

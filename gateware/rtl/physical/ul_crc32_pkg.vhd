@@ -1,17 +1,17 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- The check of an Ethernet frame (IEEE 802.3, 3.2.9): CRC-32, taken from the lowest bit on, as the line has them. It
--- begins with ones, and its complement is sent.
+-- The frame check sequence of Ethernet (IEEE 802.3, 3.2.9): CRC-32 over the bits in the order of the line, lowest bit
+-- of a byte first. The initial value is all ones, and the complement of the result is sent.
 
 library ieee;
   use ieee.std_logic_1164.all;
 
 package ul_crc32_pkg is
 
-  -- Its value behind a frame and its check.
+  -- Residue of the CRC after a frame and its frame check sequence, if the frame is intact.
   constant crc32_right : std_logic_vector(31 downto 0) := x"DEBB20E3";
 
-  -- The CRC after some more bits, the lowest first.
+  -- CRC after further bits, lowest bit first.
   function crc32_after (crc : std_logic_vector(31 downto 0); data : std_logic_vector) return std_logic_vector;
 
 end package ul_crc32_pkg;

@@ -36,9 +36,9 @@ entity ul_ethernet is
     crc_polynomial : std_logic_vector(31 downto 0) := x"00001021"
   );
   port (
-    -- The core's clock, at least 25 MHz: rising edges count.
+    -- The core's clock, at least 25 MHz; its rising edge is active.
     clk : in    std_logic;
-    -- Synchronous, active high, for one cycle or more.
+    -- Synchronous reset, active high, for at least one cycle.
     rst : in    std_logic;
     -- REF_CLK, RX_CLK or RXC.
     phy_rx_clk : in    std_logic;
@@ -66,17 +66,17 @@ entity ul_ethernet is
     spi_miso : in    std_logic := '0';
     -- RSTn.
     spi_rst_n : out   std_logic;
-    -- A byte for the core: it has moved at the edge at which rx_valid and rx_ready are both '1'.
+    -- Byte for the core. It is transferred at the rising edge at which rx_valid and rx_ready are both '1'.
     rx_data : out   std_logic_vector(7 downto 0);
-    -- A byte stands at rx_data.
+    -- rx_data is valid.
     rx_valid : out   std_logic;
-    -- The core takes a byte.
+    -- The core accepts the byte.
     rx_ready : in    std_logic;
-    -- A byte of the core.
+    -- Byte from the core.
     tx_data : in    std_logic_vector(7 downto 0);
-    -- A byte stands at tx_data.
+    -- tx_data is valid.
     tx_valid : in    std_logic;
-    -- This layer takes a byte.
+    -- This layer accepts the byte.
     tx_ready : out   std_logic;
     -- What goes to the core asks without a session.
     no_session : out   std_logic;

@@ -1,11 +1,11 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Physical layer: none. The link's byte streams stand as ports, for whatever carries bytes inside the same chip: a soft
--- processor, a network stack, another clock domain behind a `ul_fifo_async`.
+-- Physical layer without pins: the link's byte streams are ports, for any medium inside the same chip, such as a soft
+-- processor, a network stack, or another clock domain through a `ul_fifo_async`.
 --
--- The medium's side names its streams by direction as the link sees them: `in` goes into the link. `in_lost` marks a
--- byte before which the medium lost some; a medium that loses none leaves it open. `out_flush` pulses in the cycle
--- after the one in which the last byte meant by `flush` has left, so it never overtakes one.
+-- The medium's ports are named by their direction as the link sees them: `in` is from the medium to the link. `in_lost`
+-- marks a byte before which the medium lost others; leave it open if the medium loses none. `out_flush` pulses one
+-- cycle after `flush`: all bytes accepted before have left by then, so the pulse never overtakes a byte.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -47,7 +47,7 @@ begin
   out_valid <= tx_valid;
   tx_ready  <= out_ready;
 
-  -- Bytes pass in the cycle in which they are accepted, so all that were are out one cycle later.
+  -- A byte leaves in the cycle in which it is accepted, so one cycle of delay is enough for all bytes before the flush.
   delay : process (clk) is
   begin
 

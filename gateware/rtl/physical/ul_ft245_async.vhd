@@ -2,25 +2,26 @@
 --
 -- Physical layer: the asynchronous FT245 FIFO of an FT232H or FT2232H, with SIWU#.
 --
--- Every interval is worked out from the clock frequency and the FT232H datasheet (FT_000288, table 4.2, named T1..T11
--- below), plus `skew_ns` for the difference between the delays of two pins. Data is driven from before WR# falls until
--- after it has risen, which is right whichever edge the chip latches at (editions of the datasheet differ on T9).
+-- All intervals follow from the clock frequency and the FT232H datasheet (FT_000288, table 4.2, named T1 to T11 below),
+-- plus `skew_ns` for the difference between the delays of two pins. Data is driven from before the falling edge of WR#
+-- until after its rising edge. This is right for either edge at which the chip may latch (editions of the datasheet
+-- differ on T9).
 --
--- Each pin has a register of its own in `ul_ft245_pads`, that nothing else hangs on; what is decided here is at the pins
--- from the next edge on, and the data that came in while RD# was low is taken out of the pads one cycle behind it.
+-- Each pin has a register of its own in `ul_ft245_pads`, which drives no other logic. A decision of the state machine
+-- reaches the pins at the next edge; the data sampled while RD# was low leaves the pad registers one cycle later.
 --
--- RXF# and TXE# have no relation to the clock, so they pass two registers: the one in the pad, and the one of a
--- `ul_synchroniser` behind that. What is seen is two cycles old; after an access, the flag that it withdraws (T1 and T6,
--- 14 ns at most) is not believed until what is seen was sampled later than that. Between the two directions, the one
--- that did not go last goes first.
+-- RXF# and TXE# are asynchronous to the clock, so each passes two registers: the one in the pad and one in a
+-- `ul_synchroniser`. The synchronised flag is two cycles old. An access withdraws its flag within 14 ns (T1 and T6);
+-- the state machine ignores the flag until a sample taken after that time has arrived. If both directions are ready,
+-- they take turns.
 --
--- A byte to send is put on the bus before TXE# allows it, so that its setup time costs nothing. If a byte to receive
--- comes in the meantime, or TXE# stays away, the bus is given back: a chip that the PC has taken for something else may
--- use the same pins. After that it is driven when TXE# is there.
+-- A byte to send is driven before TXE# allows the write, so that its setup time costs no extra cycles. If a byte to
+-- receive arrives in the meantime, or TXE# stays high for `patience` cycles, the bus is released: the PC may have
+-- switched the chip to another mode that uses the same pins. After that the bus is driven only once TXE# is low.
 --
--- `flush` means: when all bytes accepted so far were written, pull SIWU# low. Until that is done no further byte is
--- accepted, so the pulse stands between the right two bytes. Without a byte since the last flush nothing is done: what
--- the chip makes of SIWU# with an empty FIFO is not documented.
+-- `flush` means: pull SIWU# low when all bytes accepted so far have been written. Until then no further byte is
+-- accepted, so that the pulse falls between the right two bytes. A flush without a byte since the last flush has no
+-- effect, because the chip's reaction to SIWU# with an empty FIFO is not documented.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -30,52 +31,52 @@ entity ul_ft245_async is
   generic (
     -- At least 1: frequency of clk in Hz.
     clock_hz : positive := 50_000_000;
-    -- At least 0: ns by which the delays of two pins of the FPGA differ at most, board included.
+    -- At least 0: maximum difference in ns between the delays of two pins, including the board.
     skew_ns : natural := 5
   );
   port (
-    -- Rising edges count.
+    -- Clock; its rising edge is active.
     clk : in    std_logic;
-    -- Synchronous, active high, for one cycle or more.
+    -- Synchronous reset, active high, for at least one cycle.
     rst : in    std_logic;
-    -- The data pins; the board's top joins this and the next two to them, bit by bit. Clock: none.
+    -- Data pins, input. The board's top joins data_in, data_out and data_oe bit by bit at the pins. Clock: none.
     data_in : in    std_logic_vector(7 downto 0);
-    -- What the data pins are to show.
+    -- Data pins, output.
     data_out : out   std_logic_vector(7 downto 0);
-    -- '1': drive that pin.
+    -- '1' enables the driver of that data pin.
     data_oe : out   std_logic_vector(7 downto 0);
-    -- RXF#: the chip has a byte. Clock: none.
+    -- RXF#: '0' if the chip has a byte. Clock: none.
     rxf_n : in    std_logic;
-    -- TXE#: the chip takes a byte. Clock: none.
+    -- TXE#: '0' if the chip accepts a byte. Clock: none.
     txe_n : in    std_logic;
-    -- RD#.
+    -- RD#, the read strobe.
     rd_n : out   std_logic;
-    -- WR#.
+    -- WR#, the write strobe.
     wr_n : out   std_logic;
-    -- SIWU#: send at once.
+    -- SIWU#: '0' makes the chip send its buffer at once.
     siwu_n : out   std_logic;
-    -- A byte for the core: it has moved at the edge at which rx_valid and rx_ready are both '1'.
+    -- Byte for the core. It is transferred at the rising edge at which rx_valid and rx_ready are both '1'.
     rx_data : out   std_logic_vector(7 downto 0);
-    -- With a byte: some before it were lost.
+    -- Valid with rx_data: '1' if bytes before this one were lost.
     rx_lost : out   std_logic;
-    -- A byte stands at rx_data.
+    -- rx_data is valid.
     rx_valid : out   std_logic;
-    -- The core takes a byte.
+    -- The core accepts the byte.
     rx_ready : in    std_logic;
-    -- A byte of the core.
+    -- Byte from the core.
     tx_data : in    std_logic_vector(7 downto 0);
-    -- A byte stands at tx_data.
+    -- tx_data is valid.
     tx_valid : in    std_logic;
-    -- This layer takes a byte.
+    -- This layer accepts the byte.
     tx_ready : out   std_logic;
-    -- '1' for one cycle: when all bytes that were accepted so far are written, pull SIWU# low.
+    -- '1' for one cycle: pull SIWU# low when all bytes accepted so far have been written.
     flush : in    std_logic
   );
 end entity ul_ft245_async;
 
 architecture rtl of ul_ft245_async is
 
-  -- The least number of clock cycles that last so long, pins' skew included; one where the clock is slower than all.
+  -- Clock cycles that last at least `ns` plus the skew of the pins; at least 1.
   function cycles (ns : positive) return positive is
   begin
 
@@ -83,7 +84,8 @@ architecture rtl of ul_ft245_async is
 
   end function cycles;
 
-  -- From a register of ours through pin, chip, pin and both registers of the flag: `ns` is the chip's part.
+  -- Clock cycles from an output register through its pin, the chip, the flag's pin and both registers of the flag; `ns`
+  -- is the chip's part.
   function cycles_until_seen (ns : positive) return positive is
   begin
 
@@ -101,21 +103,21 @@ architecture rtl of ul_ft245_async is
 
   end function most;
 
-  -- RD# low: T4, and T3 with the skew of RD# out and data in is over well before.
+  -- RD# low: T4. It also covers T3 and the skew between RD# and the data inputs.
   constant rd_low : positive := cycles(30);
-  -- RD# high until RXF# is believed again: T1. The chip has left the data bus by then, too.
+  -- RD# high until RXF# is valid again: T1. The chip has released the data bus by then, too.
   constant rd_high : positive := cycles_until_seen(14);
-  -- T8.
+  -- Data setup before WR#: T8.
   constant wr_setup : positive := cycles(5);
-  -- T10.
+  -- WR# low: T10.
   constant wr_low : positive := cycles(30);
-  -- T9.
+  -- Data hold after WR#: T9.
   constant wr_hold : positive := cycles(5);
-  -- Hold over until TXE# is believed again: T6, from the fall of WR#.
+  -- From the end of the hold time until TXE# is valid again: T6, counted from the falling edge of WR#.
   constant wr_rest : positive := most(cycles_until_seen(14), wr_low + wr_hold + 1) - wr_low - wr_hold;
-  -- SIWU#: 250 ns low, and as long high before it may fall again.
+  -- SIWU#: 250 ns low, and at least as long high before it may fall again.
   constant siwu_time : positive := cycles(250);
-  -- For which the bus is driven before TXE# allows it.
+  -- Cycles for which the bus is driven before TXE# allows the write.
   constant patience : positive := cycles(500);
 
   constant longest : positive := patience + rd_low + rd_high + wr_setup + wr_low + wr_hold + wr_rest;
@@ -182,7 +184,7 @@ begin
       txe        => txe
     );
 
-  -- The pad's register is the first of two.
+  -- The register in the pad is the first of two.
   flags : entity work.ul_synchroniser
     generic map (
       width  => 2,
@@ -200,7 +202,7 @@ begin
   over <= '1' when wait_cycles = 0 else
           '0';
 
-  -- A state lasts for `length` cycles, or until something happens.
+  -- A state lasts for `length` cycles unless an event ends it earlier.
   decide : process (all) is
   begin
 
@@ -234,7 +236,7 @@ begin
 
       when setup =>
 
-        -- The last cycle of the setup time may already see that TXE# allows it.
+        -- TXE# may become low in the last cycle of the setup time.
         if over = '1' and txe_seen = '1' then
           next_state <= writing;
           length     <= wr_low;
@@ -300,7 +302,7 @@ begin
         tx_held <= '1';
       end if;
 
-      -- At the edge at which RD# rises the pads take the byte.
+      -- At the rising edge of RD# the pad registers sample the byte.
       take <= '0';
       if state = reading and over = '1' then
         take       <= '1';
@@ -333,7 +335,7 @@ begin
 
   end process bus_cycles;
 
-  -- It goes low from rest, and rests as long before it goes low again.
+  -- A SIWU# pulse begins from the idle level and is followed by a pause of the same length.
   siwu_next <= '0' when rst = '1' else
                siwu_low when siwu_cycles /= 0 else
                not siwu_low and flush_wanted and not tx_held;

@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- All registers that an FT245 has at its pins: one a pin, and one a data pin for its driver.
+-- All registers at the pins of an FT245: one per pin, and one per data pin for the enable of its driver.
 --
--- Towards the core everything is '1' when it happens: `read`, `write`, `enable` (OE#) and `send_now` (SIWU#) ask for it
--- from the next edge on, `drive` has our drivers on from there. What the flags and the data pins showed at an edge
--- stands at `rxf`, `txe` and `data_seen` behind it.
+-- All signals on the core's side are active high. `read`, `write`, `enable` (OE#) and `send_now` (SIWU#) set the levels
+-- of their pins from the next edge on, and `drive` enables the data drivers from the next edge on. `rxf`, `txe` and
+-- `data_seen` are the levels of the flags and data pins at the last edge.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -12,8 +12,8 @@ library ieee;
 entity ul_ft245_pads is
   port (
     clk : in    std_logic;
-    -- At once, the strobes rest, and the data pins: no driver is on, and what was taken in last is forgotten. In an
-    -- ECP5's pads and Gowin's, all registers of a pin have one clear.
+    -- Asynchronous: `quiet` sets the strobes to their idle levels. `quiet_data` turns the data drivers off and clears
+    -- the data sampled last, because in the pads of ECP5 and Gowin all registers of a pin share one clear.
     quiet      : in    std_logic;
     quiet_data : in    std_logic;
     -- Pins.
@@ -41,11 +41,11 @@ end entity ul_ft245_pads;
 
 architecture rtl of ul_ft245_pads is
 
-  -- In the order of the pins' names: RD#, WR#, OE#, SIWU#.
+  -- In the order RD#, WR#, OE#, SIWU#.
   signal strobes   : std_logic_vector(3 downto 0);
   signal strobes_n : std_logic_vector(3 downto 0);
   signal rests     : std_logic;
-  -- The pads' polarity: '1' is a driver that is off.
+  -- Polarity of the pads: '1' turns a driver off.
   signal data_off : std_logic_vector(7 downto 0);
   signal rxf_no   : std_logic;
   signal txe_no   : std_logic;

@@ -2,35 +2,36 @@
 --
 -- Physical layer: the synchronous FT245 FIFO of an FT232H or FT2232H: one byte in every cycle of its 60 MHz CLKOUT.
 --
--- Pins. Each is a register in `ul_ft245_pads` that nothing else hangs on, so that a vendor's tool can put it into the
--- pad; `pads` says whose. docs/gateware.md works out what that leaves of the 16.67 ns. It has a price in cycles: what
--- the chip did at an edge is known one cycle later, and what is decided then is at the pins one cycle after that. So
--- there are copies here of what the pins show (`rd_now`, `wr_now`) and of what they showed at the last edge (`rd_was`,
--- `wr_was`), which the flags of that edge belong to. A byte has moved if RD# and RXF# (or WR# and TXE#) were both low
--- at an edge; nothing but that is ever counted.
+-- Pins. Each pin has a register in `ul_ft245_pads` that drives no other logic, so that a vendor's tool can place it in
+-- the pad. docs/gateware.md derives the budget that this leaves of the 16.67 ns. The registers cost cycles: an event at
+-- the pins is known one cycle later, and the reaction reaches the pins one cycle after that. So this file has copies of
+-- the levels at the pins now (`rd_now`, `wr_now`) and at the last edge (`rd_was`, `wr_was`); the flags that are visible
+-- now belong to the last edge. A byte has been transferred if RD# and RXF# (or WR# and TXE#) were both low at an edge;
+-- bytes are counted by this condition only.
 --
--- Reading past RXF# is harmless: what comes is dropped. Writing past TXE# is not done twice: when a byte is found to be
--- refused, the one behind it is at the pins already. It is refused as well, because TXE# stays high for more than one
--- cycle (10 were measured; the datasheet says nothing), and both are sent again, in their order, from `ring`. Should a
--- chip take the second one, its byte comes twice, once too early: a CRC finds that. From there until the next reset
--- each byte waits for the word of the one before it, at 30 MB/s.
+-- Reading while RXF# is high is harmless: the byte is dropped. A byte written while TXE# is high is refused, and when
+-- this is known, the next byte is at the pins already. The chip refuses that byte too, because TXE# stays high for more
+-- than one cycle (10 were measured; the datasheet gives no number). Both are then sent again, in order, from `ring`. If
+-- a chip accepted the second byte nevertheless, that byte would arrive twice, the first time too early; the CRC detects
+-- this. From then until the next reset, each byte is sent only after the one before it was accepted, at 30 MB/s.
 --
--- Turnaround. OE# low one cycle after our drivers are off, RD# low one cycle after OE#; back: RD# high, OE# high, then
--- one cycle in which nobody drives. A direction is kept until the other one has something to do, and then for at most
--- `burst` bytes more and those under way. Where nothing has moved for `patience` cycles nobody drives, because what else
--- the PC makes of the chip may use the same pins.
+-- Turnaround. OE# goes low one cycle after the data drivers are off, and RD# one cycle after OE#. In the other
+-- direction: RD# high, OE# high, then one cycle in which neither side drives. A direction is kept until the other one
+-- has bytes to transfer, and then for at most `burst` more bytes and those in flight. After `patience` cycles without a
+-- transfer neither side drives, because another mode of the chip may use the same pins.
 --
--- Clocks. CLKOUT runs only while the PC holds the chip in synchronous mode. Both FIFOs stand between the two clocks.
--- clk's side asks CLKOUT's for an answer all the time. Where none comes for `silence` cycles of clk, all pins rest, and
--- go on when CLKOUT does: no byte is lost or comes twice by it, unless CLKOUT comes back at the very edge of clk at
--- which it is given up. A reset lasts for four cycles of clk on the chip's side, so that the core's side is surely in
--- reset when that one leaves it; and the core's side stays in reset until the chip's side reports that it was reset. So
--- a reset without CLKOUT is remembered, and nothing is kept from before it.
+-- Clocks. CLKOUT runs only while the PC keeps the chip in synchronous mode. One FIFO in each direction crosses between
+-- the two clocks. The clk domain polls the CLKOUT domain continuously. Without a reply for `silence` cycles of clk, all
+-- pins go to their idle levels, until CLKOUT runs again. This neither loses nor duplicates a byte, unless CLKOUT
+-- resumes at the very edge of clk at which the timeout expires. A reset is held for four cycles of clk on the chip's
+-- side, so that the core's side is in reset when the chip's side leaves it; and the core's side stays in reset until
+-- the chip's side reports that it was reset. So a reset without CLKOUT is remembered, and no byte from before the reset
+-- survives.
 --
--- `flush` passes the transmit FIFO as a marker between the bytes (bit 8). When it comes out and the last byte before it
--- was accepted by the chip, SIWU# goes low for 16 cycles of CLKOUT (267 ns; 250 are asked for), and no byte follows
--- before its end; it stays high as long before it may fall again. A flush with no byte since the last one is dropped,
--- as what the chip makes of it is not documented.
+-- `flush` passes the transmit FIFO as a marker between the bytes (bit 8). When the marker leaves the FIFO and the chip
+-- has accepted the last byte before it, SIWU# goes low for 16 cycles of CLKOUT (267 ns; the chip requires 250 ns), and
+-- no byte follows before its end. It then stays high for at least as long. A flush without a byte since the last flush
+-- is dropped, because the chip's reaction is not documented.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -41,52 +42,52 @@ library work;
 
 entity ul_ft245_sync is
   generic (
-    -- Powers of two, at least 16: bytes between the chip's clock and clk, to the core and from it.
+    -- Powers of two, at least 16: bytes of the FIFOs between the chip's clock and clk, towards the core and from it.
     rx_depth : positive := 64;
     tx_depth : positive := 64;
-    -- At least 1: most bytes that move in one direction while the other one waits.
+    -- At least 1: maximum number of bytes transferred in one direction while the other direction is waiting.
     burst : positive := 256
   );
   port (
-    -- The core's clock: rising edges count.
+    -- The core's clock; its rising edge is active.
     clk : in    std_logic;
-    -- Synchronous, active high, for one cycle or more.
+    -- Synchronous reset, active high, for at least one cycle.
     rst : in    std_logic;
-    -- CLKOUT, 60 MHz, which may stand still.
+    -- CLKOUT, 60 MHz; it may be stopped.
     clkout : in    std_logic;
-    -- The data pins; the board's top joins this and the next two to them, bit by bit. Clock: clkout.
+    -- Data pins, input. The board's top joins data_in, data_out and data_oe bit by bit at the pins. Clock: clkout.
     data_in : in    std_logic_vector(7 downto 0);
-    -- What the data pins are to show. Clock: clkout.
+    -- Data pins, output. Clock: clkout.
     data_out : out   std_logic_vector(7 downto 0);
-    -- '1': drive that pin. Clock: clkout.
+    -- '1' enables the driver of that data pin. Clock: clkout.
     data_oe : out   std_logic_vector(7 downto 0);
-    -- RXF#: the chip has a byte. Clock: clkout.
+    -- RXF#: '0' if the chip has a byte. Clock: clkout.
     rxf_n : in    std_logic;
-    -- TXE#: the chip takes a byte. Clock: clkout.
+    -- TXE#: '0' if the chip accepts a byte. Clock: clkout.
     txe_n : in    std_logic;
-    -- RD#. Clock: clkout.
+    -- RD#, the read strobe. Clock: clkout.
     rd_n : out   std_logic;
-    -- WR#. Clock: clkout.
+    -- WR#, the write strobe. Clock: clkout.
     wr_n : out   std_logic;
-    -- OE#. Clock: clkout.
+    -- OE#: '0' enables the chip's data drivers. Clock: clkout.
     oe_n : out   std_logic;
-    -- SIWU#: send at once. Clock: clkout.
+    -- SIWU#: '0' makes the chip send its buffer at once. Clock: clkout.
     siwu_n : out   std_logic;
-    -- A byte for the core: it has moved at the edge at which rx_valid and rx_ready are both '1'.
+    -- Byte for the core. It is transferred at the rising edge at which rx_valid and rx_ready are both '1'.
     rx_data : out   std_logic_vector(7 downto 0);
-    -- With a byte: some before it were lost.
+    -- Valid with rx_data: '1' if bytes before this one were lost.
     rx_lost : out   std_logic;
-    -- A byte stands at rx_data.
+    -- rx_data is valid.
     rx_valid : out   std_logic;
-    -- The core takes a byte.
+    -- The core accepts the byte.
     rx_ready : in    std_logic;
-    -- A byte of the core.
+    -- Byte from the core.
     tx_data : in    std_logic_vector(7 downto 0);
-    -- A byte stands at tx_data.
+    -- tx_data is valid.
     tx_valid : in    std_logic;
-    -- This layer takes a byte.
+    -- This layer accepts the byte.
     tx_ready : out   std_logic;
-    -- '1' for one cycle: when all bytes that were accepted so far are written, pull SIWU# low.
+    -- '1' for one cycle: pull SIWU# low when all bytes accepted so far have been written.
     flush : in    std_logic
   );
 end entity ul_ft245_sync;
@@ -94,25 +95,27 @@ end entity ul_ft245_sync;
 architecture rtl of ul_ft245_sync is
 
   constant siwu_time : positive := 16;
-  -- Of CLKOUT: more than TXE# is high within a stream.
+  -- In cycles of CLKOUT: more than TXE# is high within a stream.
   constant patience : positive := 16;
-  -- Of clk: longer than a question and its answer take, and than SIWU# must be low, for clocks of up to 250 MHz.
+  -- In cycles of clk: longer than a poll and its reply take, and longer than SIWU# must be low, for clk of up to 250
+  -- MHz.
   constant silence : positive := 64;
 
-  -- Room for the bytes that still come after RD# was told to go, with as many for the cycles that the level is late.
+  -- Space for the bytes that still arrive after RD# was deasserted, and as much again for the cycles by which in_level
+  -- is late.
   constant rx_reserve : positive := 6;
 
-  -- Bytes that are waiting for the pins, at them, or not known to be taken: one each, and one more on its way.
+  -- One byte each: waiting for the pins, at the pins, not yet known to be accepted, and in flight to the pins.
   constant ring_depth : positive := 4;
 
   type state_t is (idle, writing, release_ours, reading, release_theirs);
 
   type ring_t is array (0 to ring_depth - 1) of std_logic_vector(7 downto 0);
 
-  -- One bit more than a place in the ring has.
+  -- One bit more than an index of the ring, which distinguishes full from empty.
   subtype place_t is unsigned(2 downto 0);
 
-  -- Core's domain.
+  -- Domain of clk.
   signal core_rst       : std_logic;
   signal rst_request    : std_logic_vector(3 downto 0);
   signal up_seen        : std_logic;
@@ -130,7 +133,7 @@ architecture rtl of ul_ft245_sync is
   signal tx_entry_ready : std_logic;
   signal tx_accept      : std_logic;
 
-  -- Chip's domain.
+  -- Domain of CLKOUT.
   signal chip_rst   : std_logic;
   signal chip_up    : std_logic;
   signal answer     : std_logic;
@@ -138,18 +141,18 @@ architecture rtl of ul_ft245_sync is
   signal quiet_data : std_logic;
   signal state      : state_t;
   signal next_state : state_t;
-  -- At the pins from the next edge on.
+  -- Levels at the pins from the next edge on; '1' is active.
   signal read_next   : std_logic;
   signal write_next  : std_logic;
   signal enable_next : std_logic;
   signal drive_next  : std_logic;
-  -- At the pins now, and at the last edge.
+  -- Levels at the pins now, and at the last edge.
   signal driving : std_logic;
   signal rd_now  : std_logic;
   signal rd_was  : std_logic;
   signal wr_now  : std_logic;
   signal wr_was  : std_logic;
-  -- At the last edge the pins showed these.
+  -- Levels that the pins had at the last edge.
   signal rxf       : std_logic;
   signal txe       : std_logic;
   signal data_seen : std_logic_vector(7 downto 0);
@@ -174,7 +177,7 @@ architecture rtl of ul_ft245_sync is
   signal done_at    : place_t;
   signal ring_full  : std_logic;
   signal all_done   : std_logic;
-  -- What was written at the last edge stands behind a byte that was refused.
+  -- The byte written at the last edge directly follows a refused byte.
   signal behind_refused : std_logic;
   signal accepted       : std_logic;
   signal refused        : std_logic;
@@ -279,7 +282,8 @@ begin
       q(0) => driving_seen
     );
 
-  -- Through all of chip_rst, too. Where we don't drive, the data pins are left alone: they hold what came in last.
+  -- `hushed` is '1' during all of chip_rst, too. The data pins are only cleared if this side drove them: otherwise
+  -- their registers contain the byte received last.
   chip_quiet : entity work.ul_reset_synchroniser
     port map (
       clk   => clkout,
@@ -394,7 +398,7 @@ begin
   may_read     <= room and rxf;
   captured_one <= rd_was and rxf;
 
-  -- Where one_by_one, the word of what is at the pins now is waited for.
+  -- With one_by_one, wait until the result for the byte at the pins is known.
   may_write <= '1' when send_at /= put_at and txe = '1' and (one_by_one and wr_now) = '0' else
                '0';
   accepted  <= wr_was and txe and not behind_refused;
@@ -491,7 +495,7 @@ begin
 
   end process bus_cycles;
 
-  -- What happened at the last edge is not taken back by a CLKOUT that stands behind it.
+  -- Not cleared by `quiet`: if CLKOUT stops after an edge, the transfers of that edge remain counted.
   keep_count : process (clkout, chip_rst) is
   begin
 
@@ -518,7 +522,7 @@ begin
       if write_next = '1' then
         send_at <= send_at + 1;
       elsif refused = '1' or (wr_now = '0' and wr_was = '0') then
-        -- The latter only where CLKOUT stood with a byte at the pins.
+        -- The second condition occurs only if CLKOUT stopped with a byte at the pins.
         send_at <= done_at;
       end if;
       if (wr_was and txe and behind_refused) = '1' then

@@ -23,9 +23,9 @@ entity ul_mac is
     physical : string := "rmii"
   );
   port (
-    -- The core's clock, at least 25 MHz: rising edges count.
+    -- The core's clock, at least 25 MHz; its rising edge is active.
     clk : in    std_logic;
-    -- Synchronous, active high, for one cycle or more.
+    -- Synchronous reset, active high, for at least one cycle.
     rst : in    std_logic;
     -- REF_CLK, RX_CLK or RXC.
     phy_rx_clk : in    std_logic;
@@ -57,7 +57,7 @@ entity ul_mac is
     tx_last : in    std_logic;
     -- A byte stands there. Once a frame has begun, there is one in time, or the frame is spoilt.
     tx_valid : in    std_logic;
-    -- It is taken.
+    -- The reader accepts the byte.
     tx_ready : out   std_logic
   );
 end entity ul_mac;

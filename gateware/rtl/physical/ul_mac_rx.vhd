@@ -27,9 +27,9 @@ entity ul_mac_rx is
     longest  : positive := 1518
   );
   port (
-    -- The PHY's clock: rising edges count.
+    -- The PHY's clock; its rising edge is active.
     clk : in    std_logic;
-    -- Active high, for one cycle or more.
+    -- Synchronous reset, active high, for at least one cycle.
     rst : in    std_logic;
     -- A symbol, the bit that was first on the line lowest.
     data : in    std_logic_vector(lanes - 1 downto 0);

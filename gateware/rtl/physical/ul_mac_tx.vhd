@@ -20,9 +20,9 @@ entity ul_mac_tx is
     lanes : positive := 2
   );
   port (
-    -- The PHY's clock: rising edges count.
+    -- The PHY's clock; its rising edge is active.
     clk : in    std_logic;
-    -- Active high, for one cycle or more.
+    -- Synchronous reset, active high, for at least one cycle.
     rst : in    std_logic;
     -- '1': the symbol changes at this edge.
     tick : in    std_logic;

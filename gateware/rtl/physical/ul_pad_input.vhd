@@ -1,21 +1,22 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- The first register behind a pin, which takes what the pin shows at every edge; nothing else looks at the pin.
+-- The register at an input pin, which samples the pin at every edge; no other logic reads the pin.
 --
--- This one is portable, as `ul_pad_output` is; gateware/pads has files that take its place.
+-- This architecture is portable, like that of `ul_pad_output`; the files of gateware/pads replace it for one vendor
+-- each.
 
 library ieee;
   use ieee.std_logic_1164.all;
 
 entity ul_pad_input is
   port (
-    -- Rising edges count.
+    -- Clock; its rising edge is active.
     clk : in    std_logic;
-    -- '1': forget at once what was taken in, as in the output of the same pin. Clock: none.
+    -- '1' sets q to '1' at once, asynchronously to clk, as it does in ul_pad_output. Clock: none.
     quiet : in    std_logic;
     -- From the pin. Clock: none.
     d : in    std_logic;
-    -- What the pin showed at the last edge.
+    -- Level of the pin at the last rising edge of clk.
     q : out   std_logic
   );
 end entity ul_pad_input;

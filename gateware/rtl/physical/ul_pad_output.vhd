@@ -1,24 +1,25 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- The last register before a pin: it holds what the pin shows, with the pin's own polarity, and nothing else looks at
--- it.
+-- The register at an output pin. It stores the level of the pin, with the polarity of the pin, and drives no other
+-- logic.
 --
--- This one is portable: the tool may take one in the pad, or one of the fabric, and may merge it with its like, which
--- keeps them all out of the pads. gateware/pads has files that take its place, in which it is the vendor's own.
+-- This architecture is portable: the tool may place the register in the pad or in the fabric. It may also merge it with
+-- an equal register, which keeps both out of their pads. The files of gateware/pads replace this file and instantiate
+-- the vendor's own pad register.
 --
--- While `quiet` is '1' it is '1', the rest of every pin of an FT245: a strobe that asks for nothing, a driver that is
--- off.
+-- While `quiet` is '1' the register is '1', the idle level of all pins of an FT245: the strobes are inactive, and the
+-- data drivers (whose enables are active low here) are off.
 
 library ieee;
   use ieee.std_logic_1164.all;
 
 entity ul_pad_output is
   port (
-    -- Rising edges count.
+    -- Clock; its rising edge is active.
     clk : in    std_logic;
-    -- '1': the pin rests at once, whatever clk does. Clock: none.
+    -- '1' sets the pin to its idle level '1' at once, asynchronously to clk. Clock: none.
     quiet : in    std_logic;
-    -- What the pin is to show from the next edge on.
+    -- Level of the pin from the next rising edge of clk on.
     d : in    std_logic;
     -- To the pin.
     q : out   std_logic

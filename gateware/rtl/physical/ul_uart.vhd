@@ -1,30 +1,33 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Physical layer: a UART of 8 data bits, no parity, one stop bit, at up to a quarter of the clock.
+-- Physical layer: a UART with 8 data bits, no parity and one stop bit, at up to a quarter of the clock frequency.
 --
--- Rates. Receiver and transmitter each have a phase accumulator that counts in fractions of a bit: any baud rate comes
--- out within 0.05 %, and no two edges are ever more than one clock cycle away from where they should be.
+-- Baud rate. Receiver and transmitter each have a phase accumulator that counts in fractions of a bit. It generates any
+-- baud rate within 0.05 %, with edges at most one clock cycle away from their ideal times.
 --
--- Sampling. Where a bit is 16 clock cycles long or more, the line is looked at 16 times a bit and filtered by a
--- majority of three, so that a glitch of less than floor(clock / baud / 16) cycles is nothing. Faster than that, the
--- line is looked at in every clock cycle: the start edge is then known to one cycle, and the middle of each bit is
--- sampled at t + ceil(b/2 - 1 + k*b) cycles,   0 < t <= 1 (where in the cycle the edge came), b = clock / baud, that is
--- between b/2 - 1 and b/2 + 1 cycles after the bit's beginning. At b = 4 one cycle is left on either side, which bears
--- a baud error of 2.6 % until the stop bit.
+-- Sampling. If a bit lasts 16 clock cycles or more, the receiver samples the line 16 times per bit and filters it by a
+-- majority of three: it suppresses glitches shorter than floor(clock / baud / 16) cycles. At higher baud rates it
+-- samples the line in every clock cycle, so the start edge is known to within one cycle. With b = clock / baud, and t
+-- (0 < t <= 1) the position of the start edge within its cycle, bit k is sampled at t + ceil(b/2 - 1 + k*b) cycles:
+-- between b/2 - 1 and b/2 + 1 cycles after the beginning of the bit. At b = 4 this leaves one cycle on either side,
+-- which tolerates a baud rate error of 2.6 % until the stop bit.
 --
--- Lost bytes. A byte that arrives while the one before it still waits, and a byte without a stop bit (noise, a break),
--- is dropped, and the next one carries `rx_lost`. After reset and after a break the line must be seen high first.
+-- Lost bytes. The receiver drops a byte that arrives while the previous one has not been read, and a byte without a
+-- stop bit (noise, a break). The next byte is then marked by `rx_lost`. After a reset and after a break, the receiver
+-- waits for a high line before the next start bit.
 --
--- Flow control. With `flow_control` the receiver has a small FIFO, and RTS# goes away when a quarter of it is used: the
--- rest is for what the far end sends until it has noticed. The transmitter begins no byte while CTS# is high.
+-- Flow control. With `flow_control` the receiver has a small FIFO and deasserts RTS# when a quarter of it is used; the
+-- rest has space for the bytes that the far end sends until it reacts. The transmitter begins no byte while CTS# is
+-- high.
 --
--- Half-duplex. `driver_enable` is for a transceiver on a pair of wires that both sides share, as on RS-485. The driver
--- is enabled `driver_lead` bits before the first start bit, stays so while byte follows byte, and is disabled
--- `driver_tail` bits after the last stop bit. It is enabled only where the line has been idle for a bit since the middle
--- of the last stop bit: so what the far end sends without a pause is not disturbed, also where a frame has ended within
--- it (CR LF, or noise that made a CR). What is sent is not heard.
+-- Half-duplex. `driver_enable` controls a transceiver on a pair of wires that both sides share, as with RS-485. The
+-- driver is enabled `driver_lead` bits before the first start bit, stays enabled between consecutive bytes, and is
+-- disabled `driver_tail` bits after the last stop bit. It is enabled only after the line has been idle for one bit,
+-- counted from the middle of the last stop bit. So it does not collide with bytes that the far end sends without a
+-- pause, even if a frame ends among them (CR LF, or noise that became CR). The receiver ignores the line while this
+-- side drives it.
 --
--- `flush` exists because every physical layer has it; a UART holds nothing back.
+-- `flush` exists because every physical layer has it; a UART buffers no bytes that it could send earlier.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -37,60 +40,60 @@ entity ul_uart is
   generic (
     -- At least 1: frequency of clk in Hz.
     clock_hz : positive := 50_000_000;
-    -- 1 to clock_hz / 4: bits a second.
+    -- 1 to clock_hz / 4: bits per second.
     baud : positive := 115_200;
     -- Whether RTS# and CTS# are used.
     flow_control : boolean := false;
-    -- A power of two, at least 8: bytes of the receiver's FIFO, which is there with flow_control.
+    -- A power of two, at least 8: bytes of the receiver's FIFO, which exists only with flow_control.
     rx_slack : positive := 64;
-    -- Whether both directions share one pair of wires; then there is no flow control.
+    -- Whether both directions share one pair of wires; flow_control must be false then.
     half_duplex : boolean := false;
-    -- 0 to 15: bits for which the driver holds the line before the first start bit, and behind the last stop bit.
+    -- 0 to 15: bits for which the driver is enabled before the first start bit, and after the last stop bit.
     driver_lead : natural := 1;
     driver_tail : natural := 0
   );
   port (
-    -- Rising edges count.
+    -- Clock; its rising edge is active.
     clk : in    std_logic;
-    -- Synchronous, active high, for one cycle or more.
+    -- Synchronous reset, active high, for at least one cycle.
     rst : in    std_logic;
-    -- The line in, '1' while idle. Clock: none.
+    -- Serial input, '1' while idle. Clock: none.
     rxd : in    std_logic;
-    -- The line out.
+    -- Serial output.
     txd : out   std_logic;
     -- RTS#: '0' while the far end may send.
     rts_n : out   std_logic;
     -- CTS#: '0' while this end may send. Clock: none.
     cts_n : in    std_logic := '0';
-    -- '1': the transceiver drives the line; always, unless half_duplex.
+    -- '1': the transceiver drives the line. Always '1' if half_duplex is false.
     driver_enable : out   std_logic;
-    -- A byte for the core: it has moved at the edge at which rx_valid and rx_ready are both '1'.
+    -- Byte for the core. It is transferred at the rising edge at which rx_valid and rx_ready are both '1'.
     rx_data : out   std_logic_vector(7 downto 0);
-    -- With a byte: some before it were lost.
+    -- Valid with rx_data: '1' if bytes before this one were lost.
     rx_lost : out   std_logic;
-    -- A byte stands at rx_data.
+    -- rx_data is valid.
     rx_valid : out   std_logic;
-    -- The core takes a byte.
+    -- The core accepts the byte.
     rx_ready : in    std_logic;
-    -- A byte of the core.
+    -- Byte from the core.
     tx_data : in    std_logic_vector(7 downto 0);
-    -- A byte stands at tx_data.
+    -- tx_data is valid.
     tx_valid : in    std_logic;
-    -- This layer takes a byte.
+    -- This layer accepts the byte.
     tx_ready : out   std_logic;
-    -- Without effect: a UART holds nothing back.
+    -- Unused: a UART sends every byte at once.
     flush : in    std_logic := '0'
   );
 end entity ul_uart;
 
 architecture rtl of ul_uart is
 
-  -- Registers in a row that RXD and CTS# pass.
+  -- Registers in series that synchronise RXD and CTS#.
   constant stages : positive := 2;
 
   constant oversampled : boolean := clock_hz / baud >= 16;
 
-  -- So many bits that the increment has 10 or more significant ones: its rounding is the error of the rate.
+  -- Enough bits that `step` has at least 10 significant bits: its rounding is the error of the baud rate.
   constant phase_bits : positive := log2_ceil(clock_hz / baud + 1) + 11;
   constant tick_bits  : positive := phase_bits - 4;
 
@@ -108,8 +111,8 @@ architecture rtl of ul_uart is
   constant bits_per_cycle : real    := real(baud) / real(clock_hz);
   constant step           : phase_t := phase_of(bits_per_cycle);
 
-  -- Where the phase starts at a start edge, to run over in the middle of the start bit: half a bit and a step. In
-  -- the fractions of the slowest rates half a bit is too much for an integer.
+  -- Phase to load at a start edge, so that it overflows in the middle of the start bit: half a bit and a step. It is
+  -- not computed by phase_of, because at the slowest baud rates half a bit exceeds the range of an integer.
   constant start_direct : phase_t              := shift_left(to_unsigned(1, phase_bits), phase_bits - 1) + step;
   constant start_ticks  : unsigned(3 downto 0) := to_unsigned(9, 4);
 
@@ -141,7 +144,7 @@ architecture rtl of ul_uart is
   signal tx_count : unsigned(3 downto 0);
   signal tx_load  : std_logic;
   signal tx_last  : std_logic;
-  -- Half-duplex.
+  -- For half-duplex.
   signal driving   : std_logic;
   signal tail_over : std_logic;
   signal may_drive : std_logic;
@@ -175,7 +178,8 @@ begin
       q(0) => rx_seen
     );
 
-  -- What came in while we drove the line is as old as what has passed the registers.
+  -- `deaf` delays the driver enable like the synchroniser delays RXD, so it masks exactly the samples of the line taken
+  -- while this side drove it.
   rx_now <= rx_seen or deaf(deaf'high);
 
   rx_sum <= ('0' & rx_phase) + step;
@@ -203,7 +207,7 @@ begin
       rx_phase  <= rx_sum(rx_phase'range);
       rx_done   <= '0';
       rx_broken <= '0';
-      -- The phase has gone on since the middle of the stop bit.
+      -- The phase has advanced since the middle of the stop bit; its overflow marks one idle bit.
       if rx_state /= idle then
         rx_quiet <= '0';
       elsif rx_sum(sum_t'high) = '1' then
@@ -386,7 +390,8 @@ begin
                    '1';
   driver_enable <= may_drive;
 
-  -- `tx_count` is the number of bits still to end, of 10. The phase goes on over a byte that follows without a pause.
+  -- `tx_count` is the number of bits that remain of 10. If the next byte follows without a pause, the phase is not
+  -- restarted.
   transmit : process (clk) is
   begin
 
@@ -403,7 +408,7 @@ begin
         tx_count  <= to_unsigned(10, tx_count'length);
         tail_over <= '0';
       elsif half_duplex and tx_last = '1' then
-        -- Lead and tail are bits as well, in which the line stays high.
+        -- Lead and tail are counted as bits during which the line stays high.
         tail_over <= '1';
         if driving = '0' and tx_valid = '1' and rx_quiet = '1' then
           driving  <= '1';

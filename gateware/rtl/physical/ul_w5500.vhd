@@ -29,9 +29,9 @@ entity ul_w5500 is
     mac_address : std_logic_vector(47 downto 0) := x"02554C000001"
   );
   port (
-    -- Rising edges count.
+    -- Clock; its rising edge is active.
     clk : in    std_logic;
-    -- Synchronous, active high, for one cycle or more.
+    -- Synchronous reset, active high, for at least one cycle.
     rst : in    std_logic;
     -- SCLK, mode 0.
     spi_sck : out   std_logic;
