@@ -1,11 +1,11 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Gathers what the core sends into datagrams of whole frames, until they can be sent.
+-- Gathers frames from the core into datagrams until they can be sent.
 --
--- The datagram that gathers has `whole` bytes of whole frames, all for one host: the opener of the session, or the one
--- that asks without. `close` takes it, and the next one gathers; its bytes then come out. The last byte of a frame that
--- no longer fits, and the first of one that is for the other host, wait until then. A frame that is for nobody is
--- dropped.
+-- The present datagram has `whole` bytes of whole frames, all for one host: the opener of the session or the requester
+-- without a session. `close` finishes it: the next datagram begins, and the bytes of the finished one can be read. The
+-- last byte of a frame that no longer fits, and the first byte of a frame for the other host, wait until then. A frame
+-- for which there is no host is dropped.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -20,24 +20,24 @@ entity ul_answer_ring is
   generic (
     -- A power of two: bytes.
     depth : positive := 2048;
-    -- Most bytes of frames in a datagram.
+    -- Maximum number of frame bytes in a datagram.
     most : positive := 1378
   );
   port (
     clk : in    std_logic;
     rst : in    std_logic;
-    -- Bytes of the core.
+    -- Bytes from the core.
     in_data  : in    std_logic_vector(7 downto 0);
     in_valid : in    std_logic;
     in_ready : out   std_logic;
-    -- There is a session; answers are for the host that asks, and only samples of that session.
+    -- has_session: a session exists. asking: answers go to the requester, and only samples belong to the session.
     has_session : in    std_logic;
     asking      : in    std_logic;
-    -- Bytes of the datagram that gathers, and whether it is for the host that asks.
+    -- whole: bytes of the present datagram. to_asking: the datagram is for the requester. close: finish the datagram.
     whole     : out   unsigned(log2_ceil(depth) - 1 downto 0);
     to_asking : out   std_logic;
     close     : in    std_logic;
-    -- There is nothing at all.
+    -- The ring has no bytes at all.
     empty     : out   std_logic;
     out_data  : out   std_logic_vector(7 downto 0);
     out_ready : in    std_logic
@@ -48,11 +48,11 @@ architecture rtl of ul_answer_ring is
 
   subtype pointer_t is unsigned(log2_ceil(depth) - 1 downto 0);
 
-  -- Places in the ring: of the next byte, of the first one of the datagram that gathers, and behind its whole frames.
+  -- Addresses in the ring: of the next byte, of the first byte of the present datagram, and after its last whole frame.
   signal written  : pointer_t;
   signal begin_at : pointer_t;
   signal end_at   : pointer_t;
-  -- It has whole frames.
+  -- The present datagram has at least one whole frame.
   signal has_whole  : std_logic;
   signal full       : std_logic;
   signal too_many   : std_logic;
@@ -70,7 +70,7 @@ architecture rtl of ul_answer_ring is
 begin
 
   is_end <= to_std_logic(in_data = character_lf or in_data = compact_end);
-  -- Answers to what is outside of every session are text.
+  -- Answers to requests without a session are text; samples begin with P, or are in compact form.
   for_asking <= asking and not (has_session and to_std_logic(in_data = x"50" or in_data = compact_start));
   for_nobody <= not for_asking and not has_session;
   waits      <= full or (is_end and too_many)
@@ -120,7 +120,7 @@ begin
         dropping   <= (dropping or (line_start and for_nobody)) and not is_end;
       end if;
 
-      -- A cycle late, so by a byte too early.
+      -- Registered, so it is one cycle late; the comparison is early by one byte to make up for that.
       too_many <= has_whole and not close and to_std_logic(written - begin_at >= most - 1);
       empty    <= ring_empty;
 

@@ -1,27 +1,29 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Takes the records of `ul_network_rx`, and decides what is done with each: questions and pings are answered, and
--- datagrams taken or not as docs/protocol.md ("Datagrams") has it: the frames of those that are go to the core.
+-- Reads the records of `ul_network_rx` and decides on each: it answers ARP requests, pings and discovery requests, and
+-- accepts or rejects datagrams by the rules of docs/protocol.md ("Datagrams"). The frames of accepted datagrams go to
+-- the core.
 --
--- What is known of hosts stands in a memory of four banks. In three of them are an address of the MAC (slots 0 to 5),
--- one of IP (6 to 9), a port (10, 11), the digits of a session (16 to 23) and of a count (24 to 31): of the host that
--- opened the session, with the newest count that was taken; of the one that asked last without a session; and of what
--- comes in now, the candidate, which has in slots 10 to 17 what a ping brought instead. A datagram that is taken makes
--- its bank that of the opener, and the opener's that of the next candidate: nothing is copied. The last bank has the
--- gateway's own addresses, which are written there after the reset, and the digits of the session on offer. Each byte
--- is compared with the opener's as it comes, and with the own one, so all is known with the last one.
+-- The data of the hosts is in a memory of four banks. Three of them have the same layout: a MAC address (slots 0 to 5),
+-- an IP address (6 to 9), a port (10, 11), the digits of a session (16 to 23) and of a count (24 to 31). One bank
+-- belongs to the opener, the host that opened the session, and has the newest count accepted. One belongs to the
+-- requester, the host that last sent a request without a session. One belongs to the candidate, the sender of the
+-- present datagram; for a ping, slots 10 to 17 contain fields of the ping instead. When a datagram is accepted, the
+-- banks of the opener and the candidate change roles, so that no bytes are copied. The last bank has the gateway's own
+-- addresses, written after the reset, and the digits of the session on offer. Each byte is compared with the opener's
+-- byte and with the gateway's own byte when it arrives, so all results are known after the last byte.
 --
--- A datagram to all stations can only be a question who is there (docs/protocol.md, "Finding boards"): none of it
--- reaches the core. It may bring another address of IP.
+-- A broadcast datagram can only be a discovery request (docs/protocol.md, "Finding boards"): none of its bytes reach
+-- the core. It may set another IP address.
 --
--- All of it happens while the frame comes in; effects wait until it is committed. Those that change to whom answers go
--- wait, besides, until the core has answered all before: `active` has been '0' for a while. Where samples leave it no
--- rest, they wait for `patience`, in which every request is answered.
+-- A frame is parsed while it arrives, but has effects only after it is committed. A change of the host to which answers
+-- go also waits until the core has answered all earlier requests: until `active` has been '0' for `rest` cycles. If
+-- samples keep `active` at '1', the wait ends after `patience` cycles, in which the core answers every request.
 --
--- The frames of a datagram without a header go to the core as well, which is told by `asking` that they have no session.
--- So do those of a bare `K` under the session on offer. Its characters pass while they are `K` and the digits of its
--- check. The first other character begins a field: the offer is taken before this character passes, and so before the
--- core has the whole frame.
+-- The frames of a datagram without a header go to the core as well, with `asking` = '1' to mark that they have no
+-- session. So do the frames of a bare `K` under the session on offer: its characters pass while they are `K` and the
+-- digits of its CRC. The first other character begins a field of `K`: the offer is accepted before this character
+-- passes, and so before the core has the whole frame.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -43,7 +45,7 @@ entity ul_datagram_reader is
   port (
     clk : in    std_logic;
     rst : in    std_logic;
-    -- Records, from `ul_record_ring`.
+    -- Records from `ul_record_ring`.
     in_data  : in    std_logic_vector(7 downto 0);
     in_valid : in    std_logic;
     in_ready : out   std_logic;
@@ -54,37 +56,38 @@ entity ul_datagram_reader is
     out_data  : out   std_logic_vector(7 downto 0);
     out_valid : out   std_logic;
     out_ready : in    std_logic;
-    -- The memory of hosts, bank and slot.
+    -- Memory of the hosts, addressed by bank and slot.
     peer_write : out   std_logic;
     peer_at    : out   peer_address_t;
     peer_data  : out   std_logic_vector(7 downto 0);
     read_at    : out   peer_address_t;
     read_data  : in    std_logic_vector(7 downto 0);
-    -- Banks of the host that opened the session, and of the one that asks without.
+    -- Banks of the opener, and of the requester.
     opener      : out   bank_t;
     requester   : out   bank_t;
     has_session : out   std_logic;
-    -- '1' for one cycle: a session begins.
+    -- '1' for one cycle when a session begins.
     opened : out   std_logic;
-    -- What goes to the core is the requester's, and so are the answers: in plain frames if its first one was.
+    -- The bytes to the core are the requester's, and so are the answers. asking_plain: its first frame was plain, so
+    -- the answers are plain too.
     asking       : out   std_logic;
     asking_plain : out   std_logic;
-    -- What is to be sent beside the answers of the core; `job_done` ends it. `candidate` is its bank.
+    -- Datagram to send besides the answers of the core. `job_done` ends the job; `job_bank` has the destination.
     job       : out   job_t;
     job_plain : out   std_logic;
     job_bank  : out   bank_t;
-    -- Bytes of the ping that is answered, its IP header among them, and a carry to its check.
+    -- Number of bytes of the ping to answer, with its IP header, and the carry of its checksum.
     job_bytes : out   unsigned(10 downto 0);
     job_carry : out   std_logic;
     job_done  : in    std_logic;
-    -- The bytes of an echo are taken from the ring by others.
+    -- `ul_datagram_writer` reads a byte of the ping from the ring.
     echo_taken : in    std_logic;
-    -- Something is on its way out, or in the core.
+    -- Bytes are being sent, or are in the core.
     active : in    std_logic;
-    -- Nothing may begin to be sent but jobs, and nothing is being sent.
+    -- hold: no transmission may begin except for a job. still: no transmission is in progress.
     hold  : out   std_logic;
     still : in    std_logic;
-    -- A number that is never the same twice.
+    -- A number that never repeats, for new sessions.
     cycles : in    std_logic_vector(31 downto 0)
   );
 end entity ul_datagram_reader;
@@ -92,11 +95,12 @@ end entity ul_datagram_reader;
 architecture rtl of ul_datagram_reader is
 
   constant check_digits : positive := crc_bits / 4;
-  -- Cycles of rest behind which the core surely has nothing more to say, and those that are waited for it.
+  -- rest: cycles without activity after which the core has certainly answered all requests. patience: longest wait for
+  -- that.
   constant rest     : positive := 15;
   constant patience : positive := 2 ** 17 - 1;
 
-  -- What the own bank holds from the beginning, in both of its halves.
+  -- Initial contents of both halves of the own bank.
   constant own : std_logic_vector(127 downto 0) := mac_address & ip_address & build_id & find_mark;
 
   type state_t is (
@@ -104,7 +108,7 @@ architecture rtl of ul_datagram_reader is
     answer, drain
   );
 
-  -- Why it is waited for rest.
+  -- Reason for the wait in the state `quiet`.
 
   type purpose_t is (to_take, to_open, to_ask);
 
@@ -118,10 +122,10 @@ architecture rtl of ul_datagram_reader is
   signal is_arp    : std_logic;
   signal is_icmp   : std_logic;
   signal is_find   : std_logic;
-  -- So far the question who is there is for this gateway alone, or for all.
+  -- All bytes so far match: the discovery request is for this gateway alone (is_mine), or for all gateways (is_all).
   signal is_mine : std_logic;
   signal is_all  : std_logic;
-  -- A carry of the check of a ping, one byte further.
+  -- Carry of the ping's checksum into its next byte.
   signal wrap : std_logic;
   signal was  : std_logic_vector(7 downto 0);
 
@@ -186,7 +190,8 @@ begin
                  '0';
   is_end      <= to_std_logic(in_data = character_lf or in_data = character_cr);
   is_match    <= is_hex(in_data) and to_std_logic(hex_value(in_data) = crc(crc'high downto crc'high - 3));
-  -- Place 0 has the letter. A character is compared in one cycle and passes in a later one, which keeps the ways short.
+  -- At place 0 is the letter K. A character is compared in one cycle and passes in a later one, which keeps the paths
+  -- short.
   is_bare <= to_std_logic(place = 0) or (is_match and to_std_logic(place <= check_digits));
 
   passes    <= in_valid and not none_left when state = pass else
@@ -208,7 +213,7 @@ begin
 
   in_ready <= take or echo_taken;
 
-  -- The opener's byte first, then the own one.
+  -- Read the opener's byte first, then the gateway's own byte.
   read_at(4 downto 0) <= std_logic_vector(slot_of(place));
   read_at(6 downto 5) <= opener_i when phase = 0 else
                          own_bank;
@@ -238,7 +243,7 @@ begin
       nibble     := hex_value(in_data);
       is_own     := to_std_logic(read_data = in_data);
 
-      -- Of the record's payload.
+      -- `left` counts the bytes of the record's payload.
       if take = '1' and state /= head then
         left <= left - 1;
       end if;
@@ -318,7 +323,7 @@ begin
                   state <= decide;
                 end if;
 
-              -- The reply to a ping differs from it by 0800 in its first word, so its check by as much the other way.
+              -- The reply differs from the ping by -0800 in its first word, so its checksum differs by +0800.
               when 19 =>
                 sum       := resize(unsigned(in_data), 9) + 8;
                 peer_data <= std_logic_vector(sum(7 downto 0));
@@ -354,7 +359,7 @@ begin
               malformed <= malformed or not is_own;
             elsif place <= 32 then
               is_mine <= is_mine and is_own;
-              -- An address of a group.
+              -- A group address (multicast or broadcast).
               if place = 27 then
                 is_all <= in_data(0);
               elsif place = 32 then
@@ -401,7 +406,8 @@ begin
               on_offer     <= on_offer and to_std_logic(read_data(3 downto 0) = nibble);
             else
               no_count <= no_count and to_std_logic(nibble = x"0");
-              -- The highest bit tells which half of the circle each is in; the others, which is ahead.
+              -- Serial number arithmetic: the highest bit is the half of the circle of each count, the lower bits give
+              -- the order within a half.
               if place(2 downto 0) = 0 then
                 turned  <= nibble(3) xor was(3);
                 differs <= to_std_logic(nibble(2 downto 0) /= was(2 downto 0));
@@ -536,7 +542,7 @@ begin
             headless <= '1';
             state    <= pass;
           elsif phase = 2 and (other and still) = '1' then
-            -- The former opener is sent a refusal.
+            -- Send a refusal to the former opener.
             candidate   <= opener_i;
             opener_i    <= requester_i;
             requester_i <= candidate;

@@ -1,10 +1,11 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Makes the frames that a gateway sends on Ethernet, byte by byte: answers to questions for its address, to pings and to
--- questions who is there, refusals (X0A), and datagrams of what the core has sent, each with its header.
+-- Writes the Ethernet frames that a gateway sends, byte by byte: answers to ARP requests, pings and discovery requests,
+-- refusals (X0A), and datagrams of the frames from the core, each with its header.
 --
--- A datagram is begun as soon as there is a whole frame for it, and takes all that have come until its length is sent.
--- What comes meanwhile gathers for the next. Its check of UDP is 0, as that of the frame and of ours cover it.
+-- A datagram begins as soon as a whole frame of the core is available. It includes all frames that arrive until its
+-- length field is sent; later frames are gathered for the next datagram. Its UDP checksum is 0 (unused), because the
+-- Ethernet frame check sequence and Unity-Link's CRC cover the content.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -26,7 +27,7 @@ entity ul_datagram_writer is
   port (
     clk : in    std_logic;
     rst : in    std_logic;
-    -- As `ul_datagram_reader` has them.
+    -- As in `ul_datagram_reader`.
     job          : in    job_t;
     job_plain    : in    std_logic;
     job_bank     : in    bank_t;
@@ -45,13 +46,13 @@ entity ul_datagram_writer is
     still        : out   std_logic;
     read_at      : out   peer_address_t;
     read_data    : in    std_logic_vector(7 downto 0);
-    -- As `ul_answer_ring` has them.
+    -- As in `ul_answer_ring`.
     whole        : in    unsigned(10 downto 0);
     to_asking    : in    std_logic;
     close        : out   std_logic;
     answer_data  : in    std_logic_vector(7 downto 0);
     answer_taken : out   std_logic;
-    -- Bytes of frames, as `ul_mac` takes them.
+    -- Bytes of frames, for `ul_mac`.
     out_data  : out   std_logic_vector(7 downto 0);
     out_last  : out   std_logic;
     out_valid : out   std_logic;
@@ -62,7 +63,8 @@ end entity ul_datagram_writer;
 architecture rtl of ul_datagram_writer is
 
   constant check_digits : positive := crc_bits / 4;
-  -- Bytes of IP and UDP, of our header without its end, and of that whole, and of X0A.
+  -- Bytes of: the IP and UDP headers, the text of our header up to its count, that header with CR LF (plain) and with
+  -- CRC and LF (checked), and X0A in both forms.
   constant header_bytes    : positive := 28;
   constant text_bytes      : positive := 17;
   constant header_plain    : positive := text_bytes + 2;
@@ -74,7 +76,7 @@ architecture rtl of ul_datagram_writer is
 
   constant port_bits : std_logic_vector(15 downto 0) := std_logic_vector(to_unsigned(udp_port, 16));
 
-  -- The words of an IP header that are always the same, in ones' complement: version, flags, time to live.
+  -- Ones' complement sum of the constant words of an IP header: version, flags, time to live and protocol.
   function fixed_words (protocol : natural) return unsigned is
   begin
 
@@ -82,7 +84,7 @@ architecture rtl of ul_datagram_writer is
 
   end function fixed_words;
 
-  -- The end of the answer to a question who is there, by the lower half of a byte's place: features, and the name.
+  -- The last 16 bytes of a discovery answer, selected by the lower half of a byte's place: features, then the name.
   function named return std_logic_vector is
 
     variable bits : std_logic_vector(127 downto 0) := (others => '0');
@@ -113,7 +115,7 @@ architecture rtl of ul_datagram_writer is
   signal bank    : bank_t;
   signal plain   : std_logic;
   signal offered : std_logic;
-  -- X0A has begun, behind the header.
+  -- The header of the refusal is sent; X0A follows.
   signal refusal  : std_logic;
   signal refuses  : std_logic;
   signal total    : unsigned(10 downto 0);
@@ -134,7 +136,7 @@ begin
 
   out_data  <= out_byte;
   out_valid <= valid;
-  -- The register of the byte that is sent next can be written.
+  -- The output register is free for the next byte.
   free       <= not valid or out_ready;
   produced   <= free and phase when state = head or state = text or state = ends else
                 '0';
@@ -147,7 +149,7 @@ begin
   answer_taken <= free when state = payload and kind = job_none else
                   '0';
 
-  -- What is in a datagram beside frames, of IP on.
+  -- Bytes of a datagram besides the frames of the core, from the IP header on.
   overhead <= header_bytes + header_plain when plain = '1' and refuses = '0' else
               header_bytes + find_bytes when kind = job_find else
               header_bytes + header_checked when refuses = '0' else
@@ -274,7 +276,7 @@ begin
               total <= total - 20;
             end if;
           end if;
-          -- Both addresses of IP go into the sum while bytes are sent that need no memory, then the carries.
+          -- Add both IP addresses to the checksum while bytes are sent that need no memory, then add the carries.
           if produced = '1' and place >= 12 and place <= 21 then
             adds := '1';
             if place <= 19 then
@@ -488,7 +490,7 @@ begin
         state    <= idle;
         job_done <= to_std_logic(kind /= job_none);
       end if;
-      -- No byte changes before it is taken.
+      -- A byte stays unchanged until it is accepted.
       if free = '0' then
         out_byte <= out_byte;
       end if;

@@ -1,12 +1,13 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Physical layer: Ethernet at 100 Mb/s by RMII, MII or RGMII, or by a W5500, with what stands between a PHY and the
--- frames of a gateway: MAC, ARP, ping, UDP, and the sessions of docs/protocol.md, "Datagrams".
+-- Physical layer: Ethernet at 100 Mb/s through RMII, MII, RGMII or a W5500, with all layers between the PHY and the
+-- gateway's frames: MAC, ARP, ping, UDP, and the sessions of docs/protocol.md, "Datagrams".
 --
--- Frames come in and go on to the core while nothing is wrong with them (`ul_mac` or `ul_w5500`, `ul_network_rx`), each
--- datagram whole or not at all (`ul_record_ring`), if it is of the session or asks without one (`ul_datagram_reader`). What the
--- core sends gathers in datagrams (`ul_answer_ring`, `ul_datagram_writer`). A datagram that does not fit is dropped and
--- counted. The host that opened the session is the only one that is answered in it.
+-- Received frames pass through `ul_mac` or `ul_w5500` and `ul_network_rx`, which drop frames with errors; then through
+-- `ul_record_ring`, which passes each datagram whole or not at all; then to `ul_datagram_reader`, which accepts
+-- datagrams of the session and requests without one. Answers of the core are gathered in datagrams by `ul_answer_ring`
+-- and sent by `ul_datagram_writer`. A datagram that does not fit into the buffer is dropped and counted. Answers in a
+-- session go only to the host that opened it.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -17,17 +18,17 @@ library work;
 
 entity ul_ethernet is
   generic (
-    -- "rmii", "mii", "rgmii": the pins of the PHY; "w5500": the SPI of that chip.
+    -- "rmii", "mii", "rgmii": interface to a PHY; "w5500": SPI of that chip.
     physical : string := "rmii";
     -- At least 25,000,000, for "w5500": frequency of clk in Hz.
     clock_hz : positive := 50_000_000;
-    -- 48 bits, an address of one station: this gateway's.
+    -- 48 bits, a unicast address: MAC address of this gateway.
     mac_address : std_logic_vector(47 downto 0) := x"02554C000001";
-    -- 32 bits: that of IP.
+    -- 32 bits: IP address of this gateway.
     ip_address : std_logic_vector(31 downto 0) := x"C0A80164";
-    -- 1 to 65535: the port of UDP.
+    -- 1 to 65535: UDP port.
     udp_port : positive := 21_845;
-    -- At most 15 characters of ASCII: what the gateway is called where it is found.
+    -- At most 15 ASCII characters: name of the gateway in answers to discovery requests.
     gateway_name : string := "";
     -- As of unity_link_core.
     build_id       : std_logic_vector(31 downto 0) := x"00000000";
@@ -42,15 +43,15 @@ entity ul_ethernet is
     rst : in    std_logic;
     -- REF_CLK, RX_CLK or RXC.
     phy_rx_clk : in    std_logic;
-    -- RXD; of RMII the lower two. Clock: phy_rx_clk.
+    -- RXD; RMII uses the lower two bits. Clock: phy_rx_clk.
     phy_rxd : in    std_logic_vector(3 downto 0);
     -- CRS_DV, RX_DV or RX_CTL. Clock: phy_rx_clk.
     phy_rx_dv : in    std_logic;
     -- RX_ER of RMII and MII. Clock: phy_rx_clk.
     phy_rx_er : in    std_logic;
-    -- REF_CLK, TX_CLK, or for RGMII a clock of 50 MHz.
+    -- REF_CLK, TX_CLK, or a clock of 50 MHz for RGMII.
     phy_tx_clk : in    std_logic;
-    -- TXD; of RMII the lower two. Clock: phy_tx_clk.
+    -- TXD; RMII uses the lower two bits. Clock: phy_tx_clk.
     phy_txd : out   std_logic_vector(3 downto 0);
     -- TX_EN or TX_CTL. Clock: phy_tx_clk.
     phy_tx_en : out   std_logic;
@@ -78,13 +79,14 @@ entity ul_ethernet is
     tx_valid : in    std_logic;
     -- This layer accepts the byte.
     tx_ready : out   std_logic;
-    -- What goes to the core asks without a session.
+    -- The bytes to the core are from a host without a session.
     no_session : out   std_logic;
-    -- Something is in the core that may be answered.
+    -- The core has bytes that may lead to an answer.
     active : in    std_logic;
-    -- Cycles since the reset, its lower half.
+    -- Cycles since the reset, lower half.
     cycles : in    std_logic_vector(31 downto 0);
-    -- Datagrams and questions that were dropped because they did not fit, modulo 65,536.
+    -- Number of datagrams and ARP, ping or discovery requests that were dropped because they did not fit into the
+    -- buffer, modulo 65,536.
     dropped : out   unsigned(15 downto 0)
   );
 end entity ul_ethernet;
@@ -153,7 +155,7 @@ architecture rtl of ul_ethernet is
   signal sent_valid : std_logic;
   signal sent_ready : std_logic;
 
-  -- Of LUTs it would take 300 of an ECP5.
+  -- As LUTs this memory would take 300 of an ECP5.
   attribute ram_style    : string;
   attribute syn_ramstyle : string;
 

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- What the parts of `ul_ethernet` tell each other: banks and slots of the memory of hosts, and what is to be sent.
+-- Types and constants shared by the parts of `ul_ethernet`: banks and slots of the memory of hosts, and datagrams to
+-- send.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -9,27 +10,27 @@ package ul_ethernet_pkg is
 
   subtype bank_t is std_logic_vector(1 downto 0);
 
-  -- A bank, and one of its 32 slots.
+  -- Address of a slot: bank (2 bits) and slot (5 bits, 0 to 31).
   subtype peer_address_t is std_logic_vector(6 downto 0);
 
-  -- That of this gateway: address of the MAC (slots 0 to 5), of IP (6 to 9), build identifier (10 to 13), digits of the
-  -- session on offer (16 to 23), mark of a question who is there (30, 31).
+  -- The bank of this gateway: MAC address (slots 0 to 5), IP address (6 to 9), build identifier (10 to 13), digits of
+  -- the session on offer (16 to 23), mark of a discovery request (30, 31).
   constant own_bank : bank_t := "11";
 
   constant find_mark : std_logic_vector(15 downto 0) := x"553F";
 
-  -- Bytes of a question who is there, at least, and of the answer.
+  -- Minimum length in bytes of a discovery request, and length of its answer.
   constant find_bytes : positive := 32;
 
-  -- What is sent beside the answers of the core: the answer to a question for an address, to a ping, to a question who
-  -- is there, and X0A under the session that is refused.
+  -- Datagrams sent besides the answers of the core: the answers to an ARP request, to a ping and to a discovery
+  -- request, and X0A under the session that is refused.
 
   type job_t is (job_none, job_arp, job_echo, job_find, job_refuse);
 
-  -- Most bytes of UDP in a datagram (docs/protocol.md, "Datagrams").
+  -- Maximum UDP payload of a datagram in bytes (docs/protocol.md, "Datagrams").
   constant largest_datagram : positive := 1400;
 
-  -- An octet of an address, the first one as number 0; there is none beyond the last.
+  -- Octet `number` of an address, 0 for the first; x"00" after the last.
   function octet (address : std_logic_vector; number : natural) return std_logic_vector;
 
 end package ul_ethernet_pkg;

@@ -1,17 +1,16 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- An Ethernet MAC at 100 Mb/s, full duplex, between the pins of a PHY and streams of bytes in the core's clock.
+-- An Ethernet MAC at 100 Mb/s, full duplex, between the pins of a PHY and byte streams in the core's clock domain.
 --
--- RMII: both clocks are its REF_CLK of 50 MHz. CRS_DV falls when the carrier does and then toggles until the PHY has
--- given all of the frame: a symbol counts if the line is up with it or with the one behind it. MII: RX_CLK and TX_CLK,
--- 25 MHz each. RGMII at 100 Mb/s (the PHY delays RXC): both edges have the same data, so those of the rising edge are
--- taken; RX_CTL at the falling one differs where there is an error. `phy_tx_clk` is then a clock of 50 MHz, of which
--- TXC is half: data change at its falling edges, 10 ns before the edge of TXC between them, so neither edge of TXC
--- needs a delay.
+-- RMII: both PHY clocks are its REF_CLK of 50 MHz. CRS_DV falls with the carrier and then toggles until the PHY has
+-- output the whole frame, so a symbol is valid if CRS_DV is high with it or with the next symbol. MII: RX_CLK and
+-- TX_CLK, 25 MHz each. RGMII at 100 Mb/s (the PHY delays RXC): both edges have the same data, so only rising edges are
+-- sampled; RX_CTL at the falling edge differs if the PHY reports an error. `phy_tx_clk` is then a clock of 50 MHz,
+-- twice TXC. Data changes at the falling edges of TXC, and 10 ns before its rising edges, so TXC needs no delay.
 --
--- Each side of the PHY has its own clock, which may stand, and is crossed by a FIFO. A reset lasts for four cycles of
--- clk at the PHY's sides, and the core's side stays in reset until both report that they were reset, as in
--- `ul_ft245_sync`.
+-- Each side of the PHY has its own clock, which may be stopped, and is connected by an asynchronous FIFO. A reset is
+-- held for four cycles of clk on the PHY's sides, and the core's side stays in reset until both report that they were
+-- reset, as in `ul_ft245_sync`.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -19,7 +18,7 @@ library ieee;
 
 entity ul_mac is
   generic (
-    -- "rmii", "mii", "rgmii": the pins of the PHY.
+    -- "rmii", "mii", "rgmii": interface to the PHY.
     physical : string := "rmii"
   );
   port (
@@ -29,33 +28,34 @@ entity ul_mac is
     rst : in    std_logic;
     -- REF_CLK, RX_CLK or RXC.
     phy_rx_clk : in    std_logic;
-    -- RXD; of RMII the lower two. Clock: phy_rx_clk.
+    -- RXD; RMII uses the lower two bits. Clock: phy_rx_clk.
     phy_rxd : in    std_logic_vector(3 downto 0);
     -- CRS_DV, RX_DV or RX_CTL. Clock: phy_rx_clk.
     phy_rx_dv : in    std_logic;
     -- RX_ER of RMII and MII. Clock: phy_rx_clk.
     phy_rx_er : in    std_logic;
-    -- REF_CLK, TX_CLK, or for RGMII a clock of 50 MHz.
+    -- REF_CLK, TX_CLK, or a clock of 50 MHz for RGMII.
     phy_tx_clk : in    std_logic;
-    -- TXD; of RMII the lower two. Clock: phy_tx_clk.
+    -- TXD; RMII uses the lower two bits. Clock: phy_tx_clk.
     phy_txd : out   std_logic_vector(3 downto 0);
     -- TX_EN or TX_CTL. Clock: phy_tx_clk.
     phy_tx_en : out   std_logic;
     -- TXC of RGMII. Clock: phy_tx_clk.
     phy_txc : out   std_logic;
-    -- A byte of a frame; with rx_end: bit 0 says whether the frame is good.
+    -- A byte of a frame; with rx_end, bit 0 is '1' if the frame has no errors.
     rx_data : out   std_logic_vector(7 downto 0);
-    -- No byte, but the verdict on those before.
+    -- rx_data is the status of the frame that ends, not a byte.
     rx_end : out   std_logic;
-    -- A byte or a verdict stands there.
+    -- rx_data is valid.
     rx_valid : out   std_logic;
-    -- It is taken; if it is not at once, the frame is bad.
+    -- The reader accepts rx_data. A byte that is not accepted in time makes its frame bad.
     rx_ready : in    std_logic;
-    -- A byte of a frame to send, without preamble, padding and check.
+    -- A byte of a frame to send, without preamble, padding and frame check sequence.
     tx_data : in    std_logic_vector(7 downto 0);
-    -- It is the last one of its frame.
+    -- The byte is the last one of its frame.
     tx_last : in    std_logic;
-    -- A byte stands there. Once a frame has begun, there is one in time, or the frame is spoilt.
+    -- tx_data is valid. Once a frame has begun, each byte must be valid in time; otherwise the frame ends with a wrong
+    -- frame check sequence.
     tx_valid : in    std_logic;
     -- The reader accepts the byte.
     tx_ready : out   std_logic
@@ -84,7 +84,7 @@ architecture rtl of ul_mac is
   signal rx_up_seen  : std_logic;
   signal tx_up_seen  : std_logic;
 
-  -- Receiver's domain: what the pins showed at the last edge, and what the receiver is given.
+  -- Domain of the receiver: levels of the pins at the last edge, and the inputs of the receiver.
   signal rx_rst     : std_logic;
   signal rx_up      : std_logic;
   signal data_first : symbol_t;
@@ -102,7 +102,7 @@ architecture rtl of ul_mac is
   signal rx_taken   : std_logic;
   signal rx_entry   : std_logic_vector(8 downto 0);
 
-  -- Transmitter's domain.
+  -- Domain of the transmitter.
   signal tx_rst   : std_logic;
   signal tx_up    : std_logic;
   signal tick     : std_logic;
@@ -185,7 +185,7 @@ begin
       q(0) => tx_up_seen
     );
 
-  -- Pins in.
+  -- Input pins.
 
   rx_pins : process (phy_rx_clk) is
   begin
@@ -207,7 +207,7 @@ begin
 
   rmii_in : if physical = "rmii" generate
 
-    -- Comes up with the carrier, at any instant.
+    -- CRS_DV rises asynchronously, with the carrier.
     carrier_crossing : entity work.ul_synchroniser
       port map (
         clk  => phy_rx_clk,
@@ -319,7 +319,7 @@ begin
   rx_data <= rx_entry(7 downto 0);
   rx_end  <= rx_entry(8);
 
-  -- Pins out.
+  -- Output pins.
 
   tx_entry <= tx_last & tx_data;
 

@@ -1,15 +1,15 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Receiver of an Ethernet MAC at 100 Mb/s, in the clock of the PHY: symbols of RMII (two bits) or MII (four) in, bytes
--- out, and behind those of each frame a verdict.
+-- Receiver of an Ethernet MAC at 100 Mb/s, in the clock domain of the PHY: receives symbols of RMII (two bits) or MII
+-- (four) and outputs the bytes of each frame, followed by its status.
 --
--- A frame begins behind its start delimiter; how long the preamble before it was does not matter. It is good if it has
--- 64 to 1518 bytes, the CRC of IEEE 802.3 over all of them is right, the PHY saw no error in it, and no byte of it was
--- lost on its way out. Symbols behind the last whole byte (dribble) count for nothing. What has no delimiter leaves no
--- trace; what goes on beyond 1518 bytes is bad there and then, and the rest of it is passed over.
+-- A frame begins after its start delimiter, whatever the length of the preamble. It is good if it has 64 to 1518 bytes,
+-- its frame check sequence (IEEE 802.3) is right, the PHY reported no error in it, and no byte was lost at the output.
+-- Symbols after the last whole byte (dribble bits) are ignored. A transmission without a delimiter is ignored. A frame
+-- that exceeds 1518 bytes is reported as bad at that point, and the rest of it is skipped.
 --
--- Nothing waits here: a byte that is not taken in its cycle is lost, and its frame bad. The verdict is offered until it
--- is taken; what comes meanwhile is passed over. After a reset the line must be seen silent first.
+-- The receiver has no back pressure: a byte that is not accepted in its cycle is lost, and its frame bad. The status is
+-- held until it is accepted; symbols received meanwhile are skipped. After a reset, the line must be idle first.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -20,9 +20,9 @@ library work;
 
 entity ul_mac_rx is
   generic (
-    -- 2, 4: bits of a symbol.
+    -- 2, 4: bits per symbol.
     lanes : positive := 2;
-    -- At least 5: bytes of the shortest and the longest frame, the check among them.
+    -- At least 5: lengths of the shortest and the longest frame in bytes, with the frame check sequence.
     shortest : positive := 64;
     longest  : positive := 1518
   );
@@ -31,15 +31,15 @@ entity ul_mac_rx is
     clk : in    std_logic;
     -- Synchronous reset, active high, for at least one cycle.
     rst : in    std_logic;
-    -- A symbol, the bit that was first on the line lowest.
+    -- A symbol; its lowest bit was first on the line.
     data : in    std_logic_vector(lanes - 1 downto 0);
-    -- The symbol is one of a frame or its preamble.
+    -- The symbol belongs to a frame or its preamble.
     valid : in    std_logic;
-    -- The PHY has seen an error in it.
+    -- The PHY reports an error.
     error : in    std_logic;
-    -- A byte of a frame; with out_end: bit 0 says whether the frame is good.
+    -- A byte of a frame; with out_end, bit 0 is '1' if the frame has no errors.
     out_data : out   std_logic_vector(7 downto 0);
-    -- No byte, but the verdict on those before.
+    -- out_data is the status of the frame that ends, not a byte.
     out_end   : out   std_logic;
     out_valid : out   std_logic;
     out_ready : in    std_logic
@@ -50,7 +50,7 @@ architecture rtl of ul_mac_rx is
 
   constant symbols : positive := 8 / lanes;
 
-  -- The symbols of the preamble, and the last one of the delimiter behind it.
+  -- The repeated symbol of the preamble, and the last symbol of the delimiter.
   function repeated return std_logic_vector is
 
     variable symbol : std_logic_vector(lanes - 1 downto 0) := (others => '0');

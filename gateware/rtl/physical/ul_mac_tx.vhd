@@ -1,10 +1,11 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Transmitter of an Ethernet MAC at 100 Mb/s, in the clock of the PHY: bytes of frames in, symbols of RMII (two bits)
--- or MII (four) out, with preamble, padding to 60 bytes, CRC and the gap of 12 bytes behind it.
+-- Transmitter of an Ethernet MAC at 100 Mb/s, in the clock domain of the PHY: accepts bytes of frames and outputs
+-- symbols of RMII (two bits) or MII (four), with preamble, padding to 60 bytes, frame check sequence and an interframe
+-- gap of 12 bytes.
 --
--- Once begun, a frame needs a byte in each byte's time. If none is there, what was sent is ended with a CRC that is
--- surely wrong, and the rest of that frame is taken and dropped.
+-- Once begun, a frame needs a valid byte in each byte time. If a byte is missing (underrun), the transmitter ends the
+-- frame with a CRC that is certainly wrong, and accepts and drops the rest of the frame.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -16,7 +17,7 @@ library work;
 
 entity ul_mac_tx is
   generic (
-    -- 2, 4: bits of a symbol.
+    -- 2, 4: bits per symbol.
     lanes : positive := 2
   );
   port (
@@ -26,15 +27,15 @@ entity ul_mac_tx is
     rst : in    std_logic;
     -- '1': the symbol changes at this edge.
     tick : in    std_logic;
-    -- A byte of a frame: it has moved at the edge at which in_valid and in_ready are both '1'.
+    -- A byte of a frame. It is transferred at the rising edge at which in_valid and in_ready are both '1'.
     in_data : in    std_logic_vector(7 downto 0);
-    -- It is the last one of its frame, the check not counted.
+    -- The byte is the last one of its frame, not counting the frame check sequence.
     in_last  : in    std_logic;
     in_valid : in    std_logic;
     in_ready : out   std_logic;
-    -- A symbol, the bit that is first on the line lowest.
+    -- A symbol; its lowest bit is first on the line.
     data : out   std_logic_vector(lanes - 1 downto 0);
-    -- The symbol is one of a frame or its preamble.
+    -- The symbol belongs to a frame or its preamble.
     enable : out   std_logic
   );
 end entity ul_mac_tx;
@@ -49,16 +50,17 @@ architecture rtl of ul_mac_tx is
 
   type state_t is (idle, preamble, payload, padding, check, dropping, resting);
 
-  -- What `out_byte` is, and how many bytes of that have begun; those of payload and padding together, up to `shortest`.
+  -- state: the kind of `out_byte`. count: number of bytes of that kind begun; payload and padding count together, up to
+  -- `shortest`.
   signal state    : state_t;
   signal count    : unsigned(5 downto 0);
   signal place    : natural range 0 to symbols - 1;
   signal out_byte : std_logic_vector(7 downto 0);
   signal crc      : std_logic_vector(31 downto 0);
-  -- The byte is the last one that came with its frame; the frame is to have a wrong CRC.
+  -- last: the byte is the last one of the payload. spoilt: the frame must end with a wrong CRC.
   signal last   : std_logic;
   signal spoilt : std_logic;
-  -- The next byte begins at this edge, and is the one that is offered.
+  -- step: the next byte begins at this edge. take: it is the byte offered at in_data.
   signal step : std_logic;
   signal take : std_logic;
 

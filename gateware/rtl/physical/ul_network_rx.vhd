@@ -1,16 +1,16 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Picks from the frames of a MAC what may be for this gateway: questions for an address (ARP), pings (ICMP echo
--- requests), and datagrams (UDP) for its port, those to all stations among them. All else leaves no trace: other
--- stations and multicasts, tags, other protocols and ports, fragments and options of IP, what is shorter than it says,
--- a wrong check of the header, a frame that is not good.
+-- Filters the frames of a MAC for this gateway: ARP requests, pings (ICMP echo requests), and UDP datagrams for its
+-- port, broadcasts included. All other frames are dropped without a trace: those for other stations and other
+-- multicasts, VLAN tags, other protocols and ports, IP fragments and options, frames shorter than their length fields,
+-- wrong IP header checksums, and frames with errors.
 --
--- It goes on as a record: address of the MAC (6 bytes), length of the IP datagram (2), kind (1: bit 0 ARP, bit 1 ICMP,
--- bit 2 UDP to all), address of IP (4), that which is asked or sent to (4); of all but ARP the header of 8 bytes behind
--- that of IP, and what it carries. Bytes are written as they come, on trial: `commit` says that the frame was good,
--- `rollback` that it is to be forgotten.
+-- An accepted frame is written as a record: MAC address (6 bytes), length of the IP datagram (2), kind (1: bit 0 ARP,
+-- bit 1 ICMP, bit 2 UDP broadcast), IP address of the sender (4), IP address asked for or sent to (4); except for ARP,
+-- the 8 bytes of the ICMP or UDP header and the payload follow. Bytes are written as they arrive: `commit` accepts the
+-- record after a frame without errors, `rollback` discards it.
 --
--- The check of UDP is not looked at: that of the frame covers it.
+-- The UDP checksum is not checked, because the Ethernet frame check sequence covers it.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -22,15 +22,15 @@ library work;
 
 entity ul_network_rx is
   generic (
-    -- 48 bits: this gateway's address.
+    -- 48 bits: MAC address of this gateway.
     mac_address : std_logic_vector(47 downto 0) := x"02554C000001";
-    -- 1 to 65535: the port of UDP.
+    -- 1 to 65535: UDP port.
     udp_port : positive := 21_845
   );
   port (
     clk : in    std_logic;
     rst : in    std_logic;
-    -- A byte of a frame, or its verdict, as `ul_mac` has them; each is taken at once.
+    -- A byte of a frame, or its status at the end, as from `ul_mac`; each is accepted at once.
     in_data  : in    std_logic_vector(7 downto 0);
     in_end   : in    std_logic;
     in_valid : in    std_logic;
@@ -39,9 +39,9 @@ entity ul_network_rx is
     write_data : out   std_logic_vector(7 downto 0);
     commit     : out   std_logic;
     rollback   : out   std_logic;
-    -- There is no room for another byte.
+    -- The ring has no space for another byte.
     full : in    std_logic;
-    -- '1' for one cycle: a good frame for this gateway is dropped, as there was no room.
+    -- '1' for one cycle: an error-free frame for this gateway was dropped because the ring was full.
     dropped : out   std_logic
   );
 end entity ul_network_rx;
@@ -50,24 +50,24 @@ architecture rtl of ul_network_rx is
 
   constant header : positive := 42;
 
-  -- Of the byte that comes: its place in the frame, at most `header`.
+  -- Place of the arriving byte in the frame, at most `header`.
   signal place : unsigned(5 downto 0);
-  -- So far it can be for this gateway.
+  -- The bytes so far allow that the frame is for this gateway.
   signal wanted  : std_logic;
   signal to_me   : std_logic;
   signal to_all  : std_logic;
   signal is_arp  : std_logic;
   signal is_icmp : std_logic;
-  -- Bytes of the IP datagram behind the one that came, and all there are of it.
+  -- remaining: bytes of the IP datagram after the present one. udp_bytes: length of the UDP datagram.
   signal remaining : unsigned(10 downto 0);
   signal udp_bytes : unsigned(10 downto 0);
   signal complete  : std_logic;
   signal overflow  : std_logic;
-  -- The byte is one of those behind the length of IP; it is one of the header of IP.
+  -- counting: the byte comes after the IP length field. summing: the byte belongs to the IP header.
   signal counting : std_logic;
   signal summing  : std_logic;
-  -- The check of that header in ones' complement, a byte at a time: the half that comes next, the other one, and what
-  -- the last addition carries into the next.
+  -- Ones' complement sum of the IP header, one byte per cycle: sum is the half to which the next byte is added,
+  -- sum_last the other half, and carry the carry of the last addition.
   signal sum      : unsigned(7 downto 0);
   signal sum_last : unsigned(7 downto 0);
   signal carry    : std_logic;
@@ -204,7 +204,7 @@ begin
 
         end case;
 
-        -- The IP datagram has ended; one that ends within the headers is none.
+        -- The end of the IP datagram. A datagram that ends within the headers is invalid.
         if (counting and not complete and not is_arp) = '1' then
           remaining <= remaining - 1;
           if remaining = 5 then

@@ -1,17 +1,18 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Frames of Ethernet through a W5500 of WIZnet at an SPI, in place of `ul_mac` and a PHY (datasheet version 1.0.9;
--- sections are its).
+-- Ethernet frames through a W5500 of WIZnet on SPI, in place of `ul_mac` and a PHY (section numbers refer to the chip's
+-- datasheet, version 1.0.9).
 --
--- Of the chip's stack nothing is used: its socket 0 is open for raw frames (MACRAW, section 4.2), so that addresses,
--- sessions and what finds boards are those of every Ethernet port here. The chip sends and checks frames, and keeps those
--- that come for the own address and for all stations, in 16 KiB each way.
+-- The chip's TCP/IP stack is not used: its socket 0 is opened for raw frames (MACRAW, section 4.2), so that addresses,
+-- sessions and discovery are those of the other Ethernet ports. The chip sends and checks frames. It receives frames
+-- for its own address and broadcasts; its buffers have 16 KiB in each direction.
 --
--- The same few accesses go round and round (section 2.2.1: address, block, data): where the pointers stand and if a frame
--- has come; its length and bytes; the new pointer and RECV. Or a frame to be sent, padded to 60 bytes; the new pointer and
--- SEND; if it was sent. All pointers are read from the chip each time. Once in a while it is asked if the socket is open
--- still: a chip that lost its power is reset, and set up again. Where it says what cannot be, or does not come to an end
--- with a frame, its socket is closed and opened: that leaves its PHY alone.
+-- The state machine repeats a few SPI accesses (section 2.2.1: address, block, data). To receive: read the pointers and
+-- see if a frame has arrived; read its length and bytes; write the new pointer and the command RECV. To send: write a
+-- frame, padded to 60 bytes; write the new pointer and the command SEND; poll until it was sent. All pointers are read
+-- from the chip each time. From time to time it checks that the socket is still open: a chip that lost its power is
+-- reset and configured again. If the chip returns an impossible value or does not finish a frame, the socket is closed
+-- and reopened, which does not disturb the chip's PHY.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -23,9 +24,9 @@ library work;
 
 entity ul_w5500 is
   generic (
-    -- At least 1000: frequency of clk in Hz. The SPI's is at most half of it, and at most 33.3 MHz (section 5.5.4).
+    -- At least 1000: frequency of clk in Hz. The SPI clock is at most half of it, and at most 33.3 MHz (section 5.5.4).
     clock_hz : positive := 50_000_000;
-    -- 48 bits: this gateway's address.
+    -- 48 bits: MAC address of this gateway.
     mac_address : std_logic_vector(47 downto 0) := x"02554C000001"
   );
   port (
@@ -39,17 +40,17 @@ entity ul_w5500 is
     spi_cs_n : out   std_logic;
     -- MOSI.
     spi_mosi : out   std_logic;
-    -- MISO. It changes at falling edges of SCLK, and is taken at the next one.
+    -- MISO. It changes at falling edges of SCLK and is sampled at the next falling edge.
     spi_miso : in    std_logic;
     -- RSTn.
     spi_rst_n : out   std_logic;
-    -- A byte of a frame; with rx_end: bit 0 says that the frame is good. It is taken at once.
+    -- A byte of a frame; with rx_end, bit 0 is '1' if the frame has no errors. It must be accepted at once.
     rx_data  : out   std_logic_vector(7 downto 0);
     rx_end   : out   std_logic;
     rx_valid : out   std_logic;
-    -- A byte of a frame to send, without padding and check.
+    -- A byte of a frame to send, without padding and frame check sequence.
     tx_data : in    std_logic_vector(7 downto 0);
-    -- It is the last one of its frame.
+    -- The byte is the last one of its frame.
     tx_last  : in    std_logic;
     tx_valid : in    std_logic;
     tx_ready : out   std_logic
@@ -59,20 +60,22 @@ end entity ul_w5500;
 architecture rtl of ul_w5500 is
 
   constant highest_sck : positive := 33_300_000;
-  -- Cycles for which SCLK is low, and as many for which it is high.
+  -- Cycles for which SCLK is low; it is high for as many.
   constant half : positive := (clock_hz + 2 * highest_sck - 1) / (2 * highest_sck);
-  -- Cycles for which SCSn is high at least: 30 ns, of a clock of 133 MHz.
+  -- Minimum number of cycles for which SCSn is high between accesses: 30 ns with a clock of 133 MHz.
   constant gap : positive := 4;
-  -- Cycles of a millisecond: longer than RSTn is to be low, and than the chip takes to start (section 5.5.1).
+  -- Cycles in a millisecond: longer than the minimum pulse of RSTn, and longer than the chip takes to start (section
+  -- 5.5.1).
   constant pause : positive := clock_hz / 1000 + 1;
-  -- Accesses, each of a microsecond or more, after which what does not come about never will: a frame on the line takes
-  -- at most 1.3 ms.
+  -- Number of accesses, each of at least a microsecond, after which an awaited result counts as failed: sending a frame
+  -- takes at most 1.3 ms.
   constant patience : positive := 2 ** 12 - 1;
-  -- Of a frame, with the two bytes of its length before it, and without its check.
+  -- Length limits of a received frame in bytes, with the 2 bytes of its length before it and without its frame check
+  -- sequence.
   constant shortest : positive := 62;
   constant longest  : positive := 1520;
 
-  -- Blocks of section 2.2.2, and places in those of a socket.
+  -- Blocks of section 2.2.2, and register addresses within a socket's block.
 
   subtype block_t is std_logic_vector(4 downto 0);
 
@@ -94,7 +97,7 @@ architecture rtl of ul_w5500 is
 
   constant is_open : octet_t := x"42";
 
-  -- A register of one byte, and what is written there.
+  -- A register of one byte and the value to write.
 
   type setting_t is record
     area  : block_t;
@@ -104,8 +107,8 @@ architecture rtl of ul_w5500 is
 
   type settings_t is array (0 to 26) of setting_t;
 
-  -- The chip's reset; its address; all of its memory for socket 0; that one closed, and opened for raw frames that are for
-  -- the own address or for all.
+  -- Reset the chip; set its MAC address; assign all buffer memory to socket 0; close socket 0 and open it for raw
+  -- frames that are addressed to this gateway or broadcast.
   function set_up return settings_t is
 
     variable result : settings_t;
@@ -140,27 +143,29 @@ architecture rtl of ul_w5500 is
   constant settings : settings_t := set_up;
   constant reopen   : natural    := 23;
 
-  -- An access, or a millisecond. `look` reads the pointers, `take` a frame; `advance_rx` and `receive` free its place.
-  -- `put` writes a frame; `advance_tx` and `send` have it sent. `accepted` waits until a command is taken, `sent` until a
-  -- frame is, `forget` clears what said so. `check` asks if the socket is open.
+  -- Each step is an SPI access or a pause of a millisecond. `look` reads the pointers, `take` a frame; `advance_rx` and
+  -- `receive` free its buffer. `put` writes a frame; `advance_tx` and `send` start its transmission. `accepted` polls
+  -- until the chip has accepted a command, `sent` until the frame was sent; `forget` clears the interrupt flag of that.
+  -- `check` reads if the socket is still open.
 
   type step_t is (
     reset, start, restart, configure, look, take, advance_rx, receive, put, advance_tx, send, accepted, sent, forget, check
   );
 
-  -- Of an access: SCSn is high; a byte is chosen; it goes out, and one comes in; what came is looked at.
+  -- Phases of an access: SCSn is high; the next byte is selected; a byte is shifted out and one in; the received byte
+  -- is evaluated.
 
   type phase_t is (rest, load, shifting, arrived);
 
   signal step  : step_t;
   signal phase : phase_t;
-  -- What follows when a command was accepted.
+  -- The step after a command was accepted.
   signal then_step : step_t;
   signal index     : natural range 0 to 26;
   signal timer     : natural range 0 to pause;
   signal tries     : natural range 0 to patience;
 
-  -- Place of the byte in its access, those of the data from 3 on; the last counts for all behind.
+  -- Place of the byte in its access; data begins at place 3, and all later data bytes count as the last place.
   signal place    : natural range 0 to 9;
   signal shift    : octet_t;
   signal bits     : unsigned(2 downto 0);
@@ -171,12 +176,12 @@ architecture rtl of ul_w5500 is
   signal rx_pointer : unsigned(15 downto 0);
   signal tx_pointer : unsigned(15 downto 0);
   signal has_come   : std_logic;
-  -- Bytes of the frame that are left, or of the one that is sent.
+  -- Bytes that remain of the frame being received or sent.
   signal left : unsigned(10 downto 0);
   signal many : octet_t;
-  -- The frame is whole, and padding follows.
+  -- All bytes of the frame are written; padding follows.
   signal padding : std_logic;
-  -- The next turn is that of a frame to send.
+  -- A frame to send is next.
   signal tx_turn : std_logic;
   signal idle    : unsigned(7 downto 0);
   signal ends    : std_logic;
@@ -284,7 +289,7 @@ begin
 
     variable length : unsigned(15 downto 0);
 
-    -- End the access, and go on with another.
+    -- End the access and continue with another step.
 
     procedure go_on (following : step_t) is
     begin
@@ -297,7 +302,7 @@ begin
 
     end procedure go_on;
 
-    -- The same access once more, as long as there is hope.
+    -- Repeat the access, at most `patience` times; then reopen the socket.
 
     procedure try_again is
     begin
