@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- The memory of `ul_record_ring` and `ul_answer_ring`: bytes go in at one end and come out at the other, behind a
--- register of their own, as block RAM is slow.
+-- The memory of `ul_record_ring` and `ul_answer_ring`: a FIFO of bytes. Its output passes an extra register, because
+-- block RAM has a long clock-to-output delay.
 --
--- What was written behind the last `commit` can be taken back by `rollback`. If some of it may have come out already,
--- `rewind` comes with it, and what comes out next is what is written next.
+-- `rollback` discards all bytes written since the last `commit`. If some of them may have been read already, assert
+-- `rewind` as well: the next byte read is then the next one written.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -23,20 +23,20 @@ entity ul_byte_ring is
     rst        : in    std_logic;
     write      : in    std_logic;
     write_data : in    std_logic_vector(7 downto 0);
-    -- Neither comes with a write.
+    -- commit and rollback must not be asserted in the cycle of a write.
     commit   : in    std_logic := '0';
     rollback : in    std_logic := '0';
     rewind   : in    std_logic := '0';
-    -- '1': what is not committed stays in.
+    -- '1': bytes that are not committed cannot be read yet.
     kept_only : in    std_logic := '0';
-    -- Nothing more may be written than a byte under way.
+    -- After full is '1', at most the one byte in flight may still be written.
     full : out   std_logic;
-    -- The place of the next byte.
+    -- Address of the next byte.
     written   : out   unsigned(log2_ceil(depth) - 1 downto 0);
     out_data  : out   std_logic_vector(7 downto 0);
     out_valid : out   std_logic;
     out_ready : in    std_logic;
-    -- There is nothing that may come out.
+    -- No byte can be read now.
     empty : out   std_logic
   );
 end entity ul_byte_ring;
@@ -124,7 +124,7 @@ begin
         is_there <= '0';
         head     <= '0';
       end if;
-      -- All but four, which a comparison of its highest bits tells.
+      -- Full at depth - 4 bytes, so that the comparison needs only the highest bits.
       used := write_at - read_at;
       full <= '0';
       if (not used(used'high downto 2)) = 0 then

@@ -1,11 +1,12 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- A ring of records that are written byte by byte on trial, and may be read while they are.
+-- A ring buffer of records that are written byte by byte and can be discarded at their end; they may be read while they
+-- are written.
 --
--- The reader takes the bytes of a record as they are there, also of one that is not committed; `trial` says so, and it
--- does nothing with them then that it cannot take back. Where such a record is rolled back, `undone` tells the reader
--- for one cycle that what it has of it counts for nothing. It tells the end of each record by `done`, when it has taken
--- all bytes of one that is committed. A record is shorter than the ring.
+-- The reader reads the bytes of a record as soon as they are available, even before the record is committed. While
+-- `trial` is '1', the record may still be discarded, so the reader must not do anything that it cannot undo. `undone`
+-- is '1' for one cycle if the record is rolled back: the reader drops what it has read of it. The reader asserts `done`
+-- when it has read all bytes of a committed record. A record must be shorter than the ring.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -20,10 +21,10 @@ entity ul_record_ring is
     rst        : in    std_logic;
     write      : in    std_logic;
     write_data : in    std_logic_vector(7 downto 0);
-    -- Neither comes with a write.
+    -- commit and rollback must not be asserted in the cycle of a write.
     commit   : in    std_logic;
     rollback : in    std_logic;
-    -- Nothing more may be written than a byte under way.
+    -- After full is '1', at most the one byte in flight may still be written.
     full      : out   std_logic;
     out_data  : out   std_logic_vector(7 downto 0);
     out_valid : out   std_logic;
@@ -36,7 +37,7 @@ end entity ul_record_ring;
 
 architecture rtl of ul_record_ring is
 
-  -- There is no committed record with which the reader has not done.
+  -- No committed record is unread: the reader has finished all of them.
   signal none   : std_logic;
   signal rewind : std_logic;
   signal kept   : std_logic;
