@@ -1,11 +1,11 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- The gateway as a design uses it: one medium, chosen by the generic `physical`, and a bus, chosen by `bus_standard`.
+-- The gateway for use in a design: one medium, chosen by the generic `physical`, and one bus, chosen by `bus_standard`.
 --
--- Only the pins of the medium and of the bus in use need to be connected: the inputs of the others have defaults that
--- keep them still. The layers that were not chosen are not elaborated. Bidirectional data pins are joined by the
--- board's top, because how a tristate pin is described differs between vendors, bit by bit, as each has a register of
--- its own for its driver: `ft_data(n) <= ft_data_out(n) when ft_data_oe(n) = '1' else 'Z'`.
+-- Connect only the pins of the chosen medium and bus: the inputs of the others have defaults that keep them inactive.
+-- The layers of the others are not elaborated. The board's top joins bidirectional data pins, because vendors describe
+-- tristate pins in different ways. It joins them bit by bit, because each pin has a register of its own that enables
+-- its driver: `ft_data(n) <= ft_data_out(n) when ft_data_oe(n) = '1' else 'Z'`.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -18,80 +18,84 @@ library work;
 
 entity unity_link is
   generic (
-    -- "fifo", "uart", "ft245", "ft245_sync", "rmii", "mii", "rgmii", "w5500": the medium; "ft245" is the asynchronous
-    -- FIFO, the last four are Ethernet at 100 Mb/s, "w5500" by that chip's SPI.
+    -- "fifo", "uart", "ft245", "ft245_sync", "rmii", "mii", "rgmii", "w5500": the medium. "ft245" is the asynchronous
+    -- FIFO; the last four are Ethernet at 100 Mb/s, "w5500" through the SPI of that chip.
     physical : string := "uart";
-    -- 1 to clock_hz / 4: bits a second, for "uart".
+    -- 1 to clock_hz / 4: bits per second, for "uart".
     baud : positive := 1_000_000;
-    -- For "uart": whether RTS# and CTS# are used; for "fifo": whether the source of bytes waits for in_ready. An FT245
-    -- always waits.
+    -- For "uart": whether RTS# and CTS# are used. For "fifo": whether the source of bytes respects in_ready. An FT245
+    -- always respects it.
     flow_control : boolean := false;
-    -- "wishbone", "axi4_lite": the bus; AXI4-Lite takes data_bits of 32 or 64.
+    -- "wishbone", "axi4_lite": the bus. AXI4-Lite needs data_bits of 32 or 64.
     bus_standard : string := "wishbone";
-    -- Whether Wishbone B4 is pipelined instead of classic.
+    -- Whether the bus is pipelined Wishbone B4 instead of classic.
     wb_pipelined : boolean := false;
     -- 8 to 64: bits of a word.
     data_bits : positive := 32;
-    -- 8 to 32: bits of an address, which counts words.
+    -- 8 to 32: bits of a word address.
     address_bits : positive := 8;
-    -- 2, 3: hex digits of a message ID; 128 or 2,048 requests may be under way.
+    -- 2, 3: hex digits of a message ID, for up to 128 or 2,048 requests in flight.
     id_digits : positive := 3;
-    -- The datalink layer. Without it all frames are plain, for a person at a terminal: a host needs checked ones.
+    -- Whether the gateway has a datalink layer. If false, all frames are plain, for a person at a terminal; a host
+    -- needs checked frames.
     checked_frames : boolean := true;
-    -- 8, 16, 32: bits of a frame's CRC.
+    -- 8, 16, 32: bits of the CRC of a frame.
     crc_bits : positive := 16;
-    -- crc_bits bits, not all 0: its polynomial without the highest term, right-aligned. The default is that of 16 bits.
+    -- crc_bits bits, not all 0: polynomial of the CRC without its highest term, right-aligned. The default is for 16
+    -- bits.
     crc_polynomial : std_logic_vector(31 downto 0) := x"00001021";
-    -- 1 to 255: most words in one block or queue request.
+    -- 1 to 255: maximum number of words in one block or queue request.
     block_words : positive := 255;
-    -- 0 to 256: publish groups.
+    -- 0 to 256: number of publish groups.
     groups : natural := 16;
-    -- 1 to 255: most addresses in one group.
+    -- 1 to 255: maximum number of addresses in one group.
     group_words : natural := 32;
-    -- A power of two, at least group_words + 2: words in which the samples of all groups wait until they are sent.
+    -- A power of two, at least group_words + 2: words of the buffer in which the samples of all groups wait for
+    -- transmission.
     sample_depth : positive := 256;
-    -- At least 1: frequency of clk in Hz, from which all intervals follow.
+    -- At least 1: frequency of clk in Hz, from which all intervals are derived.
     clock_hz : positive := 50_000_000;
-    -- 1 to 1000 * clock_hz / (groups + 8): the frequency of which periodic groups publish at integer divisions, in mHz.
+    -- 1 to 1000 * clock_hz / (groups + 8): frequency of the base tick in mHz; periodic groups publish at integer
+    -- divisions of it.
     base_frequency_millihertz : positive := 100_000_000;
-    -- Powers of two, 2 to 32768: bytes that wait for the gateway, and those that wait for the medium.
+    -- Powers of two, 2 to 32768: bytes of the receive FIFO and of the transmit FIFO.
     rx_fifo_depth : positive := 256;
     tx_fifo_depth : positive := 256;
-    -- At least 1: cycles after which a bus access that is not answered ends with error 05; the bus then rests as long.
+    -- At least 1: cycles after which an unanswered bus access ends with error 05; the bus is then released for as long.
     bus_timeout : positive := 1024;
-    -- Whether the command WK is there; else it is answered with error 02, as all that is left out.
+    -- Whether the gateway has the command WK. If false, WK is answered with error 02, like all commands that are left
+    -- out.
     masked_write : boolean := true;
-    -- Whether RQ and WQ are there, for FIFOs at one address.
+    -- Whether the gateway has the commands RQ and WQ, for FIFOs at one address.
     queue_commands : boolean := true;
-    -- Whether frames of a session may be in the compact form; words then have an even number of hex digits.
+    -- Whether frames of a session may use the compact form; words must have an even number of hex digits then.
     compact : boolean := false;
-    -- Whether samples may bear the time; else that flag is answered with error 06.
+    -- Whether samples can have a timestamp. If false, the group flag for it is answered with error 06.
     timestamps : boolean := true;
-    -- Whether edges of trigger make groups due; else that flag is answered with error 06.
+    -- Whether edges of trigger can make groups due. If false, the group flag for it is answered with error 06.
     triggers : boolean := true;
-    -- Whether the medium is told to send at once behind an answer.
+    -- Whether the gateway makes the medium send its buffer at once after an answer.
     send_immediate : boolean := true;
-    -- -1 to 254: number of this node on a medium that several share; -1: it is not shared.
+    -- -1 to 254: number of this node on a shared medium; -1 if the medium is not shared.
     node : integer := -1;
-    -- Whether only one side may send at a time: groups then publish only when GP asks.
+    -- Whether only one side may send at a time; groups then publish only on request by GP.
     half_duplex : boolean := false;
-    -- 48 bits, for Ethernet: the address of the MAC, of one station.
+    -- 48 bits, a unicast address, for Ethernet: MAC address of the gateway.
     mac_address : std_logic_vector(47 downto 0) := x"02554C000001";
-    -- 32 bits, for Ethernet: the address of IP.
+    -- 32 bits, for Ethernet: IP address of the gateway.
     ip_address : std_logic_vector(31 downto 0) := x"C0A80164";
-    -- 1 to 65535, for Ethernet: the port of UDP.
+    -- 1 to 65535, for Ethernet: UDP port.
     udp_port : positive := 21_845;
-    -- At most 15 characters of ASCII, for Ethernet: what the gateway is called where it is found.
+    -- At most 15 ASCII characters, for Ethernet: name of the gateway in answers to discovery requests.
     gateway_name : string := "";
-    -- 0 to 15: with half_duplex, bits for which uart_de is '1' before the first start bit, and behind the last stop
-    -- bit.
+    -- 0 to 15: with half_duplex, bits for which uart_de is '1' before the first start bit, and after the last stop bit.
     driver_lead : natural := 1;
     driver_tail : natural := 0;
-    -- Any: what Q reports as the build identifier.
+    -- Any: build identifier that Q reports.
     build_id : std_logic_vector(31 downto 0) := x"00000000";
-    -- Whether that is the fingerprint of a spec's map, which hosts compare with theirs.
+    -- Whether build_id is the fingerprint of a spec's address map, which hosts compare with their own.
     fingerprint : boolean := false;
-    -- Whether the highest addresses hold a description, as docs/protocol.md says.
+    -- Whether the highest addresses contain a description of the registers, in the format of docs/protocol.md.
     description : boolean := false
   );
   port (
@@ -99,47 +103,48 @@ entity unity_link is
     clk : in    std_logic;
     -- Synchronous reset, active high, for at least one cycle.
     rst : in    std_logic;
-    -- The line from the host, '1' while idle. Clock: none.
+    -- Serial input from the host, '1' while idle. Clock: none.
     uart_rxd : in    std_logic := '1';
-    -- The line to the host.
+    -- Serial output to the host.
     uart_txd : out   std_logic;
-    -- RTS#, with flow_control. '0': the host may send.
+    -- RTS#, used with flow_control. '0': the host may send.
     uart_rts_n : out   std_logic;
-    -- CTS#, with flow_control. '0': the gateway may send. Clock: none.
+    -- CTS#, used with flow_control. '0': the gateway may send. Clock: none.
     uart_cts_n : in    std_logic := '0';
-    -- '1': the transceiver drives the line; always, unless half_duplex.
+    -- '1': the transceiver drives the line. Always '1' if half_duplex is false.
     uart_de : out   std_logic;
     -- CLKOUT, 60 MHz, for "ft245_sync".
     ft_clkout : in    std_logic := '0';
-    -- The data pins; the board's top joins this and the next two to them, bit by bit. Clock: ft_clkout.
+    -- Data pins, input. The board's top joins ft_data_in, ft_data_out and ft_data_oe bit by bit at the pins. Clock:
+    -- ft_clkout.
     ft_data_in : in    std_logic_vector(7 downto 0) := (others => '0');
-    -- What the data pins are to show. Clock: ft_clkout.
+    -- Data pins, output. Clock: ft_clkout.
     ft_data_out : out   std_logic_vector(7 downto 0);
-    -- '1': drive that pin. Clock: ft_clkout.
+    -- '1' enables the driver of that data pin. Clock: ft_clkout.
     ft_data_oe : out   std_logic_vector(7 downto 0);
-    -- RXF#: the chip has a byte. Clock: ft_clkout.
+    -- RXF#: '0' if the chip has a byte. Clock: ft_clkout.
     ft_rxf_n : in    std_logic := '1';
-    -- TXE#: the chip takes a byte. Clock: ft_clkout.
+    -- TXE#: '0' if the chip accepts a byte. Clock: ft_clkout.
     ft_txe_n : in    std_logic := '1';
-    -- RD#. Clock: ft_clkout.
+    -- RD#, the read strobe. Clock: ft_clkout.
     ft_rd_n : out   std_logic;
-    -- WR#. Clock: ft_clkout.
+    -- WR#, the write strobe. Clock: ft_clkout.
     ft_wr_n : out   std_logic;
-    -- OE#, for "ft245_sync". Clock: ft_clkout.
+    -- OE#, for "ft245_sync": '0' enables the chip's data drivers. Clock: ft_clkout.
     ft_oe_n : out   std_logic;
-    -- SIWU#: send at once. Clock: ft_clkout.
+    -- SIWU#: '0' makes the chip send its buffer at once. Clock: ft_clkout.
     ft_siwu_n : out   std_logic;
     -- For Ethernet: REF_CLK of RMII, RX_CLK of MII, RXC of RGMII.
     phy_rx_clk : in    std_logic := '0';
-    -- RXD; of RMII the lower two. Clock: phy_rx_clk.
+    -- RXD; RMII uses the lower two bits. Clock: phy_rx_clk.
     phy_rxd : in    std_logic_vector(3 downto 0) := (others => '0');
     -- CRS_DV, RX_DV or RX_CTL. Clock: phy_rx_clk.
     phy_rx_dv : in    std_logic := '0';
     -- RX_ER of RMII and MII. Clock: phy_rx_clk.
     phy_rx_er : in    std_logic := '0';
-    -- REF_CLK of RMII, TX_CLK of MII; for RGMII a clock of 50 MHz.
+    -- REF_CLK of RMII, TX_CLK of MII; a clock of 50 MHz for RGMII.
     phy_tx_clk : in    std_logic := '0';
-    -- TXD; of RMII the lower two. Clock: phy_tx_clk.
+    -- TXD; RMII uses the lower two bits. Clock: phy_tx_clk.
     phy_txd : out   std_logic_vector(3 downto 0);
     -- TX_EN or TX_CTL. Clock: phy_tx_clk.
     phy_tx_en : out   std_logic;
@@ -151,86 +156,87 @@ entity unity_link is
     spi_cs_n : out   std_logic;
     -- MOSI.
     spi_mosi : out   std_logic;
-    -- MISO, which changes behind falling edges of SCLK.
+    -- MISO, which changes after falling edges of SCLK.
     spi_miso : in    std_logic := '0';
     -- RSTn.
     spi_rst_n : out   std_logic;
-    -- For Ethernet: datagrams that were dropped because they did not fit, modulo 65,536.
+    -- For Ethernet: number of datagrams that were dropped because they did not fit into the buffer, modulo 65,536.
     phy_dropped : out   unsigned(15 downto 0);
-    -- A byte in, for "fifo": it has moved at the edge at which in_valid and in_ready are both '1'.
+    -- Byte to the gateway, for "fifo". It is transferred at the rising edge at which in_valid and in_ready are both
+    -- '1'.
     in_data : in    std_logic_vector(7 downto 0) := (others => '0');
-    -- Valid with rx_data: '1' if bytes before this one were lost.
+    -- Valid with in_data: '1' if bytes before this one were lost.
     in_lost : in    std_logic := '0';
-    -- A byte stands at in_data.
+    -- in_data is valid.
     in_valid : in    std_logic := '0';
     -- The gateway accepts the byte.
     in_ready : out   std_logic;
-    -- A byte out, for "fifo".
+    -- Byte from the gateway, for "fifo".
     out_data : out   std_logic_vector(7 downto 0);
-    -- A byte stands at out_data.
+    -- out_data is valid.
     out_valid : out   std_logic;
     -- The medium accepts the byte.
     out_ready : in    std_logic := '0';
-    -- '1' for one cycle: what was sent should not wait for more.
+    -- '1' for one cycle: the medium should send the bytes so far without waiting for more.
     out_flush : out   std_logic;
-    -- A rising edge makes the group of that number due; high and low for two cycles at least. Clock: none.
+    -- A rising edge makes the group of that number due. High and low times must be at least two cycles. Clock: none.
     trigger : in    std_logic_vector(maximum(groups, 1) - 1 downto 0) := (others => '0');
-    -- A transaction is under way; it stands over all accesses that must not be parted.
+    -- A bus transaction is in progress; '1' during all accesses that belong to one atomic transaction.
     wb_cyc : out   std_logic;
-    -- An access is asked for, in a cycle in which the lines below stand still.
+    -- Strobe: an access is requested, and the signals below are stable.
     wb_stb : out   std_logic;
-    -- '1': a write, '0': a read.
+    -- '1' for a write, '0' for a read.
     wb_we : out   std_logic;
-    -- All '1': words are accessed whole.
+    -- All '1': every access covers a whole word.
     wb_sel : out   std_logic_vector((data_bits + 7) / 8 - 1 downto 0);
     -- Word address.
     wb_adr : out   std_logic_vector(address_bits - 1 downto 0);
     -- Word to write.
     wb_dat_o : out   std_logic_vector(data_bits - 1 downto 0);
-    -- The word that is read, with wb_ack.
+    -- The word read, valid with wb_ack.
     wb_dat_i : in    std_logic_vector(data_bits - 1 downto 0) := (others => '0');
-    -- The access is made.
+    -- The access succeeded.
     wb_ack : in    std_logic := '0';
-    -- The access has failed: error 04.
+    -- The access failed: error 04.
     wb_err : in    std_logic := '0';
-    -- The access is not made: it is repeated, for bus_timeout cycles at most.
+    -- The access was not executed; the master repeats it, for at most bus_timeout cycles.
     wb_rty : in    std_logic := '0';
-    -- With wb_pipelined: the access is not taken yet.
+    -- With wb_pipelined: the slave does not accept the access yet.
     wb_stall : in    std_logic := '0';
-    -- AW channel: the address, counted in bytes.
+    -- AW channel: byte address.
     axi_awaddr : out   std_logic_vector(address_bits + log2_ceil(data_bits / 8) - 1 downto 0);
-    -- The rest of it; the protection is "000".
+    -- The other signals of the AW channel; the protection is always "000".
     axi_awprot  : out   std_logic_vector(2 downto 0);
     axi_awvalid : out   std_logic;
     axi_awready : in    std_logic := '0';
-    -- W channel; all bytes of a word are written.
+    -- W channel; every write covers all bytes of a word.
     axi_wdata  : out   std_logic_vector(data_bits - 1 downto 0);
     axi_wstrb  : out   std_logic_vector(data_bits / 8 - 1 downto 0);
     axi_wvalid : out   std_logic;
     axi_wready : in    std_logic := '0';
-    -- B channel; SLVERR and DECERR are error 04.
+    -- B channel; the responses SLVERR and DECERR are error 04.
     axi_bresp  : in    std_logic_vector(1 downto 0) := (others => '0');
     axi_bvalid : in    std_logic                    := '0';
     axi_bready : out   std_logic;
-    -- AR channel: the address, counted in bytes.
+    -- AR channel: byte address.
     axi_araddr : out   std_logic_vector(address_bits + log2_ceil(data_bits / 8) - 1 downto 0);
-    -- The rest of it, as that of AW.
+    -- The other signals of the AR channel; the protection is always "000".
     axi_arprot  : out   std_logic_vector(2 downto 0);
     axi_arvalid : out   std_logic;
     axi_arready : in    std_logic := '0';
-    -- R channel, as B.
+    -- R channel; the responses SLVERR and DECERR are error 04.
     axi_rdata  : in    std_logic_vector(data_bits - 1 downto 0) := (others => '0');
     axi_rresp  : in    std_logic_vector(1 downto 0)             := (others => '0');
     axi_rvalid : in    std_logic                                := '0';
     axi_rready : out   std_logic;
-    -- '1' in the one cycle of which a sample's timestamp tells: modules latch their values at its end.
+    -- '1' for one cycle, at the time of a sample's timestamp: modules latch their values at the end of this cycle.
     sample_strobe : out   std_logic;
-    -- '1' from the next cycle on, until the last word of the sample is read.
+    -- '1' from the cycle after sample_strobe until the last word of the sample was read.
     sample_access : out   std_logic;
-    -- '1' for one cycle at each base tick, of which periodic groups publish at integer divisions. Nothing holds it up,
-    -- and it is there without groups.
+    -- '1' for one cycle at each base tick; periodic groups publish at integer divisions of it. It is never delayed, and
+    -- also runs without groups.
     base_tick : out   std_logic;
-    -- Cycles since the reset; its lower half is what timestamps of samples tell.
+    -- Cycles since the reset; timestamps of samples are its lower half.
     timestamp : out   std_logic_vector(63 downto 0)
   );
 end entity unity_link;
@@ -239,10 +245,11 @@ architecture rtl of unity_link is
 
   constant is_ethernet : boolean := physical = "rmii" or physical = "mii" or physical = "rgmii" or physical = "w5500";
 
-  -- Most bytes of frames in a datagram, beside its header.
+  -- Maximum number of frame bytes in a datagram, besides its header.
   constant largest_frame : positive := largest_datagram - 18 - crc_bits / 4;
 
-  -- Of an answer or a sample, and of a request: nothing else is as long as blocks, samples and Q.
+  -- Length of the longest answer, sample or request in bytes. Only block answers, samples, Q and block requests can be
+  -- the longest.
   function longest_frame return positive is
 
     constant word  : positive := digits_of(data_bits);
@@ -264,7 +271,7 @@ architecture rtl of unity_link is
 
   constant longest_answer : positive := longest_frame;
 
-  -- Room for bytes in the medium: its ring, without what stands before frames in a datagram.
+  -- Bytes of buffer in the medium: the ring of `ul_ethernet`, less the bytes that precede frames in a datagram.
   function room_of_medium return natural is
   begin
 
@@ -275,7 +282,7 @@ architecture rtl of unity_link is
 
   end function room_of_medium;
 
-  -- Whether the medium stops the host when this side is full.
+  -- Whether the medium stops the host when the receive FIFO is full.
   constant medium_waits : boolean := flow_control or physical = "ft245" or physical = "ft245_sync";
 
   signal rx_data    : std_logic_vector(7 downto 0);

@@ -1,22 +1,22 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- The gateway without a medium and without a bus standard: bytes on one side, the bus-independent interface on the
--- other.
+-- The gateway without a medium and without a bus standard: byte streams on one side, the bus-independent interface on
+-- the other.
 --
 --     rx -> FIFO -> ul_datalink_rx -> ul_request_decoder -> ul_request_executor -> ul_bus_master -> bus
 --     tx <- FIFO <- ul_datalink_tx <- ul_frame_writer <-+- (responses)              ^
 --                                                       +- (samples) <- ul_subscription_manager <- trigger, base tick
 --
--- Requests are parsed while they arrive and executed at their end; the next one is parsed and executed while the last
--- answer is sent, so that a stream of reads fills every cycle of the transmitter. See docs/gateware.md.
+-- A request is parsed while it arrives and executed at its end. The next request is parsed and executed while the
+-- previous answer is sent, so that a stream of reads keeps the transmitter busy in every cycle. See docs/gateware.md.
 --
--- The bus-independent interface: while `bus_request` is '1', address, write and data stand still until the rising edge
--- at which `bus_done` is '1' (which may be the first one: no wait states). `bus_error` and `bus_read_data` count at
--- that edge. `bus_request` is taken back for at least one cycle between accesses, and without `bus_done` when the
--- access timed out: it is over then, whatever the bus does, and nothing is asked of the bus for `bus_timeout` cycles,
--- so that a late answer meets no other access. `bus_lock` stays '1' over all accesses that belong to one atomic
--- transaction. `sample_strobe` is '1' for the cycle of which a group's sample tells: modules latch their values at its
--- end, and the words that are read while `sample_access` is '1' are what they had then.
+-- The bus-independent interface: while `bus_request` is '1', address, write and data are stable until the rising edge
+-- at which `bus_done` is '1' (the first one if there are no wait states). `bus_error` and `bus_read_data` are valid at
+-- that edge. `bus_request` is deasserted for at least one cycle between accesses. It is deasserted without `bus_done`
+-- when the access has timed out: the access then counts as ended, and the bus is not used for `bus_timeout` cycles, so
+-- that a late answer is not mistaken for that of another access. `bus_lock` stays '1' during all accesses of one atomic
+-- transaction. `sample_strobe` is '1' for one cycle, the time of a group's sample: modules latch their values at the
+-- end of this cycle, and reads while `sample_access` is '1' return the latched values.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -28,62 +28,67 @@ library work;
 
 entity unity_link_core is
   generic (
-    -- Whether the medium stops the host when this side is full; Q reports it.
+    -- Whether the medium stops the host when the receive FIFO is full; Q reports it.
     flow_control : boolean := true;
     -- 8 to 64: bits of a word.
     data_bits : positive := 32;
-    -- 8 to 32: bits of an address, which counts words.
+    -- 8 to 32: bits of a word address.
     address_bits : positive := 8;
-    -- 2, 3: hex digits of a message ID; 128 or 2,048 requests may be under way.
+    -- 2, 3: hex digits of a message ID, for up to 128 or 2,048 requests in flight.
     id_digits : positive := 3;
-    -- The datalink layer. Without it all frames are plain, for a person at a terminal: a host needs checked ones.
+    -- Whether the gateway has a datalink layer. If false, all frames are plain, for a person at a terminal; a host
+    -- needs checked frames.
     checked_frames : boolean := true;
-    -- 8, 16, 32: bits of a frame's CRC.
+    -- 8, 16, 32: bits of the CRC of a frame.
     crc_bits : positive := 16;
-    -- crc_bits bits, not all 0: its polynomial without the highest term, right-aligned. The default is that of 16 bits.
+    -- crc_bits bits, not all 0: polynomial of the CRC without its highest term, right-aligned. The default is for 16
+    -- bits.
     crc_polynomial : std_logic_vector(31 downto 0) := x"00001021";
-    -- 1 to 255: most words in one block or queue request.
+    -- 1 to 255: maximum number of words in one block or queue request.
     block_words : positive := 255;
-    -- 0 to 256: publish groups.
+    -- 0 to 256: number of publish groups.
     groups : natural := 16;
-    -- 1 to 255: most addresses in one group.
+    -- 1 to 255: maximum number of addresses in one group.
     group_words : natural := 32;
-    -- A power of two, at least group_words + 2: words in which the samples of all groups wait until they are sent.
+    -- A power of two, at least group_words + 2: words of the buffer in which the samples of all groups wait for
+    -- transmission.
     sample_depth : positive := 256;
-    -- At least 1: frequency of clk in Hz, from which all intervals follow.
+    -- At least 1: frequency of clk in Hz, from which all intervals are derived.
     clock_hz : positive := 50_000_000;
-    -- 1 to 1000 * clock_hz / (groups + 8): the frequency of which periodic groups publish at integer divisions, in mHz.
+    -- 1 to 1000 * clock_hz / (groups + 8): frequency of the base tick in mHz; periodic groups publish at integer
+    -- divisions of it.
     base_frequency_millihertz : positive := 100_000_000;
-    -- Powers of two, 2 to 32768: bytes that wait for the gateway, and those that wait for the medium.
+    -- Powers of two, 2 to 32768: bytes of the receive FIFO and of the transmit FIFO.
     rx_fifo_depth : positive := 256;
     tx_fifo_depth : positive := 256;
-    -- 0 to 32767: bytes that wait in the medium before rx_fifo_depth; Q tells their sum.
+    -- 0 to 32767: bytes of buffer in the medium in front of the receive FIFO; Q reports the sum of both.
     medium_bytes : natural := 0;
-    -- At least 1: cycles after which a bus access that is not answered ends with error 05; the bus then rests as long.
+    -- At least 1: cycles after which an unanswered bus access ends with error 05; the bus is then released for as long.
     bus_timeout : positive := 1024;
-    -- Whether the bus may take an access before it has answered the one before: bus_ahead and bus_next.
+    -- Whether the bus may accept an access before it has answered the previous one: bus_ahead and bus_next.
     bus_pipelined : boolean := true;
-    -- Whether the command WK is there; else it is answered with error 02, as all that is left out.
+    -- Whether the gateway has the command WK. If false, WK is answered with error 02, like all commands that are left
+    -- out.
     masked_write : boolean := true;
-    -- Whether RQ and WQ are there, for FIFOs at one address.
+    -- Whether the gateway has the commands RQ and WQ, for FIFOs at one address.
     queue_commands : boolean := true;
-    -- Whether frames of a session may be in the compact form; words then have an even number of hex digits.
+    -- Whether frames of a session may use the compact form; words must have an even number of hex digits then.
     compact : boolean := false;
-    -- Whether samples may bear the time; else that flag is answered with error 06.
+    -- Whether samples can have a timestamp. If false, the group flag for it is answered with error 06.
     timestamps : boolean := true;
-    -- Whether edges of trigger make groups due; else that flag is answered with error 06.
+    -- Whether edges of trigger can make groups due. If false, the group flag for it is answered with error 06.
     triggers : boolean := true;
-    -- Whether the medium is told to send at once behind an answer.
+    -- Whether the gateway makes the medium send its buffer at once after an answer.
     send_immediate : boolean := true;
-    -- -1 to 254: number of this node on a medium that several share; -1: it is not shared.
+    -- -1 to 254: number of this node on a shared medium; -1 if the medium is not shared.
     node : integer := -1;
-    -- Whether only one side may send at a time: groups then publish only when GP asks.
+    -- Whether only one side may send at a time; groups then publish only on request by GP.
     half_duplex : boolean := false;
-    -- Any: what Q reports as the build identifier.
+    -- Any: build identifier that Q reports.
     build_id : std_logic_vector(31 downto 0) := x"00000000";
-    -- Whether that is the fingerprint of a spec's map, which hosts compare with theirs.
+    -- Whether build_id is the fingerprint of a spec's address map, which hosts compare with their own.
     fingerprint : boolean := false;
-    -- Whether the highest addresses hold a description, as docs/protocol.md says.
+    -- Whether the highest addresses contain a description of the registers, in the format of docs/protocol.md.
     description : boolean := false
   );
   port (
@@ -91,7 +96,7 @@ entity unity_link_core is
     clk : in    std_logic;
     -- Synchronous reset, active high, for at least one cycle.
     rst : in    std_logic;
-    -- A byte from the medium: it has moved at the edge at which rx_valid and rx_ready are both '1'.
+    -- Byte from the medium. It is transferred at the rising edge at which rx_valid and rx_ready are both '1'.
     rx_data : in    std_logic_vector(7 downto 0);
     -- Valid with rx_data: '1' if bytes before this one were lost.
     rx_lost : in    std_logic := '0';
@@ -99,29 +104,31 @@ entity unity_link_core is
     rx_valid : in    std_logic;
     -- The gateway accepts the byte.
     rx_ready : out   std_logic;
-    -- A byte for the medium.
+    -- Byte for the medium.
     tx_data : out   std_logic_vector(7 downto 0);
     -- tx_data is valid.
     tx_valid : out   std_logic;
     -- The medium accepts the byte.
     tx_ready : in    std_logic;
-    -- What comes is outside of every session, and changes none; stands still while anything is in the core but samples.
+    -- '1' if the bytes at rx_data belong to no session and must not change the session. Stable while the core has
+    -- bytes, requests or answers other than samples.
     no_session : in    std_logic := '0';
-    -- '1' for one cycle: send what was given so far at once.
+    -- '1' for one cycle: send all bytes so far at once.
     flush : out   std_logic;
-    -- A byte, a request or an answer is somewhere in the core.
+    -- The core has a byte, a request or an answer.
     active : out   std_logic;
-    -- A rising edge makes the group of that number due; high and low for two cycles at least. Clock: none.
+    -- A rising edge makes the group of that number due. High and low times must be at least two cycles. Clock: none.
     trigger : in    std_logic_vector(maximum(groups, 1) - 1 downto 0) := (others => '0');
-    -- An access is asked for; the next three stand still until it is done. '0' for a cycle at least between accesses.
+    -- An access is requested; the next three signals are stable until it is done. '0' for at least one cycle between
+    -- accesses.
     bus_request : out   std_logic;
     -- '1' for a write, '0' for a read.
     bus_write : out   std_logic;
-    -- '1' over all accesses of one atomic transaction.
+    -- '1' during all accesses of one atomic bus transaction.
     bus_lock : out   std_logic;
-    -- Other reads of the same transaction may follow before the answer.
+    -- '1' if further reads of the same transaction may be requested before this one is answered.
     bus_ahead : out   std_logic;
-    -- A read is taken, and its answer comes later; '0' without bus_pipelined.
+    -- The read is accepted; its answer comes later. '0' without bus_pipelined.
     bus_next : in    std_logic := '0';
     -- Word address.
     bus_address : out   std_logic_vector(address_bits - 1 downto 0);
@@ -129,26 +136,26 @@ entity unity_link_core is
     bus_write_data : out   std_logic_vector(data_bits - 1 downto 0);
     -- Valid with bus_done: the word read.
     bus_read_data : in    std_logic_vector(data_bits - 1 downto 0);
-    -- '1' at the edge at which the access ends, which may be its first.
+    -- '1' at the edge at which the access ends, which may be its first edge.
     bus_done : in    std_logic;
     -- Valid with bus_done: '1' if the access failed.
     bus_error : in    std_logic;
-    -- '1' in the one cycle of which a sample's timestamp tells: modules latch their values at its end.
+    -- '1' for one cycle, at the time of a sample's timestamp: modules latch their values at the end of this cycle.
     sample_strobe : out   std_logic;
-    -- '1' from the next cycle on, until the last word of the sample is read.
+    -- '1' from the cycle after sample_strobe until the last word of the sample was read.
     sample_access : out   std_logic;
-    -- '1' for one cycle at each base tick, of which periodic groups publish at integer divisions. Nothing holds it up,
-    -- and it is there without groups.
+    -- '1' for one cycle at each base tick; periodic groups publish at integer divisions of it. It is never delayed, and
+    -- also runs without groups.
     base_tick : out   std_logic;
-    -- Cycles since the reset; its lower half is what timestamps of samples tell.
+    -- Cycles since the reset; timestamps of samples are its lower half.
     timestamp : out   std_logic_vector(63 downto 0)
   );
 end entity unity_link_core;
 
 architecture rtl of unity_link_core is
 
-  -- What an assertion below refuses must not end the elaboration before: so there are no groups then, and the memories
-  -- are no larger than the largest.
+  -- Clamped so that elaboration reaches the assertions below even if they fail: without groups, and with memories of at
+  -- most the largest size.
   constant has_groups    : boolean  := groups > 0 and groups <= 256 and group_words > 0 and group_words <= 255;
   constant address_width : positive := 4 * digits_of(address_bits);
   constant id_width      : positive := 4 * id_digits;
@@ -203,7 +210,7 @@ architecture rtl of unity_link_core is
 
   end function digits;
 
-  -- What `Q` answers (docs/protocol.md, "Configuration").
+  -- Content of the answer to `Q` (docs/protocol.md, "Configuration").
   function q_answer return std_logic_vector is
   begin
 
@@ -214,7 +221,7 @@ architecture rtl of unity_link_core is
 
   end function q_answer;
 
-  -- Bytes in.
+  -- Received bytes.
   signal fifo_in         : std_logic_vector(8 downto 0);
   signal fifo_out        : std_logic_vector(8 downto 0);
   signal fifo_out_valid  : std_logic;
@@ -226,7 +233,7 @@ architecture rtl of unity_link_core is
   signal character_valid : std_logic;
   signal character_ready : std_logic;
 
-  -- Bodies in.
+  -- Bodies of received frames.
   signal body_data   : std_logic_vector(7 downto 0);
   signal body_valid  : std_logic;
   signal body_ready  : std_logic;
@@ -241,7 +248,7 @@ architecture rtl of unity_link_core is
   signal in_session   : std_logic;
   signal for_program  : std_logic;
   signal drop_samples : std_logic;
-  -- That of what comes.
+  -- The session to which the received frames belong.
   signal taken_session : std_logic_vector(session'range);
   signal takes_ids     : std_logic;
 
@@ -330,7 +337,7 @@ architecture rtl of unity_link_core is
   signal tail_left       : unsigned(2 downto 0);
   signal tail_taken      : std_logic;
 
-  -- Bodies and bytes out.
+  -- Bodies and bytes to send.
   signal writer_data  : std_logic_vector(7 downto 0);
   signal writer_valid : std_logic;
   signal writer_ready : std_logic;
@@ -380,7 +387,7 @@ begin
            & integer'image(data_bits)
     severity failure;
 
-  -- The answer to Q has four digits for each.
+  -- The answer to Q has four digits for each depth.
   assert rx_fifo_depth <= 32768 and tx_fifo_depth <= 32768
     report "unity_link: rx_fifo_depth is " & integer'image(rx_fifo_depth) & " and tx_fifo_depth "
            & integer'image(tx_fifo_depth) & ", expected 2 to 32768"
@@ -390,7 +397,7 @@ begin
     report "unity_link: block_words is " & integer'image(block_words) & ", expected 1 to 255"
     severity failure;
 
-  -- `Q` has two digits for the words, also where there are no groups.
+  -- The answer to `Q` has two digits for the number of words, even without groups.
   assert groups <= 256 and group_words <= 255 and (groups = 0 or group_words >= 1)
     report "unity_link: groups is " & integer'image(groups) & " and group_words " & integer'image(group_words)
            & ", expected 0 to 256 and 1 to 255"
@@ -409,7 +416,7 @@ begin
   taken_session <= session when no_session = '0' else
                    (others => '0');
 
-  -- Bytes in.
+  -- Received bytes.
 
   fifo_in <= rx_lost & rx_data;
 
@@ -430,7 +437,7 @@ begin
       level     => open
     );
 
-  -- The memory of the FIFO is as slow as all that a byte decides.
+  -- Registered, because the FIFO's memory has a long clock-to-output delay and the logic after it is deep.
   rx_register_inst : entity work.ul_stream_register
     generic map (
       width => 9
@@ -759,7 +766,7 @@ begin
 
   begin
 
-    -- No group runs at that time, and no sample is being sent.
+    -- At that time no group is active and no sample is being sent.
     ring_reset <= rst or drop_samples;
 
     subscription_manager_inst : entity work.ul_subscription_manager
@@ -850,7 +857,7 @@ begin
 
   end generate without_groups;
 
-  -- Bytes out.
+  -- Bytes to send.
 
   frame_writer_inst : entity work.ul_frame_writer
     generic map (
@@ -950,7 +957,8 @@ begin
 
   begin
 
-    -- The rest of a frame whose first character is looked at stands at the writer.
+    -- When the compact transmitter sees the first character of a frame, the frame writer still outputs the rest of that
+    -- frame, so writer_plain is that of the frame.
     asked <= session(session'high) and not no_session and not writer_plain;
 
     compact_tx_inst : entity work.ul_compact_tx

@@ -1,8 +1,8 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- The gateway with a FIFO port as its medium: what the benches measure and what becomes the model in a process.
+-- The gateway with a FIFO port as its medium, for benches and for the compiled model that runs in a process.
 --
--- The same as `unity_link` with physical = "fifo", without the pins of other media.
+-- Equals `unity_link` with physical = "fifo", without the pins of the other media.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -13,52 +13,52 @@ library work;
 
 entity unity_link_fifo is
   generic (
-    -- Whether the source of bytes waits for in_ready.
+    -- Whether the source of bytes respects in_ready.
     flow_control : boolean := true;
-    -- Wishbone B4 pipelined instead of classic.
+    -- Whether the bus is pipelined Wishbone B4 instead of classic.
     wb_pipelined : boolean := false;
-    -- Widths: 8 to 64 bits a word, 8 to 32 bits an address (which counts words), 2 or 3 digits an ID.
+    -- Bits of a word (8 to 64) and of a word address (8 to 32), and digits of an ID (2 or 3).
     data_bits    : positive := 32;
     address_bits : positive := 8;
     id_digits    : positive := 3;
-    -- Without them there is no datalink layer: all frames are plain, for a person at a terminal (a host needs checked
-    -- ones).
+    -- If false, there is no datalink layer: all frames are plain, for a person at a terminal. A host needs checked
+    -- frames.
     checked_frames : boolean := true;
-    -- 8, 16 or 32 bits; the polynomial of so many without its highest term, right-aligned.
+    -- 8, 16 or 32 bits, and the polynomial of that width without its highest term, right-aligned.
     crc_bits       : positive                      := 16;
     crc_polynomial : std_logic_vector(31 downto 0) := x"00001021";
-    -- Most words in one block or queue request, 1 to 255.
+    -- Maximum number of words in one block or queue request, 1 to 255.
     block_words : positive := 255;
-    -- Publish groups, 0 to 256, and the most addresses in one, 1 to 255.
+    -- Number of publish groups, 0 to 256, and maximum number of addresses in one group, 1 to 255.
     groups      : natural := 16;
     group_words : natural := 32;
-    -- Words that the samples of all groups may wait in until they are sent: a power of two.
+    -- Words of the buffer in which the samples of all groups wait for transmission: a power of two.
     sample_depth : positive := 256;
-    -- Frequency of clk in Hz, and of the base tick of periodic groups in mHz.
+    -- Frequency of clk in Hz, and of the base tick for periodic groups in mHz.
     clock_hz                  : positive := 50_000_000;
     base_frequency_millihertz : positive := 100_000_000;
-    -- Bytes; powers of two, 2 to 32768.
+    -- Sizes of the FIFOs in bytes: powers of two, 2 to 32768.
     rx_fifo_depth : positive := 256;
     tx_fifo_depth : positive := 256;
-    -- Cycles after which a bus access that is not answered ends with error 05.
+    -- Cycles after which an unanswered bus access ends with error 05.
     bus_timeout : positive := 1024;
-    -- Features: what is switched off costs nothing and is answered with error 02 (a command) or 06 (a flag).
+    -- Features. A disabled feature takes no logic and is answered with error 02 (a command) or 06 (a flag).
     masked_write   : boolean := true;
     queue_commands : boolean := true;
-    -- Whether frames of a session may be in the compact form; words then have an even number of hex digits.
+    -- Whether frames of a session may use the compact form; words must have an even number of hex digits then.
     compact        : boolean := false;
     timestamps     : boolean := true;
     triggers       : boolean := true;
     send_immediate : boolean := true;
-    -- Number of this node on a medium that several share (docs/protocol.md, "Addressed frames"), 0 to 254, or -1: not
+    -- Number of this node on a shared medium (docs/protocol.md, "Addressed frames"), 0 to 254; -1 if the medium is not
     -- shared.
     node : integer := -1;
-    -- Whether only one side may send at a time (docs/protocol.md, "Half-duplex"): groups publish only when asked by GP.
+    -- Whether only one side may send at a time (docs/protocol.md, "Half-duplex"): groups publish only on request by GP.
     half_duplex : boolean := false;
-    -- What `Q` reports as the build identifier, and whether that is the fingerprint of a spec's map.
+    -- The build identifier that `Q` reports, and whether it is the fingerprint of a spec's map.
     build_id    : std_logic_vector(31 downto 0) := x"00000000";
     fingerprint : boolean                       := false;
-    -- Whether the highest addresses hold a description, as docs/protocol.md says.
+    -- Whether the highest addresses contain a description of the registers, in the format of docs/protocol.md.
     description : boolean := false
   );
   port (
@@ -74,7 +74,7 @@ entity unity_link_fifo is
     out_flush : out   std_logic;
     -- A rising edge makes the group of that number due (docs/protocol.md, "Groups", flag 02).
     trigger : in    std_logic_vector(maximum(groups, 1) - 1 downto 0) := (others => '0');
-    -- Wishbone B4 master; wb_sel is all ones, wb_stall counts with wb_pipelined only.
+    -- Wishbone B4 master; wb_sel is all ones, wb_stall is used only with wb_pipelined.
     wb_cyc   : out   std_logic;
     wb_stb   : out   std_logic;
     wb_we    : out   std_logic;
@@ -86,10 +86,10 @@ entity unity_link_fifo is
     wb_err   : in    std_logic := '0';
     wb_rty   : in    std_logic := '0';
     wb_stall : in    std_logic := '0';
-    -- '1' in the cycle of which a group's sample tells, and while its words are read.
+    -- '1' in the cycle at which a sample is taken, and while its words are read.
     sample_strobe : out   std_logic;
     sample_access : out   std_logic;
-    -- '1' for one cycle at each base tick; cycles since the reset.
+    -- base_tick: '1' for one cycle at each base tick. timestamp: cycles since the reset.
     base_tick : out   std_logic;
     timestamp : out   std_logic_vector(63 downto 0)
   );

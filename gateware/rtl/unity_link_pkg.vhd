@@ -1,10 +1,11 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- The protocol's numbers as the gateware needs them: command codes, error codes, and the widths that follow from the
--- generics. The host's twin of the latter is `unity_link/protocol/wire/configuration.py`; both follow docs/protocol.md.
+-- Constants of the protocol for the gateware: command codes, error codes, and widths that depend on the generics.
+-- `unity_link/protocol/wire/configuration.py` computes the same widths for the host; both follow docs/protocol.md.
 --
--- A command is four bits. The codes are chosen so that bits tell what is asked everywhere: bit 3 low is an access to the
--- bus (bit 2: it writes), "10xx" is about groups. What is sent in reply adds three that no request has, with bit 4.
+-- A command code has four bits, chosen so that single bits answer frequent questions: bit 3 low is a bus access (with
+-- bit 2 high for a write), and "10xx" is a command about groups. Messages from the gateway have three more codes, with
+-- bit 4 high, that no request uses.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -31,14 +32,14 @@ package unity_link_pkg is
   constant command_q  : command_t := "1110";
   constant command_k  : command_t := "1111";
 
-  -- What a frame sent by the gateway is: '0' and the command it answers, or one of these.
+  -- Kind of a frame from the gateway: '0' and the command that it answers, or one of the codes below.
   subtype message_t is std_logic_vector(4 downto 0);
 
   constant message_error           : message_t := "10000";
   constant message_out_of_sequence : message_t := "10001";
   constant message_publish         : message_t := "10010";
 
-  -- Errors (docs/protocol.md, "Errors"); two digits on the wire, the upper one is always 0.
+  -- Error codes (docs/protocol.md, "Errors"). They have two digits on the wire; the upper one is always 0.
   subtype error_t is std_logic_vector(3 downto 0);
 
   constant error_none      : error_t := x"0";
@@ -79,14 +80,14 @@ package unity_link_pkg is
   constant feature_description       : natural := 10;
   constant feature_compact           : natural := 11;
 
-  -- How a frame that was sent ends for send-immediate: what goes through the transmit FIFO beside each byte.
+  -- Mark for send-immediate at the end of a frame; it passes the transmit FIFO beside each byte.
   subtype flush_mark_t is std_logic_vector(1 downto 0);
 
   constant flush_none      : flush_mark_t := "00";
   constant flush_when_idle : flush_mark_t := "01";
   constant flush_now       : flush_mark_t := "10";
 
-  -- What the subscription manager is asked to do with a group.
+  -- Operations that the subscription manager executes on a group.
   subtype group_operation_t is std_logic_vector(2 downto 0);
 
   constant group_set      : group_operation_t := "000";
@@ -94,19 +95,19 @@ package unity_link_pkg is
   constant group_stop     : group_operation_t := "010";
   constant group_publish  : group_operation_t := "011";
   constant group_stop_all : group_operation_t := "100";
-  -- Only waits for the turn of an operation, between two samples.
+  -- No operation; reports done between two samples.
   constant group_nothing : group_operation_t := "101";
 
-  -- Hex digits of a field of this many bits.
+  -- Number of hex digits of a field with `bits` bits.
   function digits_of (bits : positive) return positive;
 
-  -- Hex digits of the number of a session, with a check of this many bits.
+  -- Number of hex digits of a session number, with a CRC of `crc_bits` bits.
   function session_digits_of (crc_bits : positive) return positive;
 
-  -- Bits of the field that holds divisors, numbers of sessions and what checks left.
+  -- Bits of the field that holds divisors, session numbers and CRC residues.
   function number_bits_of (crc_bits : positive; groups : natural) return positive;
 
-  -- The most characters before LF that a valid checked request can have, its CRC included (X07 beyond).
+  -- Maximum number of characters before LF in a valid checked request, with its CRC. A longer one is rejected with X07.
   function longest_request (
     data_bits, address_bits, id_digits, crc_bits, block_words, groups, group_words : natural;
     masked_write                                                                   : boolean
@@ -118,12 +119,12 @@ package unity_link_pkg is
   -- '1' for 0-9, A-F, a-f.
   function is_hex (code : std_logic_vector(7 downto 0)) return std_logic;
 
-  -- Value of a character that is_hex.
+  -- Value of a character for which is_hex is '1'.
   function hex_value (code : std_logic_vector(7 downto 0)) return std_logic_vector;
 
   function to_std_logic (condition : boolean) return std_logic;
 
-  -- The bit of that number, and '0' beyond the last one.
+  -- Bit `number` of a vector, '0' after the last one.
   function bit_at (vector : std_logic_vector; number : unsigned) return std_logic;
 
 end package unity_link_pkg;
@@ -236,7 +237,7 @@ package body unity_link_pkg is
 
   function bit_at (vector : std_logic_vector; number : unsigned) return std_logic is
 
-    -- Of every number that there is: vendors' tools want no other range than that of the index.
+    -- Padded to the full range of the index, because vendors' tools reject an index that may exceed the vector.
     variable padded : std_logic_vector(2 ** number'length - 1 downto 0) := (others => '0');
 
   begin

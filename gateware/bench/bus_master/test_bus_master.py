@@ -14,8 +14,8 @@ def test_bus_master() -> None:
 @pytest.mark.parametrize(
     ("case", "words"),
     [
-        ("a_request_behind_the_last_access", "a request behind the last access of a block"),
-        ("a_sample_behind_the_last_access", "a sample behind the last access of another"),
+        ("a_request_behind_the_last_access", "a request after the last access of a block"),
+        ("a_sample_behind_the_last_access", "a sample after the last access of another"),
         ("a_write_in_a_block_that_is_read", "a request of another kind in a block that is read"),
         ("writes_that_are_not_exclusive", "a transaction of writes that is not exclusive"),
     ],

@@ -1,13 +1,14 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Bus wrapper: the bus-independent interface of `unity_link_core` as an AXI4-Lite master (AMBA IHI 0022).
+-- Bus wrapper: converts the bus-independent interface of `unity_link_core` to an AXI4-Lite master (AMBA IHI 0022).
 --
--- AXI counts bytes: the byte address is the word address times the bytes of a word, which AXI4-Lite limits to 4 or 8.
--- AXI knows no locked transfers, so that `bus_lock` has no effect: another master may come between the words of a
--- block.
+-- AXI addresses bytes: the byte address is the word address times the number of bytes per word, which AXI4-Lite limits
+-- to 4 or 8. AXI4-Lite has no locked transfers, so `bus_lock` has no effect: another master may access the bus between
+-- the words of a block.
 --
--- AXI does not allow to take back an access. One that the core has given up (timeout) is seen through to its end here,
--- its answer is thrown away, and the next access waits for that; it times out in its turn if the slave never answers.
+-- AXI does not allow a master to withdraw an access. If the core gives up an access (timeout), this wrapper completes
+-- it on the bus and discards its response; the next access waits for that, and times out in turn if the slave never
+-- responds.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -21,7 +22,7 @@ entity ul_axi4_lite_master is
   generic (
     -- 32, 64: bits of a word.
     data_bits : positive := 32;
-    -- 8 to 32: bits of the core's address, which counts words.
+    -- 8 to 32: bits of the core's word address.
     address_bits : positive := 8
   );
   port (
@@ -43,28 +44,28 @@ entity ul_axi4_lite_master is
     bus_done : out   std_logic;
     -- Valid with bus_done: '1' if the access failed.
     bus_error : out   std_logic;
-    -- AW channel: the address, counted in bytes.
+    -- AW channel: byte address.
     awaddr : out   std_logic_vector(address_bits + log2_ceil(data_bits / 8) - 1 downto 0);
-    -- The rest of it; the protection is "000".
+    -- The other signals of the AW channel; the protection is always "000".
     awprot  : out   std_logic_vector(2 downto 0);
     awvalid : out   std_logic;
     awready : in    std_logic;
-    -- W channel; all bytes of a word are written.
+    -- W channel; every write covers all bytes of a word.
     wdata  : out   std_logic_vector(data_bits - 1 downto 0);
     wstrb  : out   std_logic_vector(data_bits / 8 - 1 downto 0);
     wvalid : out   std_logic;
     wready : in    std_logic;
-    -- B channel; SLVERR and DECERR are failures.
+    -- B channel; the responses SLVERR and DECERR count as failures.
     bresp  : in    std_logic_vector(1 downto 0);
     bvalid : in    std_logic;
     bready : out   std_logic;
-    -- AR channel: the address, counted in bytes.
+    -- AR channel: byte address.
     araddr : out   std_logic_vector(address_bits + log2_ceil(data_bits / 8) - 1 downto 0);
-    -- The rest of it, as that of AW.
+    -- The other signals of the AR channel; the protection is always "000".
     arprot  : out   std_logic_vector(2 downto 0);
     arvalid : out   std_logic;
     arready : in    std_logic;
-    -- R channel, as B.
+    -- R channel; the responses SLVERR and DECERR count as failures.
     rdata  : in    std_logic_vector(data_bits - 1 downto 0);
     rresp  : in    std_logic_vector(1 downto 0);
     rvalid : in    std_logic;
@@ -80,7 +81,7 @@ architecture rtl of ul_axi4_lite_master is
   signal write         : std_logic;
   signal data_valid    : std_logic;
   signal waiting       : std_logic;
-  -- The core still wants the answer.
+  -- The core still awaits the response.
   signal wanted   : std_logic;
   signal address  : std_logic_vector(address_bits + byte_bits - 1 downto 0);
   signal answered : std_logic;

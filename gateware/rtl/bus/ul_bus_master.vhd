@@ -1,33 +1,36 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Takes the accesses of requests and of samples to one bus, and ends those that are not answered.
+-- Arbitrates the accesses of requests and of samples to one bus, and ends accesses that the bus does not answer.
 --
--- Samples go first, also between the words of a block that is read, so that they are taken when they are due. They wait
--- where a transaction would be torn: for the rest of WM and WK (`request_exclusive`). A sample, once begun, is not
--- interrupted either. Its instant is the cycle in which its first access is chosen: `sample_strobe` is '1' then, and
--- `sample_access` from the next one on until its last access has been answered, or the bus has rested after one that
--- has not.
+-- Samples have priority, even between the words of a block read, so that they are read when they are due. They wait
+-- only while a transaction must not be interrupted: until the end of WM and WK (`request_exclusive`). A sample that has
+-- begun is not interrupted either. The instant of a sample is the cycle in which its first access is granted:
+-- `sample_strobe` is '1' in that cycle, and `sample_access` from the next cycle until its last access was answered, or
+-- until the bus has rested after a timeout.
 --
--- One access takes three cycles on a bus without wait states: chosen (`..._granted`), on the bus, told (`..._done`,
+-- An access takes three cycles on a bus without wait states: granted (`..._granted`), on the bus, reported (`..._done`,
 -- with `failure` and `read_data`).
 --
--- Rules for a client, which a simulation checks by assertions:
--- - It keeps its request up until it is granted; address and data of the next access must stand there in the cycle
+-- Rules for a client, which assertions check in simulation:
+-- - It asserts its request until it is granted; the address and data of the next access must be valid in the cycle
 --   after that.
--- - A transaction of several accesses is of reads, or exclusive, from its first to its last.
--- - Behind its last access it asks for nothing before that has been told: what it asks for while a block is under way
---   would be taken for another word of the block.
+-- - All accesses of a transaction are reads, or all are exclusive.
+-- - After the last access of a transaction it requests nothing until that access is reported done: while a block read
+--   is in progress, a new request would be treated as another word of the block.
 --
--- The words of a block that is read, and those of a sample, are asked for before the answers to those before them
--- (`bus_ahead`), where the bus takes an access before it answers it (`bus_next`): up to four are under way, and they
--- are told in order. The first that fails is told at once and is the last to be told. What is under way behind it is
--- answered before anything else is asked for. Writes, exclusive transactions and single accesses go one by one.
+-- The words of a block read and those of a sample are requested before earlier words were answered (`bus_ahead`), if
+-- the bus accepts an access before it answers it (`bus_next`). Up to four accesses are in flight; they are reported in
+-- order. The first access that fails is reported at once and is the last one reported. The accesses in flight after it
+-- are completed before any other access begins.
 --
--- A request of a kept word is an access like any other, but the bus sees nothing of it, and the word is what is read.
+-- Writes, exclusive transactions and single accesses are issued one at a time.
 --
--- After an access that timed out nothing is asked of the bus for `timeout` cycles, in which the bus is taken back: a
--- slave that answers late does so then, when nobody listens. Where several may have been under way it is twice as long,
--- as the youngest may just have been taken. The access is told before, so only the next one waits.
+-- A request for the kept word is handled like any other access, but does not reach the bus: the kept word is its
+-- result.
+--
+-- After an access that timed out, the bus is released for `timeout` cycles, so that a late answer of the slave falls
+-- into this time and is ignored. If several accesses were in flight, the bus is released for twice as long, because the
+-- youngest may have been accepted just before. The timeout is reported at once, so only the next access waits.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -41,15 +44,15 @@ entity ul_bus_master is
   generic (
     data_bits    : positive := 32;
     address_bits : positive := 8;
-    -- Cycles on the bus after which an access has failed, and then without any.
+    -- Cycles without an answer after which an access has failed, and cycles for which the bus is released then.
     timeout : positive := 1024;
-    -- Whether the bus takes an access before it answers the one before; else bus_next is '0'.
+    -- Whether the bus may accept an access before it has answered the previous one; if false, bus_next must be '0'.
     pipelined : boolean := true
   );
   port (
     clk : in    std_logic;
     rst : in    std_logic;
-    -- Accesses of requests; more: another one of the same atomic transaction follows.
+    -- Accesses of requests. request_more: another access of the same atomic transaction follows.
     request           : in    std_logic;
     request_write     : in    std_logic;
     request_more      : in    std_logic;
@@ -60,7 +63,7 @@ entity ul_bus_master is
     kept_word         : in    std_logic_vector(data_bits - 1 downto 0);
     request_granted   : out   std_logic;
     request_done      : out   std_logic;
-    -- With done: no other access of the transaction is under way.
+    -- Valid with request_done: no other access of the transaction is pending.
     request_last : out   std_logic;
     -- Accesses of samples.
     sample         : in    std_logic;
@@ -70,10 +73,10 @@ entity ul_bus_master is
     sample_done    : out   std_logic;
     sample_strobe  : out   std_logic;
     sample_access  : out   std_logic;
-    -- For both, with done; read_data stands until the next access ends.
+    -- Valid with request_done and sample_done; read_data is stable until the next access ends.
     failure   : out   error_t;
     read_data : out   std_logic_vector(data_bits - 1 downto 0);
-    -- Bus-independent interface, see `unity_link_core`.
+    -- Bus-independent interface: see `unity_link_core`.
     bus_request    : out   std_logic;
     bus_write      : out   std_logic;
     bus_lock       : out   std_logic;
@@ -89,22 +92,23 @@ end entity ul_bus_master;
 
 architecture rtl of ul_bus_master is
 
-  -- Accesses that are under way at once.
+  -- Maximum number of accesses in flight.
   constant most : positive := 4;
 
   type state_t is (state_idle, state_active, state_drain, state_told, state_rest);
 
   signal state      : state_t;
   signal for_sample : std_logic;
-  -- A transaction of this client has further accesses; of a request: nobody may come between them.
+  -- The client's transaction has further accesses. exclusive: samples must not come between them.
   signal sample_lock  : std_logic;
   signal request_lock : std_logic;
   signal exclusive    : std_logic;
   signal timed_out    : std_logic;
   signal time_left    : unsigned(log2_ceil(timeout) downto 0);
-  -- The transaction is of reads that may be asked for before the answers to those before them.
+  -- The transaction is a block read: its accesses may be requested before earlier ones are answered.
   signal ahead : std_logic;
-  -- Accesses that the bus has taken and not answered, now and behind this edge, without the one that is asked for.
+  -- Number of accesses that the bus has accepted but not answered, now and after this edge, without the one being
+  -- requested.
   signal under_way    : unsigned(2 downto 0);
   signal still        : unsigned(2 downto 0);
   signal stands       : std_logic;
@@ -118,7 +122,7 @@ architecture rtl of ul_bus_master is
 
 begin
 
-  -- The place of the access that is asked for is free for the next one.
+  -- The bus has accepted the present access, so the next one may be requested.
   goes_on      <= ahead and (bus_next or not bus_request) and not (bus_done and bus_error)
                   and to_std_logic(state = state_active and time_left /= 0 and under_way < most - 1);
   free         <= to_std_logic(state = state_idle);
@@ -141,10 +145,11 @@ begin
   request_done    <= (to_std_logic(state = state_told) or told_ahead) and not for_sample;
   request_last    <= to_std_logic(state = state_told);
   bus_ahead       <= ahead;
-  -- An access that timed out takes the bus down with it, whatever transaction it stood in, until its rest is over.
+  -- bus_lock is '0' after a timeout, whatever the transaction, until the bus has been released long enough.
   bus_lock <= (sample_lock or request_lock or (ahead and is_asking)) and not timed_out;
 
-  -- Not for synthesis, which makes something of an assertion in each tool. (The port hides the severity of its name.)
+  -- Hidden from synthesis tools, because some of them convert assertions to logic. (The port `failure` hides the
+  -- severity level of that name, hence the full name below.)
   -- synthesis translate_off
   check_rules : process (clk) is
 
@@ -154,12 +159,12 @@ begin
 
     if rising_edge(clk) then
       block_runs := ahead and to_std_logic(state = state_active) and not rst;
-      -- What is unknown, as registers are before the first reset, breaks no rule.
+      -- Registers are unknown before the first reset: 'U' and 'X' violate no rule.
       assert (block_runs and not for_sample and not request_lock and request) /= '1'
-        report "ul_bus_master: a request behind the last access of a block, before that has been told"
+        report "ul_bus_master: a request after the last access of a block, before that access is done"
         severity std.standard.failure;
       assert (block_runs and for_sample and not sample_lock and sample) /= '1'
-        report "ul_bus_master: a sample behind the last access of another, before that has been told"
+        report "ul_bus_master: a sample after the last access of another, before that access is done"
         severity std.standard.failure;
       assert (block_runs and not for_sample and request and (request_write or request_exclusive)) /= '1'
         report "ul_bus_master: a request of another kind in a block that is read"
@@ -175,7 +180,7 @@ begin
 
   main : process (clk) is
 
-    -- The rest is as long as the youngest access may take to be answered.
+    -- Release the bus for as long as the youngest access may take to be answered.
 
     procedure give_up is
     begin
@@ -238,7 +243,7 @@ begin
             state   <= state_told;
           end if;
 
-        -- What was asked for behind an access that failed is answered before anything else is.
+        -- Complete the accesses in flight after a failed one before any other access begins.
         when state_drain =>
           time_left   <= time_left - 1;
           bus_request <= stands;

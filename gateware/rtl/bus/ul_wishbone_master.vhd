@@ -1,18 +1,20 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Bus wrapper: the bus-independent interface of `unity_link_core` as a Wishbone B4 master, classic or pipelined.
+-- Bus wrapper: converts the bus-independent interface of `unity_link_core` to a Wishbone B4 master, classic or
+-- pipelined.
 --
--- Nothing is registered here: a classic slave that answers in the same cycle costs no wait state. `cyc` stands over
--- all accesses of one atomic transaction. An access that timed out ends by taking back `cyc`, which Wishbone allows at
--- any time. No tag says which access an answer belongs to: one without an access is not looked at, and `ul_bus_master`
--- leaves a slave that is late time for it.
+-- The classic wrapper has no registers in the path of an access: a slave that answers in the same cycle costs no wait
+-- state. `cyc` is '1' during all accesses of one atomic transaction. An access that timed out ends by deasserting
+-- `cyc`, which Wishbone allows at any time. Answers have no tag that identifies their access: an answer without a
+-- pending access is ignored, and `ul_bus_master` leaves a late slave time for it.
 --
--- A pipelined slave has up to four reads of one transaction at a time (`bus_ahead`); their answers are in order. Where
--- one of them is answered by `rty`, the answers behind it are kept, and it alone is repeated once all are there.
+-- A pipelined slave has up to four pending reads of one transaction (`bus_ahead`); it answers them in order. If it
+-- answers one with `rty`, the wrapper buffers the answers after it, and repeats that read alone when all answers have
+-- arrived.
 --
--- An access answered by `rty` has not been made: it is repeated, after a cycle without it, until the slave takes it or
--- the core gives it up. In that cycle `cyc` falls as well, so that another master may have the bus, but not in the
--- middle of an atomic transaction.
+-- An access answered with `rty` was not executed: it is repeated after a cycle without strobe, until the slave accepts
+-- it or the core gives it up. In that cycle `cyc` is deasserted too, so that another master can get the bus, except in
+-- the middle of an atomic transaction.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -26,9 +28,9 @@ entity ul_wishbone_master is
   generic (
     -- 8 to 64: bits of a word.
     data_bits : positive := 32;
-    -- 8 to 32: bits of an address, which counts words.
+    -- 8 to 32: bits of a word address.
     address_bits : positive := 8;
-    -- Whether Wishbone B4 is pipelined instead of classic.
+    -- Whether the bus is pipelined Wishbone B4 instead of classic.
     pipelined : boolean := false
   );
   port (
@@ -40,11 +42,11 @@ entity ul_wishbone_master is
     bus_request : in    std_logic;
     -- '1' for a write, '0' for a read.
     bus_write : in    std_logic;
-    -- '1' over all accesses of one atomic transaction.
+    -- '1' during all accesses of one atomic bus transaction.
     bus_lock : in    std_logic;
-    -- Other reads of the same transaction may follow before the answer.
+    -- '1' if further reads of the same transaction may be requested before this one is answered.
     bus_ahead : in    std_logic;
-    -- A read is taken, and its answer comes later.
+    -- The read is accepted; its answer comes later.
     bus_next : out   std_logic;
     -- Word address.
     bus_address : in    std_logic_vector(address_bits - 1 downto 0);
@@ -56,27 +58,27 @@ entity ul_wishbone_master is
     bus_done : out   std_logic;
     -- Valid with bus_done: '1' if the access failed.
     bus_error : out   std_logic;
-    -- A transaction is under way.
+    -- A bus transaction is in progress.
     cyc : out   std_logic;
-    -- An access is asked for.
+    -- Strobe: an access is requested.
     stb : out   std_logic;
     -- '1' for a write, '0' for a read.
     we : out   std_logic;
-    -- All '1': words are accessed whole.
+    -- All '1': every access covers a whole word.
     sel : out   std_logic_vector((data_bits + 7) / 8 - 1 downto 0);
     -- Word address.
     adr : out   std_logic_vector(address_bits - 1 downto 0);
     -- Word to write.
     dat_o : out   std_logic_vector(data_bits - 1 downto 0);
-    -- The word that is read, with ack.
+    -- The word read, valid with ack.
     dat_i : in    std_logic_vector(data_bits - 1 downto 0);
-    -- The access is made.
+    -- The access succeeded.
     ack : in    std_logic;
-    -- The access has failed.
+    -- The access failed.
     err : in    std_logic;
-    -- The access is not made, and is repeated.
+    -- The access was not executed; the master repeats it.
     rty : in    std_logic;
-    -- Pipelined: the access is not taken yet.
+    -- Pipelined mode: the slave does not accept the access yet.
     stall : in    std_logic
   );
 end entity ul_wishbone_master;
@@ -94,7 +96,7 @@ begin
 
   classic : if not pipelined generate
 
-    -- The cycle after `rty`.
+    -- '1' in the cycle after `rty`.
     signal sent_away : std_logic;
     signal asks      : std_logic;
 
@@ -126,8 +128,9 @@ begin
 
   with_pipeline : if pipelined generate
 
-    -- Accesses that were taken and not passed on, in their order. Where one was sent away, those behind it are kept
-    -- until all are answered (gathers), and then it is repeated by itself and they are passed on (replays).
+    -- Ring of accepted accesses whose results were not passed to the core yet. After an `rty`, the results of the later
+    -- accesses are buffered until all are answered (gathers); then the access is repeated alone, and the buffered
+    -- results are passed on in order (replays).
 
     type addresses_t is array (0 to 3) of std_logic_vector(address_bits - 1 downto 0);
 

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- The compact form of frames (docs/protocol.md, "The compact form"): what its bytes and the numbers of commands are.
+-- The compact form of frames (docs/protocol.md, "The compact form"): its special bytes, and its command numbers.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -11,26 +11,26 @@ package ul_compact_pkg is
   constant compact_start  : std_logic_vector(7 downto 0) := x"B5";
   constant compact_end    : std_logic_vector(7 downto 0) := x"CA";
   constant compact_escape : std_logic_vector(7 downto 0) := x"D3";
-  -- Behind an escape this is xored into a byte.
+  -- XORed into a byte after an escape.
   constant compact_stuffed : std_logic_vector(7 downto 0) := x"40";
 
-  -- Commands that have this form: two letters for each number, of one letter with a blank.
+  -- Commands that have a compact form, in the order of their numbers: two letters each, padded with a blank.
   constant compact_commands : string(1 to 32) := "r rmrqw wmwqwkwsh gngxgpi n x P ";
 
   constant sample_command : natural := 15;
   constant count_command  : natural := 8;
 
-  -- Commands whose requests name an address are those with a number below this.
+  -- Requests of the commands with a number below this have an address.
   constant addressed_commands : natural := 8;
 
-  -- A letter of the command of a number, the first one or the second; x"20" where there is no second.
+  -- The first or second letter of the command with this number; x"20" if it has no second letter.
   function compact_letter (number : natural; is_second : boolean) return std_logic_vector;
 
-  -- The byte has an escape before it.
+  -- Whether the byte needs an escape before it.
   function is_reserved (data : std_logic_vector(7 downto 0)) return boolean;
 
-  -- For each command '1' where a digit of no meaning stands behind its number in a request, or in what a gateway sends.
-  -- The digits of a CRC are even in number.
+  -- '1' for each command whose number is followed by a padding digit in requests, or in the gateway's frames. The CRC
+  -- always has an even number of digits.
   function filled_requests (id_digits, address_digits : natural) return std_logic_vector;
 
   function filled_answers (id_digits : natural) return std_logic_vector;
@@ -60,7 +60,7 @@ package body ul_compact_pkg is
 
   end function is_reserved;
 
-  -- The digits of a frame whose number of a command is followed by so many.
+  -- Whether a padding digit is needed in a frame that has this number of digits after the command number.
   function is_filled (digits : natural) return std_logic is
   begin
 

@@ -1,9 +1,10 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Makes text of frames in compact form, and passes text (docs/protocol.md, "The compact form"). The text of a cut frame
--- ends in the byte of an end, which is no digit, so that `ul_datalink_rx` finds no CRC.
+-- Converts frames in compact form to text, and passes text through (docs/protocol.md, "The compact form"). The text of
+-- a frame that was cut off ends with the byte compact_end, which is not a hex digit, so `ul_datalink_rx` reports a CRC
+-- error.
 --
--- A character leaves each cycle; a byte that has become two holds back what comes.
+-- One character per cycle leaves; in_ready is '0' while the second character of a byte is output.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -15,17 +16,17 @@ library work;
 
 entity ul_compact_rx is
   generic (
-    -- Digits of an ID and of an address.
+    -- Number of digits of an ID and of an address.
     id_digits      : positive := 3;
     address_digits : natural  := 2;
-    -- Number on a shared medium, 0 to 254, or -1.
+    -- Node number on a shared medium, 0 to 254; -1 if the medium is not shared.
     node : integer := -1
   );
   port (
     clk     : in    std_logic;
     rst     : in    std_logic;
     in_data : in    std_logic_vector(7 downto 0);
-    -- Bytes before this one were lost.
+    -- '1' if bytes before this one were lost.
     in_lost   : in    std_logic;
     in_valid  : in    std_logic;
     in_ready  : out   std_logic;
@@ -43,11 +44,11 @@ architecture rtl of ul_compact_rx is
   constant lf : std_logic_vector(7 downto 0) := x"0A";
   constant cr : std_logic_vector(7 downto 0) := x"0D";
 
-  -- What a byte leaves to do: its second letter; its digits; a line end.
+  -- Characters still to output for the last byte: the second letter; two digits; one digit; a line end.
 
   type rest_t is (nothing, letter, high, low, line_end);
 
-  -- What the next byte of a frame is.
+  -- Kind of the next byte of a frame.
 
   type place_t is (at_node, at_command, at_digits);
 
@@ -67,7 +68,7 @@ architecture rtl of ul_compact_rx is
   signal value   : std_logic_vector(7 downto 0);
   signal framed  : std_logic;
   signal escaped : std_logic;
-  -- Characters of text have come without their line end.
+  -- Characters of a text line have arrived, but not its line end.
   signal in_line : std_logic;
   signal lost    : std_logic;
   signal held    : std_logic;

@@ -1,8 +1,9 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Puts the frames of a session into compact form (docs/protocol.md, "The compact form"), and passes all others.
+-- Converts the frames of a session to compact form (docs/protocol.md, "The compact form"), and passes all others
+-- through.
 --
--- A byte leaves each cycle, and text passes in the cycle in which it comes.
+-- One byte per cycle leaves; text leaves in the cycle in which it arrives.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -14,15 +15,15 @@ library work;
 
 entity ul_compact_tx is
   generic (
-    -- Digits of an ID.
+    -- Number of digits of an ID.
     id_digits : positive := 3;
-    -- Number on a shared medium, 0 to 254, or -1.
+    -- Node number on a shared medium, 0 to 254; -1 if the medium is not shared.
     node : integer := -1
   );
   port (
     clk : in    std_logic;
     rst : in    std_logic;
-    -- The form is asked for, and the frame is checked; counts when its first character is taken.
+    -- The compact form was requested and the frame is checked; evaluated when its first character is accepted.
     compact   : in    std_logic;
     in_data   : in    std_logic_vector(7 downto 0);
     in_mark   : in    flush_mark_t;
@@ -32,7 +33,7 @@ entity ul_compact_tx is
     out_mark  : out   flush_mark_t;
     out_valid : out   std_logic;
     out_ready : in    std_logic;
-    -- Something was taken that has not gone out yet.
+    -- Accepted characters have not been output completely.
     busy : out   std_logic
   );
 end entity ul_compact_tx;
@@ -45,13 +46,14 @@ architecture rtl of ul_compact_tx is
   constant lf : std_logic_vector(7 downto 0) := x"0A";
   constant cr : std_logic_vector(7 downto 0) := x"0D";
 
-  -- What comes next: a prefix; a first letter; the second one or a digit; digits in pairs; the rest of a line of text.
+  -- Kind of the next character: prefix; first letter; second letter or first digit; upper and lower digit of a pair;
+  -- rest of a text line.
 
   type state_t is (at_prefix, at_letter, at_second, at_high, at_low, in_text);
 
-  -- What is to go out before the next character is taken, one behind the other: of a compact frame the number of the
-  -- node, a byte, what stands behind an escape, and on a shared medium a line end for those without the form; of a text
-  -- its prefix, and up to two letters.
+  -- Bytes to output, one after the other, before the next character is accepted. For a compact frame: the node number,
+  -- a byte, the byte after an escape, and on a shared medium a line end for receivers without the compact form. For a
+  -- text frame: its prefix, and up to two letters.
 
   type rest_t is (
     nothing, of_node, of_node_escaped, of_byte, escaped, of_line_end, of_z, of_digit_high, of_digit_low, of_first,
@@ -80,8 +82,8 @@ architecture rtl of ul_compact_tx is
 
   end function first_of_text;
 
-  -- Return the number of a command, of which there is one; anything for none. Side by side, for one behind the other is
-  -- slow.
+  -- Return the number of a command that exists; the result for others is undefined. The comparisons are made in
+  -- parallel, because a chain of them is too slow.
   function number_of (first, second : std_logic_vector(7 downto 0)) return std_logic_vector is
 
     variable letters : std_logic_vector(15 downto 0);
@@ -106,10 +108,10 @@ architecture rtl of ul_compact_tx is
 
   signal state : state_t;
   signal rest  : rest_t;
-  -- Characters of the prefix that were taken.
+  -- Number of prefix characters accepted.
   signal taken : unsigned(1 downto 0);
   signal first : std_logic_vector(7 downto 0);
-  -- A whole byte, or the second letter of a text; whether it is there.
+  -- value: a whole byte, or the second letter of a text frame. is_whole: value is valid.
   signal value     : std_logic_vector(7 downto 0);
   signal is_whole  : std_logic;
   signal nibble    : std_logic_vector(3 downto 0);
@@ -118,7 +120,7 @@ architecture rtl of ul_compact_tx is
   signal held_mark : flush_mark_t;
   signal mark      : flush_mark_t;
   signal advance   : std_logic;
-  -- Nothing is held, and what comes is text.
+  -- No byte is held, and the next character belongs to text.
   signal passes : std_logic;
 
 begin
@@ -153,7 +155,8 @@ begin
 
     end procedure give;
 
-    -- Give a byte of a compact frame, and leave to do what is behind its escape.
+    -- Output a byte of a compact frame, with an escape before it if necessary; `behind` is the next step after an
+    -- escape.
 
     procedure stuff (data : std_logic_vector(7 downto 0); behind : rest_t; otherwise : rest_t) is
     begin
@@ -167,7 +170,7 @@ begin
 
     end procedure stuff;
 
-    -- Return what follows the number of the node, or the start.
+    -- Return the next step after the node number or the start byte.
     impure function behind_start return rest_t is
     begin
 

@@ -1,21 +1,21 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- The check of a frame (docs/protocol.md, "Frames"): a CRC of 8, 16 or 32 bits, not reflected, initial value 0, no final
--- xor. In a session its number is xored into it before the first letter of some frames: the seed.
+-- The CRC of a frame (docs/protocol.md, "Frames"): 8, 16 or 32 bits, not reflected, initial value 0, no final XOR. In a
+-- session, the seed of the session is XORed into the CRC before the first letter of some frames.
 
 library ieee;
   use ieee.std_logic_1164.all;
 
 package ul_crc_pkg is
 
-  -- The CRC after one more character. The width is that of `crc`; `polynomial` has no highest term and is right-aligned.
+  -- CRC after one more character. `crc` sets the width; `polynomial` has no highest term and is right-aligned.
   function crc_after (
     crc        : std_logic_vector;
     character  : std_logic_vector(7 downto 0);
     polynomial : std_logic_vector(31 downto 0)
   ) return std_logic_vector;
 
-  -- What a session of this number xors into a CRC of so many bits: twice the number and the direction.
+  -- The seed of a session: twice its number plus the direction, aligned to a CRC of crc_bits bits.
   function seed_of (session : std_logic_vector; direction : std_logic; crc_bits : positive) return std_logic_vector;
 
 end package ul_crc_pkg;

@@ -1,15 +1,16 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Datalink layer, inwards: takes frames apart and checks them (docs/protocol.md, "Frames" and "Addressed frames").
+-- Datalink layer, receiver: separates frames and checks their CRC (docs/protocol.md, "Frames" and "Addressed frames").
 --
--- What stands before the check of a frame goes out character by character; what was found out about the frame follows
--- as an event of its own, `out_last`, which carries no character. Whoever acts waits for that.
+-- The body of a frame is output character by character. The result of the check follows as a separate event,
+-- `out_last`, without a character. The application layer must not act on a frame before that event.
 --
--- A frame's last `crc_bits / 4` characters are its check if it ends in LF and part of its body if it ends in CR, and
--- only the end tells. So characters pass a delay line of that length: at LF it holds just the check, which is compared
--- while the event stands, and at CR it is emptied into the body. The CRC is taken of what leaves this entity (and, on a
--- shared medium, of the prefix, which never enters the line). So a first letter that is not taken yet is not checked
--- either: whoever holds it back until a session has begun has that session's number in its check.
+-- The last `crc_bits / 4` characters of a frame are its CRC if the frame ends in LF, and part of its body if it ends in
+-- CR; only the end distinguishes the two. So characters pass a delay line of that length. At LF the delay line contains
+-- exactly the CRC, which is compared while the event is valid; at CR its contents are output as part of the body. The
+-- CRC is computed over the characters that leave this entity (and over the prefix of a shared medium, which does not
+-- enter the delay line). So a first letter that was not accepted yet is not in the CRC either: if the application layer
+-- does not accept it before a session has begun, that session's seed is in the CRC.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -24,9 +25,9 @@ entity ul_datalink_rx is
   generic (
     crc_bits       : positive                      := 16;
     crc_polynomial : std_logic_vector(31 downto 0) := x"00001021";
-    -- Most characters before the end, prefix not counted.
+    -- Maximum number of characters before the end, without the prefix.
     longest : positive := 2048;
-    -- Number on a shared medium, 0 to 254, or -1.
+    -- Node number on a shared medium, 0 to 254; -1 if the medium is not shared.
     node : integer := -1
   );
   port (
@@ -36,22 +37,23 @@ entity ul_datalink_rx is
     in_lost  : in    std_logic;
     in_valid : in    std_logic;
     in_ready : out   std_logic;
-    -- The session under way, 0 for none; counts when a first letter is taken.
+    -- The current session, 0 if there is none; evaluated when a first letter is accepted.
     session    : in    std_logic_vector(4 * session_digits_of(crc_bits) - 1 downto 0);
     in_session : in    std_logic;
-    -- A character of a body, or with out_last the end of the frame.
+    -- A character of a body; with out_last, the end of the frame.
     out_data  : out   std_logic_vector(7 downto 0);
     out_valid : out   std_logic;
     out_ready : in    std_logic;
     out_last  : out   std_logic;
-    -- With out_last: the form of the frame; error 09, 07, 01 or none; whether the frame is to all nodes: do not answer.
+    -- Valid with out_last: out_plain is '1' for a plain frame; out_error is 09, 07, 01 or none; out_silent is '1' if
+    -- the frame is addressed to all nodes and must not be answered.
     out_plain  : out   std_logic;
     out_error  : out   error_t;
     out_silent : out   std_logic;
-    -- With out_last: what the check of a checked frame left of the CRC of its text. Without a session that is no error
-    -- where the first letter is small.
+    -- Valid with out_last, for a checked frame: XOR of the received CRC and the computed one. If no session exists and
+    -- the first letter is small, a residue other than 0 is not an error.
     out_residue : out   std_logic_vector(crc_bits - 1 downto 0);
-    -- A frame has begun and its end was not given out yet.
+    -- A frame has begun, and its end has not been output yet.
     busy : out   std_logic
   );
 end entity ul_datalink_rx;
@@ -67,16 +69,16 @@ architecture rtl of ul_datalink_rx is
     delayed : line_t;
     filled  : std_logic_vector(0 to crc_digits - 1);
     crc     : std_logic_vector(crc_bits - 1 downto 0);
-    -- A letter was taken; the first one is small.
+    -- text_begun: a letter was accepted. small: the first letter is small.
     text_begun : std_logic;
     small      : std_logic;
-    -- Characters that may still come before the frame is too long.
+    -- Number of characters that may still arrive before the frame is too long.
     left     : unsigned(log2_ceil(longest + 1) - 1 downto 0);
     too_long : std_logic;
     lost     : std_logic;
     begun    : std_logic;
     draining : std_logic;
-    -- Characters of the prefix that were seen, and what they say.
+    -- Number of prefix characters received, and whether they address this node or all nodes.
     prefix     : unsigned(1 downto 0);
     to_me      : std_logic;
     to_all     : std_logic;
@@ -116,7 +118,7 @@ architecture rtl of ul_datalink_rx is
   signal residue : std_logic_vector(crc_bits - 1 downto 0);
   signal damaged : std_logic;
 
-  -- The number that the delay line holds in hex digits of either case.
+  -- The number in the delay line, as hex digits of either case.
   function number_in (line : line_t) return std_logic_vector is
 
     variable number : std_logic_vector(crc_bits - 1 downto 0);
@@ -149,7 +151,7 @@ architecture rtl of ul_datalink_rx is
 
   end function all_hex;
 
-  -- Of the letters of both sizes, a small one.
+  -- Whether a letter is a small one.
   function is_small (code : std_logic_vector(7 downto 0)) return std_logic is
   begin
 
@@ -188,7 +190,7 @@ begin
   out_last   <= r.out_last;
   out_plain  <= r.out_plain;
   out_silent <= r.out_silent;
-  -- The errors that go before this one have its bit.
+  -- Errors with priority over a CRC error (01) have bit 0 set too, so OR-ing that bit does not change them.
   out_error <= r.out_error(3 downto 1) & (r.out_error(0) or damaged);
 
   residue     <= number_in(r.delayed) xor r.crc;
@@ -209,7 +211,7 @@ begin
 
     variable v : registers_t;
 
-    -- The oldest character leaves the delay line into the body.
+    -- Shift the delay line; its oldest character goes into the body.
 
     procedure step_line (newest : std_logic_vector(7 downto 0); newest_valid : std_logic) is
     begin
@@ -223,7 +225,7 @@ begin
 
     end procedure step_line;
 
-    -- A character of the text has gone to whoever acts.
+    -- The application layer has accepted a character: include it in the CRC.
 
     procedure count_character is
 
@@ -330,7 +332,7 @@ begin
     begin
 
       for_us := node < 0 or (r.prefix = prefix_length and (r.to_me = '1' or r.to_all = '1'));
-      -- Nothing between two ends, after the prefix if there is one: no frame.
+      -- An empty frame (two ends in succession, apart from the prefix) is ignored.
       if not for_us or (v.lost = '0' and r.left = longest) then
         forget_frame;
       elsif in_data = character_cr then

@@ -1,11 +1,12 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Datalink layer, outwards: puts the prefix before a body (shared medium only), the check and the end behind it.
+-- Datalink layer, transmitter: adds the prefix before a body (on a shared medium), and the CRC and the line end after
+-- it.
 --
--- One character a cycle, ends included: while the check of a frame goes out, whoever writes bodies prepares the next
--- one. The send-immediate mark of a frame stands beside its very last character.
+-- It outputs one character per cycle, line ends included; while the CRC of a frame is sent, the frame writer prepares
+-- the next body. The send-immediate mark of a frame accompanies its very last character.
 --
--- The session is in the check of samples and of all that begins with a small letter.
+-- The seed of the session is in the CRC of samples and of all frames that begin with a small letter.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -20,29 +21,29 @@ entity ul_datalink_tx is
   generic (
     crc_bits       : positive                      := 16;
     crc_polynomial : std_logic_vector(31 downto 0) := x"00001021";
-    -- Number on a shared medium, 0 to 254, or -1.
+    -- Node number on a shared medium, 0 to 254; -1 if the medium is not shared.
     node : integer := -1
   );
   port (
     clk : in    std_logic;
     rst : in    std_logic;
-    -- Bodies; in_plain and in_mark count with in_last.
+    -- Bodies; in_plain and in_mark are valid with in_last.
     in_data  : in    std_logic_vector(7 downto 0);
     in_valid : in    std_logic;
     in_ready : out   std_logic;
     in_last  : in    std_logic;
     in_plain : in    std_logic;
     in_mark  : in    flush_mark_t;
-    -- The session under way, 0 for none; counts when the first letter of a body is taken.
+    -- The current session, 0 if there is none; evaluated when the first letter of a body is accepted.
     session    : in    std_logic_vector(4 * session_digits_of(crc_bits) - 1 downto 0);
     in_session : in    std_logic;
-    -- What is answered is outside of it: samples alone have it in their checks.
+    -- The answer belongs to no session: only samples have the seed in their CRC.
     no_session : in    std_logic := '0';
     out_data   : out   std_logic_vector(7 downto 0);
     out_mark   : out   flush_mark_t;
     out_valid  : out   std_logic;
     out_ready  : in    std_logic;
-    -- Something was taken that has not gone out yet.
+    -- Accepted characters have not been output completely.
     busy : out   std_logic
   );
 end entity ul_datalink_tx;
@@ -68,7 +69,7 @@ architecture rtl of ul_datalink_tx is
     state : state_t;
     left  : unsigned(log2_ceil(crc_digits + 1) - 1 downto 0);
     crc   : std_logic_vector(crc_bits - 1 downto 0);
-    -- A character behind the prefix was taken.
+    -- A character after the prefix was accepted.
     text_begun : std_logic;
     mark       : flush_mark_t;
     out_data   : std_logic_vector(7 downto 0);
@@ -127,7 +128,7 @@ begin
     variable v          : registers_t;
     variable of_session : std_logic;
 
-    -- One character of what the CRC covers.
+    -- Output a character that the CRC covers.
 
     procedure put_covered (code : std_logic_vector(7 downto 0); seeded : std_logic) is
 
@@ -166,7 +167,7 @@ begin
 
           when state_body =>
             if in_valid = '1' then
-              -- Of the letters that a body begins with, P alone has four low bits of 0.
+              -- Of the first letters of bodies, only P (x"50") has 0 in its four low bits.
               of_session   := (in_data(5) and not no_session) or to_std_logic(unsigned(in_data(3 downto 0)) = 0);
               put_covered(in_data, of_session and not r.text_begun);
               v.text_begun := '1';
@@ -181,8 +182,8 @@ begin
             end if;
 
           when state_check =>
-            -- Both digits of the highest byte; then the next one takes its place, by the logic that is there already: a
-            -- CRC after its own highest byte is shifted by eight bits.
+            -- Output both digits of the highest byte, then move the next byte to its place. The CRC logic does the
+            -- move: a CRC updated with its own highest byte is that CRC shifted by eight bits.
             v.out_data  := hex_character(r.crc(crc_bits - 1 downto crc_bits - 4));
             v.out_valid := '1';
             if r.left(0) = '1' then

@@ -1,9 +1,9 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- In place of `ul_datalink_rx` where no program but a person is at the other end: every line is a plain frame.
+-- Replaces `ul_datalink_rx` if the other end is a person and not a program: every line is a plain frame.
 --
--- CR and LF both end a frame, nothing is checked, and there is no limit of length (a line that is too long is
--- malformed). With `ul_plain_tx` this joins the application layer to a physical layer without a datalink layer
+-- CR and LF both end a frame, there is no CRC, and the length is not limited (a line that is too long is malformed).
+-- Together with `ul_plain_tx` it connects the application layer to a physical layer without a datalink layer
 -- (`unity_link_core`, generic `checked_frames`).
 
 library ieee;
@@ -20,13 +20,13 @@ entity ul_plain_rx is
     in_lost  : in    std_logic;
     in_valid : in    std_logic;
     in_ready : out   std_logic;
-    -- A character of a body, or with out_last the end of the frame; error 09 or none.
+    -- A character of a body; with out_last, the end of the frame, with error 09 or none.
     out_data  : out   std_logic_vector(7 downto 0);
     out_valid : out   std_logic;
     out_ready : in    std_logic;
     out_last  : out   std_logic;
     out_error : out   error_t;
-    -- A frame has begun and its end was not given out yet.
+    -- A frame has begun, and its end has not been output yet.
     busy : out   std_logic
   );
 end entity ul_plain_rx;

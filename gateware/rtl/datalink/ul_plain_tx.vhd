@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- In place of `ul_datalink_tx` where every frame is plain: puts CR LF behind each body. See `ul_plain_rx`.
+-- Replaces `ul_datalink_tx` if every frame is plain: adds CR LF after each body. See `ul_plain_rx`.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -12,7 +12,7 @@ entity ul_plain_tx is
   port (
     clk : in    std_logic;
     rst : in    std_logic;
-    -- Bodies; in_mark counts with in_last.
+    -- Bodies; in_mark is valid with in_last.
     in_data   : in    std_logic_vector(7 downto 0);
     in_valid  : in    std_logic;
     in_ready  : out   std_logic;
@@ -37,7 +37,7 @@ begin
 
   busy <= to_std_logic(state /= state_body);
 
-  -- Bodies pass as they are; the end stands in their way.
+  -- Bodies pass unchanged; in_ready is '0' while CR LF is output.
   in_ready  <= out_ready and to_std_logic(state = state_body);
   out_valid <= in_valid or to_std_logic(state /= state_body);
   out_data  <= in_data when state = state_body else
