@@ -1,9 +1,9 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- The base tick of periodic groups: one cycle in clock_hz / base frequency, on average exactly.
+-- The base tick of periodic groups: '1' for one cycle, at exactly the base frequency on average.
 --
--- Where the quotient is whole, a counter; else an accumulator in units of mHz, whose ticks lie less than one cycle
--- beside their ideal instants.
+-- If the clock frequency is a multiple of the base frequency, a counter is enough. Otherwise an accumulator in units of
+-- mHz generates ticks that are less than one cycle away from their ideal times.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -14,7 +14,7 @@ library work;
 
 entity ul_base_tick is
   generic (
-    -- Hz.
+    -- clock_hz in Hz, base_frequency_millihertz in mHz.
     clock_hz                  : positive := 50_000_000;
     base_frequency_millihertz : positive := 100_000_000
   );
@@ -27,7 +27,7 @@ end entity ul_base_tick;
 
 architecture rtl of ul_base_tick is
 
-  -- VHDL's integers may have 32 bits only.
+  -- VHDL integers may have only 32 bits.
   subtype wide_t is unsigned(47 downto 0);
 
   constant clock_millihertz : wide_t  := resize(to_unsigned(clock_hz, 32) * to_unsigned(1000, 16), 48);

@@ -1,9 +1,9 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- The time of the gateway: clock cycles since the reset, and the base tick of periodic groups.
+-- The time of the gateway: a counter of clock cycles since the reset, and the base tick of periodic groups.
 --
--- Both run freely. Where the base frequency is more than half the clock, there is no base tick: groups refuse that, and
--- a gateway without groups may have any.
+-- Both run freely. If the base frequency is more than half the clock frequency, there is no base tick: the subscription
+-- manager rejects such a frequency, but a gateway without groups may have any.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -11,14 +11,14 @@ library ieee;
 
 entity ul_gateway_clock is
   generic (
-    -- Hz.
+    -- clock_hz in Hz, base_frequency_millihertz in mHz.
     clock_hz                  : positive := 50_000_000;
     base_frequency_millihertz : positive := 100_000_000
   );
   port (
     clk : in    std_logic;
     rst : in    std_logic;
-    -- '1' for one cycle.
+    -- base_tick is '1' for one cycle. timestamp counts cycles.
     base_tick : out   std_logic;
     timestamp : out   std_logic_vector(63 downto 0)
   );

@@ -1,10 +1,10 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Says which periodic groups are due: counts the divisor of each down at every base tick.
+-- Determines which periodic groups are due: counts the divisor of each group down at every base tick.
 --
--- At a tick, all groups pass a pipeline of one group a cycle: read the counter, keep it, count and write it back. So
--- the time from the tick to a group's `due` depends on its number alone. A group that is still due when it becomes due
--- again has lost a sample: that is counted beside its counter, for whoever serves it at last.
+-- At a tick, all groups pass a pipeline, one group per cycle: read the counter, register it, decrement it and write it
+-- back. So the time from the tick to a group's `due` depends only on its number. A group that becomes due again while
+-- it is still due has lost a sample; a second memory counts the lost samples of each group until the group is served.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -23,17 +23,19 @@ entity ul_group_timer is
     rst     : in    std_logic;
     tick    : in    std_logic;
     running : in    std_logic_vector(groups - 1 downto 0);
-    -- Only while not busy: sets a group's divisor (0: not periodic), or makes it due at the next tick.
+    -- Only while busy is '0': set writes the divisor of group `number` (0: not periodic); start makes the group due at
+    -- the next tick.
     number  : in    unsigned(7 downto 0);
     set     : in    std_logic;
     divisor : in    std_logic_vector(15 downto 0);
     start   : in    std_logic;
     busy    : out   std_logic;
-    -- Groups that are due, until cleared.
+    -- Groups that are due, until they are cleared.
     due   : out   std_logic_vector(groups - 1 downto 0);
     clear : in    std_logic_vector(groups - 1 downto 0);
-    -- Samples that a due group has lost, one cycle after its number, which is given in the cycle of `clear`. In a cycle
-    -- of `collides` that very group becomes due: it must not be cleared, and its losses cannot be read.
+    -- lost: number of samples that a due group has lost, one cycle after lost_number, which must be valid in the cycle
+    -- of `clear`. In a cycle with collides = '1', that group becomes due: it must not be cleared, and its losses cannot
+    -- be read.
     lost_number : in    unsigned(7 downto 0);
     lost        : out   unsigned(7 downto 0);
     collides    : out   std_logic
@@ -50,7 +52,8 @@ architecture rtl of ul_group_timer is
 
   type losses_t is array (0 to 2 ** index_bits - 1) of std_logic_vector(7 downto 0);
 
-  -- Nothing of a group is used before it was set and started: the initial values only keep simulations quiet.
+  -- A group's memory words are not used before the group was set and started: the initial values only avoid unknown
+  -- values in simulation.
   -- vsg_off signal_007
   signal divisors : counters_t := (others => (others => '0'));
   signal counters : counters_t := (others => (others => '0'));

@@ -1,14 +1,17 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Application layer, first half: what a frame asks for. Reads a body one character a cycle and checks command and form.
+-- Application layer, first half: decodes requests. Parses the body of a frame, one character per cycle, and checks its
+-- command and form.
 --
--- The command is a walk through the tree of the letters of all commands; the fields behind it are a walk through the
--- table of `next_field`. Words (and the addresses of GS) go to the request memory as each is complete, all else into
--- registers. At the end of the frame everything stands ready, with the verdict: `request_error` where the frame is
--- damaged or wrong, `request_out_of_range` where a value is one that this gateway does not have.
+-- The command is found by a walk through a tree of the letters of all commands; the fields after it follow the table of
+-- `next_field`. Words (and the addresses of GS) are written to the request memory as soon as each is complete, all
+-- other fields to registers. At the end of the frame the request is valid, together with the result of the checks:
+-- `request_error` if the frame is damaged or malformed, `request_out_of_range` if a value does not exist in this
+-- gateway.
 --
--- The fields are not copied for whoever executes the request: `hold` keeps them still until the answer has been begun.
--- The command letters and the ID of the next request are taken in that time, which is as long as a short request takes.
+-- The executor does not copy the fields: `hold` keeps them stable until the answer has begun. During `hold`, the
+-- decoder already accepts the command letters and the ID of the next request, which take as long as a short request
+-- takes to execute.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -46,16 +49,17 @@ entity ul_request_decoder is
     in_plain  : in    std_logic;
     in_error  : in    error_t;
     in_silent : in    std_logic;
-    -- What the check of the frame left, with in_last.
+    -- Valid with in_last: the CRC residue of the frame.
     in_residue : in    std_logic_vector(crc_bits - 1 downto 0);
-    -- A session is under way, and it is one that a checked frame began.
+    -- in_session: a session exists. for_program: a checked frame began it.
     in_session  : in    std_logic;
     for_program : in    std_logic;
-    -- A request, valid until accepted for one cycle; then its fields stand still while `hold`.
+    -- A request. request_valid is '1' until request_accept is '1' for one cycle; the fields are then stable while
+    -- `hold` is '1'.
     request_valid  : out   std_logic;
     request_accept : in    std_logic;
     hold           : in    std_logic;
-    -- With hold: nothing of the next frame is taken, not a letter either.
+    -- '1' together with hold: accept no character of the next frame, not even a letter.
     hold_letters         : in    std_logic;
     request_command      : out   command_t;
     request_has_id       : out   std_logic;
@@ -65,15 +69,15 @@ entity ul_request_decoder is
     request_out_of_range : out   std_logic;
     request_id           : out   std_logic_vector(4 * id_digits - 1 downto 0);
     request_address      : out   std_logic_vector(4 * digits_of(address_bits) - 1 downto 0);
-    -- Words to read or write, addresses of GS, group of GN GX GP, mode of I.
+    -- Number of words to read or write, or of addresses of GS; group of GN, GX and GP, or mode of I.
     request_count : out   std_logic_vector(7 downto 0);
     request_group : out   std_logic_vector(7 downto 0);
     request_flags : out   std_logic_vector(5 downto 0);
-    -- K has no fields.
+    -- '1' for a K without fields.
     request_asks : out   std_logic;
-    -- The divisor of GS, the session of K, or of a request with an ID that comes without a session what its check left.
-    -- By number_shift, in a cycle of hold, a digit leaves at the top, and the highest one of a session comes in again at
-    -- the lowest place.
+    -- The divisor of GS, the session of K, or, for a request with an ID outside of a session, its CRC residue.
+    -- number_shift, used during hold, shifts it left by one digit; the highest digit of a session enters again at the
+    -- lowest place.
     request_number : out   std_logic_vector(number_bits_of(crc_bits, groups) - 1 downto 0);
     number_shift   : in    std_logic;
     -- The last word of the request.
@@ -82,7 +86,7 @@ entity ul_request_decoder is
     store       : out   std_logic;
     store_index : out   std_logic_vector(7 downto 0);
     store_word  : out   std_logic_vector(maximum(data_bits, address_bits) - 1 downto 0);
-    -- A frame has begun that was not accepted yet.
+    -- A frame has begun that was not accepted as a request yet.
     busy : out   std_logic
   );
 end entity ul_request_decoder;
@@ -95,7 +99,7 @@ architecture rtl of ul_request_decoder is
   constant session_digits : positive := session_digits_of(crc_bits);
   constant number_bits    : positive := number_bits_of(crc_bits, groups);
 
-  -- '0' and a command, or one of those below.
+  -- '0' and a command, or one of the nodes below.
   subtype node_t is std_logic_vector(4 downto 0);
 
   constant node_r       : node_t := '0' & command_r;
@@ -119,7 +123,8 @@ architecture rtl of ul_request_decoder is
 
   end function offered;
 
-  -- Compared in one bit more, as 256 groups are a number that does not fit (GHDL converts such a comparison wrongly).
+  -- Compared with one more bit, because the number 256 of groups does not fit into eight bits (GHDL converts such a
+  -- comparison wrongly).
   function is_no_group (number : std_logic_vector(7 downto 0)) return boolean is
   begin
 
@@ -127,7 +132,7 @@ architecture rtl of ul_request_decoder is
 
   end function is_no_group;
 
-  -- The tree of commands; `letter` are the five low bits of a letter's code, equal for both cases.
+  -- The tree of commands. `letter` has the five low bits of a letter's code, which are equal for both cases.
   function next_node (node : node_t; letter : std_logic_vector(4 downto 0)) return node_t is
 
     subtype letter_t is std_logic_vector(4 downto 0);
@@ -247,7 +252,7 @@ architecture rtl of ul_request_decoder is
 
   end function next_node;
 
-  -- The field behind the command letters and the ID.
+  -- The field after the command letters and the ID.
   function field_behind_id (command : command_t) return field_t is
   begin
 
@@ -315,7 +320,7 @@ architecture rtl of ul_request_decoder is
 
   end function next_field;
 
-  -- Digits of a field behind its first one.
+  -- Number of digits of a field after its first digit.
   function further_digits (field : field_t) return unsigned is
   begin
 
@@ -343,7 +348,7 @@ architecture rtl of ul_request_decoder is
 
   end function further_digits;
 
-  -- Bits that a gateway of these widths does not have, of a value in whole digits.
+  -- Whether a value in whole digits has a bit set that this gateway's width does not have.
   function exceeds (value : std_logic_vector; bits : positive) return std_logic is
 
     variable excess : std_logic := '0';
@@ -362,7 +367,7 @@ architecture rtl of ul_request_decoder is
 
   end function exceeds;
 
-  -- Group flags that this gateway does not have.
+  -- Group flags that this gateway does not support.
   function missing_flags return std_logic_vector is
 
     variable missing : std_logic_vector(7 downto 0) := "11000000";
@@ -391,10 +396,10 @@ architecture rtl of ul_request_decoder is
     group_number : std_logic_vector(7 downto 0);
     flags        : std_logic_vector(7 downto 0);
     number       : std_logic_vector(number_bits - 1 downto 0);
-    -- A digit of a divisor or session is not 0.
+    -- At least one digit of the divisor or session is not 0.
     some_number : std_logic;
     word        : std_logic_vector(4 * word_digits - 1 downto 0);
-    -- Whole words; 256 stands for more than a count can say.
+    -- Number of whole words; 256 means more than a count field can express.
     words         : unsigned(8 downto 0);
     partial       : std_logic;
     word_exceeds  : std_logic;
@@ -420,12 +425,12 @@ architecture rtl of ul_request_decoder is
 
 begin
 
-  -- A character is a letter of a command only before anything else has come.
+  -- A character can be a command letter only before the first digit of a field.
   letter <= to_std_logic(r.field = field_command) and in_data(6) and not in_data(7) and
             to_std_logic(unsigned(in_data(4 downto 0)) >= 7 and unsigned(in_data(4 downto 0)) <= 26);
   digit  <= is_hex(in_data);
 
-  -- The field that a digit belongs to, which for the first one follows from the command.
+  -- The field to which the present digit belongs; for the first digit, the command determines it.
   field        <= first_field(r.node(3 downto 0), r.has_id) when r.field = field_command else
                   r.field;
   left         <= further_digits(first_field(r.node(3 downto 0), r.has_id)) when r.field = field_command else
@@ -433,7 +438,7 @@ begin
   touches_held <= in_last or (not letter and to_std_logic(field /= field_id)) or hold_letters;
 
   take <= in_valid and not r.valid and not (hold and touches_held);
-  -- A plain end with part of a word before it is looked at twice: the word is completed first.
+  -- A plain end after a part of a word takes two cycles: the word is completed first.
   in_ready <= not r.valid and not (hold and touches_held) and not (in_last and in_plain and not r.flushed);
 
   word_excess <= exceeds(r.word(4 * address_digits - 1 downto 0), address_bits) when r.field = field_list else
@@ -542,7 +547,7 @@ begin
       end case;
 
       if field = field_address or field = field_group then
-        -- R and WK are about one word, and have no field that says so.
+        -- R and WK access one word and have no count field.
         v.count        := x"01";
         v.words        := (others => '0');
         v.partial      := '0';

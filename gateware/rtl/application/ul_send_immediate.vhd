@@ -1,11 +1,11 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- When to have a short packet sent at once (docs/protocol.md, "Send-immediate"): watches the bytes that leave and what
--- is still coming.
+-- Decides when the medium must send a short packet at once (docs/protocol.md, "Send-immediate"), from the bytes that
+-- leave and from pending activity.
 --
--- The mark beside the last byte of a frame says what its sender wants: `flush_now` pulses `flush` behind that byte,
--- `flush_when_idle` as soon as nothing is on its way any more, no request either. A request that has begun to arrive
--- counts as on its way: its answer takes the bytes that wait along.
+-- The mark beside the last byte of a frame has the wish of its sender: `flush_now` pulses `flush` after that byte;
+-- `flush_when_idle` pulses it as soon as the gateway is idle. A request that has begun to arrive counts as activity:
+-- its answer will be sent together with the waiting bytes.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -17,19 +17,19 @@ entity ul_send_immediate is
   port (
     clk : in    std_logic;
     rst : in    std_logic;
-    -- A byte with this mark goes to the physical layer.
+    -- A byte with this mark is passed to the physical layer.
     left : in    std_logic;
     mark : in    flush_mark_t;
-    -- A byte, a request or an answer is somewhere in the gateway.
+    -- The gateway has a byte, a request or an answer.
     active : in    std_logic;
-    -- One cycle: send now what was given to the physical layer so far.
+    -- '1' for one cycle: send all bytes that were passed to the physical layer so far.
     flush : out   std_logic
   );
 end entity ul_send_immediate;
 
 architecture rtl of ul_send_immediate is
 
-  -- What left in the cycle before: a FIFO's memory is slow to show it.
+  -- left and mark of the cycle before; registered because the FIFO's memory has a long clock-to-output delay.
   signal has_left : std_logic;
   signal its_mark : flush_mark_t;
   signal waiting  : std_logic;
