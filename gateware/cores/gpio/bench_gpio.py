@@ -1,4 +1,4 @@
-"""Inside the simulator: ul_gpio is as a model in every cycle, however its pins bounce."""
+"""Bench: ul_gpio equals a model in every cycle, however its pins bounce."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class Inputs(NamedTuple):
-    """Inputs of the entity, each with one bit for an axis."""
+    """Inputs of the entity, one bit for each axis."""
 
     pin_in: int = 0
     output: int = 0
@@ -29,17 +29,18 @@ class Inputs(NamedTuple):
 
 
 class Axis:
-    """One axis of the model: what is there after each edge."""
+    """One axis of the model: its state after each clock edge."""
 
     def __init__(self, stands: int) -> None:
-        """Take the cycles for which a new level has to stand; nothing is known before the first reset."""
+        """Store the number of cycles for which a new level must be stable; the state is unknown before the first reset.
+        """
         self._stands = stands
         self._pins = [0, 0]
         self._differed_for = 0
         self.level = self.edges = self.last = self.edge = 0
 
     def clock(self, pin: int, now: int, *, reset: bool) -> None:
-        """Make one edge of the clock."""
+        """Simulate one clock edge."""
         settled = self._pins.pop(0)
         self._pins.append(pin)
         self._differed_for = self._differed_for + 1 if settled != self.level else 0
@@ -55,11 +56,11 @@ class Model:
     """All axes."""
 
     def __init__(self, axes: int, stands: int) -> None:
-        """Take how many there are, and the cycles for which a new level has to stand."""
+        """Create the axes, with the number of cycles for which a new level must be stable."""
         self._axes = [Axis(stands) for _ in range(axes)]
 
     def clock(self, inputs: Inputs) -> dict[str, int]:
-        """Make one edge of the clock; returns each output behind it by its name."""
+        """Simulate one clock edge and return each output after it by its name."""
         for index, axis in enumerate(self._axes):
             axis.clock(inputs.pin_in >> index & 1, inputs.now, reset=bool(inputs.rst))
         return {
@@ -76,10 +77,10 @@ class Model:
 
 
 class Stimulus:
-    """Random inputs: pins that bounce and stand, and all else at any time."""
+    """Random inputs: pins that bounce and settle, and all other inputs at any time."""
 
     def __init__(self, axes: int, stands: int, rng: random.Random) -> None:
-        """Take the generics and what chooses."""
+        """Store the generics and the random generator."""
         self._axes, self._stands, self._rng = axes, stands, rng
         self._changes_in = [0] * axes
         self._inputs = Inputs()
@@ -91,7 +92,7 @@ class Stimulus:
         for axis in range(self._axes):
             if self._changes_in[axis] == 0:
                 pins ^= 1 << axis
-                # For less than it takes to count, for just as long, and longer.
+                # For less than the debouncing time, for just that time, and for longer.
                 self._changes_in[axis] = rng.choice([rng.randint(0, self._stands), self._stands - 1, self._stands + 3])
             else:
                 self._changes_in[axis] -= 1
@@ -104,7 +105,7 @@ class Stimulus:
 
 
 def _stands(dut: SimHandleBase) -> int:
-    """Return the cycles for which a new level has to stand."""
+    """Return the number of cycles for which a new level must be stable."""
     return max(-(-int(dut.debounce_us.value) * int(dut.clock_hz.value) // 10**6), 1)
 
 
@@ -130,7 +131,7 @@ async def it_is_as_the_model_in_every_cycle(dut: SimHandleBase) -> None:
         await RisingEdge(dut.clk)
         expected = model.clock(inputs)
     outputs = {name: getattr(dut, name) for name in expected}
-    # These stay until the next edge, so what is wrong with them in one cycle is wrong in a later one.
+    # Compared less often: these keep their values until the next edge, so an error in them remains visible.
     kept = {name: outputs.pop(name) for name in ("edges", "last")}
     clk, edges = dut.clk, 0
     for cycle in range(cycles):

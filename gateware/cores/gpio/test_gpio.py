@@ -1,4 +1,4 @@
-"""ul_gpio against its model, with and without debouncing."""
+"""ul_gpio equals its model, with and without debouncing."""
 
 from __future__ import annotations
 

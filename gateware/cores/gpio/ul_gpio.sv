@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What ul_gpio promises, for all pins, resets and registers: its level is that of the pin once this has stood for STANDS
-// cycles, and no sooner; each change of it, and nothing else, is an edge, is counted, and leaves the time; a pin is
-// driven where it is to be, and not in the cycle behind one that is not armed.
+// Properties of ul_gpio for all pins, resets and registers: its level follows the pin once the pin was stable for
+// STANDS cycles, and no sooner; each change of the level, and no other event, is an edge, is counted, and stores the
+// time; a pin is driven if requested, but not in the cycle after one in which the axis is not armed.
 //
-// DIRECT is without debouncing. The last part are the invariants that make the proof hold without a bound.
+// DIRECT selects an entity without debouncing. The invariants at the end make the proof hold without a bound.
 
 module ul_gpio_properties (
 	input clk,
@@ -31,15 +31,15 @@ module ul_gpio_properties (
 		.pin_out(pin_out), .pin_oe(pin_oe)
 	);
 
-	// The first reset takes as long as a pin takes to come in.
+	// The first reset lasts until the pin has passed the synchroniser.
 	reg [2:0] age = 0;
 	wire begun = age[2];
-	// What was there in earlier cycles; bit 0 is the last one.
+	// Values of earlier cycles; bit 0 is the last one.
 	reg [STANDS+1:0] pins, resets = -1;
 	reg was_level, was_armed, was_to_drive, was_driven;
 	reg [15:0] were_edges;
 	reg [31:0] was_last, was_now;
-	// Cycles in a row, up to the last one, in which the pin differed from the level, two cycles late.
+	// Number of consecutive cycles, up to the last one, in which the pin differed from the level, two cycles late.
 	reg [1:0] differed;
 	wire settled = pins[1];
 
@@ -80,7 +80,7 @@ module ul_gpio_properties (
 		cover (has_edge && edges == 2 && !level);
 		cover (!pin_oe && was_driven && !was_armed);
 `ifndef DIRECT
-		// It bounced once, and then counts.
+		// The pin bounces once, and is then accepted.
 		cover (has_edge && level && edges == 1 && pins[4:2] == 3'b111 && !resets[4]);
 		cover (differed == 2 && settled == level && !was_reset);
 `endif

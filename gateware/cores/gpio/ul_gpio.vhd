@@ -1,9 +1,9 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- General purpose pins: each is read with its bounces taken out, its edges are counted, and it may be driven.
+-- General purpose pins: each is read with debouncing, its edges are counted, and it may be driven.
 --
--- A level counts once the pin has differed from the last one for so many cycles in a row; each cycle in which it does
--- not begins the count anew. What is read is always the pin itself, also where it is driven.
+-- A new level is accepted once the pin has differed from the last level for `debounce_us` without interruption; a cycle
+-- in which it does not differ restarts the count. The level is always that of the pin, even if the pin is driven.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -14,11 +14,11 @@ library work;
 
 entity ul_gpio is
   generic (
-    -- At least 1: pins.
+    -- At least 1: number of pins.
     axes : positive := 1;
-    -- At least 1: Hz of clk.
+    -- At least 1: frequency of clk in Hz.
     clock_hz : positive := 50_000_000;
-    -- 0 to what takes 2 ** 30 cycles: microseconds for which a new level has to stand before it counts.
+    -- 0 to a time of 2 ** 30 cycles: microseconds for which a new level must be stable before it is accepted.
     debounce_us : natural := 0
   );
   port (
@@ -26,41 +26,41 @@ entity ul_gpio is
     clk : in    std_logic;
     -- Synchronous reset, active high, for at least one cycle.
     rst : in    std_logic;
-    -- Cycles of clk, as the gateway counts them; the lower half is used.
+    -- Cycles of clk, from the gateway's timestamp counter; the lower half is used.
     now : in    std_logic_vector(63 downto 0);
     -- '0': the pin of this axis is not driven from the next cycle on.
     armed : in    std_logic_vector(axes - 1 downto 0) := (others => '1');
-    -- The level of the pin.
+    -- Debounced level of the pin.
     level : out   std_logic_vector(axes - 1 downto 0);
-    -- The level that is driven.
+    -- Level to drive.
     output : in    std_logic_vector(axes - 1 downto 0);
-    -- Not needed.
+    -- Unused.
     output_written : in    std_logic_vector(axes - 1 downto 0) := (others => '0');
-    -- '1': the pin is driven.
+    -- '1': drive the pin.
     drive : in    std_logic_vector(axes - 1 downto 0);
-    -- Not needed.
+    -- Unused.
     drive_written : in    std_logic_vector(axes - 1 downto 0) := (others => '0');
-    -- Changes of the level since the reset, of both kinds, modulo 65,536.
+    -- Number of changes of the level since the reset, rising and falling, modulo 65,536.
     edges : out   std_logic_vector(axes * 16 - 1 downto 0);
-    -- The lower half of now in the cycle before the level changed last.
+    -- Lower half of now in the cycle before the last change of the level.
     last : out   std_logic_vector(axes * 32 - 1 downto 0);
-    -- '1' for one cycle: the first one with a new level.
+    -- '1' in the first cycle with a new level.
     edge : out   std_logic_vector(axes - 1 downto 0);
-    -- The pin as it comes. Clock: none.
+    -- The pin, asynchronous. Clock: none.
     pin_in : in    std_logic_vector(axes - 1 downto 0);
-    -- The level for the pin.
+    -- Level for the output driver.
     pin_out : out   std_logic_vector(axes - 1 downto 0);
-    -- '1': the pin is driven.
+    -- '1' enables the output driver.
     pin_oe : out   std_logic_vector(axes - 1 downto 0)
   );
 end entity ul_gpio;
 
 architecture rtl of ul_gpio is
 
-  -- Cycles for which a new level has to stand.
+  -- Cycles for which a new level must be stable.
   constant stands : positive := maximum(cycles_of(debounce_us, 1_000_000, clock_hz), 1);
 
-  -- Below 0 in the last one.
+  -- Negative in the last cycle of the count.
   subtype left_t is signed(log2_ceil(minimum(maximum(stands, 2), 2 ** 30)) downto 0);
 
   signal settled : std_logic_vector(axes - 1 downto 0);
@@ -115,7 +115,7 @@ begin
         pin_out(axis) <= output(axis);
         pin_oe(axis)  <= drive(axis) and armed(axis);
 
-        -- The level of a reset is that of the pin: it has changed in no cycle that counts.
+        -- A reset adopts the level of the pin, so that it counts no edge.
         if rst = '1' then
           left                                  <= to_signed(stands - 2, left'length);
           edge(axis)                            <= '0';

@@ -1,6 +1,6 @@
-"""Inside the simulator: ul_lease is as a model in every cycle, whatever owners, others, e-stop and resets do.
+"""Bench: ul_lease equals a model in every cycle, for any words of owners and others, e-stops and resets.
 
-The model knows instants, and no countdown: a lease lasts until its end is there.
+The model uses absolute times and no countdown: a lease lasts until its end.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
 
 TIME = 1 << 40
-"""Ends are instants modulo this."""
+"""Times of ends are modulo this number of cycles."""
 DISARMED, ARMED, FAULT, FINISHING = range(4)
 NONE, BY_DISARM, SILENCE, ESTOP = range(4)
 WANTS_FINISH = 1 << 23
-"""Bit of a token whose owner wants what waits to go on behind the end."""
+"""Bit of a token with which its owner wants pending entries to continue after the end."""
 OUTPUTS = {
     "armed": 1,
     "state": 2,
@@ -36,7 +36,7 @@ OUTPUTS = {
     "enable": 1,
     "fault_time": 64,
 }
-"""Bits of each for an axis."""
+"""Bits of each output for one axis."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -51,12 +51,12 @@ class Settings:
 
     @property
     def most(self) -> int:
-        """Cycles that an end may be ahead."""
+        """Maximum number of cycles to the end."""
         return -(-self.most_us * self.clock_hz // 10**6)
 
     @property
     def more(self) -> int:
-        """Cycles that a lease may go on behind its end."""
+        """Maximum number of cycles for which a lease continues after its end."""
         return -(-self.finish_us * self.clock_hz // 10**6)
 
 
@@ -67,12 +67,12 @@ class Word(NamedTuple):
     end: int = 0
 
     def packed(self) -> int:
-        """Return the word as the entity takes it."""
+        """Return the word in the format of the entity's ports."""
         return self.token * TIME + self.end
 
 
 class Inputs(NamedTuple):
-    """Inputs of an axis in a cycle; a word that is None is not written."""
+    """Inputs of an axis in a cycle; None for a word that is not written."""
 
     arm: Word | None = None
     kick: Word | None = None
@@ -82,12 +82,12 @@ class Inputs(NamedTuple):
 
 
 class Axis:
-    """One axis of the model: what is there after each edge."""
+    """One axis of the model: its state after each clock edge."""
 
     def __init__(self, settings: Settings) -> None:
-        """Take the generics."""
+        """Store the generics."""
         self._settings = settings
-        # What was written in the cycle before: the word, and whether it arms.
+        # The valid word written in the cycle before, and if it was an arm.
         self._asked: tuple[Word, bool] | None = None
         self._lease = Word()
         self._pin_before, self._open = True, True
@@ -95,7 +95,7 @@ class Axis:
         self.happened: collections.Counter[str] = collections.Counter()
 
     def clock(self, inputs: Inputs, now: int, *, reset: bool) -> dict[str, int]:
-        """Make one edge of the clock; returns the outputs behind it."""
+        """Simulate one clock edge and return the outputs after it."""
         stops = self._open and self._settings.estop_used
         if reset:
             self.state, self.reason, self.fault_time, self.arms = DISARMED, NONE, 0, 0
@@ -139,7 +139,9 @@ class Axis:
         }
 
     def _written(self, inputs: Inputs, now: int) -> tuple[Word, bool] | None:
-        """Return what counts of the words of a cycle: nothing whose end is past, too far ahead, or not to be one."""
+        """Return the word of a cycle if its end and token are allowed: not past, not too far ahead, no unsupported
+        finish.
+        """
         word = inputs.arm or inputs.kick
         if word is None or not 0 < (word.end - now) % TIME <= self._settings.most:
             return None
@@ -148,11 +150,11 @@ class Axis:
         return word, inputs.arm is not None
 
     def _takes(self, now: int) -> bool:
-        """Return whether the word of the cycle before begins a lease, or moves its end."""
+        """Return whether the word of the cycle before begins a lease or moves its end."""
         if self._asked is None or self.state == FINISHING:
             return False
         word, is_arm = self._asked
-        # From now on; one that has passed since is far ahead.
+        # Counted from now: an end that has passed since is far ahead.
         ahead = (word.end - now) % TIME
         if self.state == ARMED:
             return word.token == self._lease.token and (self._lease.end - now) % TIME < ahead < TIME // 2
@@ -166,10 +168,12 @@ class Axis:
 
 
 class Stimulus:
-    """Random inputs of an axis: ends around every limit, tokens that are nearly the same, and all else at any time."""
+    """Random inputs of an axis: ends around every limit, tokens that are nearly equal, and all other inputs at any
+    time.
+    """
 
     def __init__(self, settings: Settings, rng: random.Random) -> None:
-        """Take the generics and what chooses."""
+        """Store the generics and the random generator."""
         self._most, self._rng = settings.most, rng
         self._tokens = [rng.getrandbits(23) | (WANTS_FINISH if settings.more else 0)] * 6
         self._tokens += [self._tokens[0] ^ 1 << rng.randrange(24), rng.getrandbits(24)]
@@ -211,10 +215,10 @@ def _joined(parts: list[int], bits: int) -> int:
 
 
 class Driver:
-    """Takes the inputs of all axes to the entity."""
+    """Sets the inputs of the entity for all axes."""
 
     def __init__(self, dut: SimHandleBase, axes: int) -> None:
-        """Take the entity; nothing is written."""
+        """Set all inputs to their initial values."""
         self._dut = dut
         self._values: dict[str, int] = {}
         self._words = {name: [0] * axes for name in ("arm", "kick")}
@@ -250,7 +254,7 @@ async def it_is_as_the_model_in_every_cycle(dut: SimHandleBase) -> None:
     expected: dict[str, int] = {}
     now, reset = 0, True
     for cycle in range(cycles):
-        # A reset begins the time again; here also where it would take days.
+        # A reset restarts the time; here also just before an overflow that would take days.
         starts = (0, TIME - 300, 2**64 - 300, rng.getrandbits(64))
         now = rng.choice(starts) if reset else (now + 1) % 2**64
         reset = cycle < 3 or rng.random() < (0.5 if reset else 0.001)
@@ -265,7 +269,7 @@ async def it_is_as_the_model_in_every_cycle(dut: SimHandleBase) -> None:
         expected = {name: _joined([one[name] for one in after], bits) for name, bits in OUTPUTS.items()}
     for axis in axes:
         kinds = ["arm", f"fall {SILENCE}"]
-        # The shortest of leases lasts for one cycle, and meets nothing else in it.
+        # The shortest lease lasts for one cycle, too short for a kick, a disarm or an e-stop.
         if settings.most > 3:
             kinds += ["kick", f"fall {BY_DISARM}", *([f"fall {ESTOP}"] * settings.estop_used)]
         if settings.more:

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What ul_lease promises, for all words, e-stops and resets, and from any instant on: `armed` is '1' in those cycles,
-// and in no others, that lie behind an arm and before the end that the owner named last, until disarmed or stopped.
-// `end_at` and all beside it are a model in absolute time: the entity counts down.
-// NO_ESTOP is one without an e-stop, whose leases end at their ends, and take no word that wants more.
+// Properties of ul_lease for all words, e-stops and resets, from any initial time: `armed` is '1' exactly in the cycles
+// after an arm and before the end that the owner named last, until a disarm or an e-stop. `end_at` and the registers
+// beside it are a model in absolute time; the entity counts down instead.
 //
-// Else a lease whose owner wants it so goes on behind its end while `empty` is '0', for FINISH cycles at most: it takes no
-// word then, and a disarm and the e-stop end it as ever.
+// With FINISH > 0, a lease whose owner wants it continues after its end while `empty` is '0', for at most FINISH
+// cycles: it accepts no word then, and a disarm and the e-stop end it as usual. NO_ESTOP selects an entity without an
+// e-stop, whose leases end at their ends; words that ask for more are ignored.
 //
-// Besides: a lease lasts for less than MOST cycles behind the last word that was taken; a word of another, or with an end
-// that is past or too far ahead, changes nothing; the end of a lease never comes nearer; what falls does so in the next
-// cycle, and rises by an arm alone that was written since. The last part is what makes the proof hold without a bound.
+// Also proved: a lease lasts less than MOST cycles after the last accepted word; a word with another token, or with an
+// end that is past or too far ahead, changes nothing; the end of a lease never moves earlier; `armed` falls in the
+// cycle after its cause, and rises only by an arm that was written since. The invariants at the end make the proof hold
+// without a bound.
 
 module ul_lease_properties (
 	input clk,
@@ -42,7 +43,7 @@ module ul_lease_properties (
 
 	ul_lease dut (.*);
 
-	// The cycle before.
+	// Values of the cycle before.
 	reg begun = 0;
 	reg was_reset, was_armed, was_open, was_disarmed, was_finishing, was_empty;
 	reg [1:0] was_state;
@@ -53,30 +54,30 @@ module ul_lease_properties (
 	// The pin in the cycle before, and in the one before that.
 	reg was_estop, estop_before, was_reset_before;
 
-	// The word that was written in the cycle before, and whether its end was near enough then.
+	// The word written in the cycle before, and whether its end was near enough then.
 	reg asked, is_arm, in_reach;
 	reg [23:0] token_asked;
 	reg [39:0] end_asked;
 
-	// Of the lease: its owner and its end, as the promise has them.
+	// Owner and end of the lease, according to the model.
 	reg [23:0] owner;
 	reg [39:0] end_at;
 
 	wire [63:0] word = arm_written ? arm : kick;
 	wire [39:0] ahead = word[39:0] - now[39:0];
 
-	// In this cycle the word before takes effect: from the next one on, if the end is behind that.
+	// The word of the cycle before takes effect in this cycle: from the next one on, if its end is later than that.
 	wire [39:0] left_asked = end_asked - now[39:0], left = end_at - now[39:0];
 	wire is_owner = token_asked == owner;
 	wire takes = asked && in_reach && !rst && !finishing && !estop_open && !disarm_written &&
 		(armed ? is_owner && left_asked > left : is_arm && left_asked > 1 && left_asked <= MOST);
 	reg took, did_end, did_go_on;
 
-	// It is not over at its end, which is the last one.
+	// The lease does not stop at its end, but continues.
 	wire goes_on = FINISH != 0 && armed && !finishing && owner[23] && left == 1 && !takes && !empty && !estop_open &&
 		!disarm_written && !rst;
 
-	// Cycles since the last word was written that took effect.
+	// Cycles since the last accepted word was written.
 	reg [3:0] since = 15;
 
 	always @(posedge clk) begin
@@ -86,7 +87,7 @@ module ul_lease_properties (
 		{was_finishing, was_empty, did_go_on} <= {finishing, empty, goes_on};
 		{was_state, was_reason, was_arms, was_fault_time, was_now} <= {state, reason, arms, fault_time, now};
 		{was_estop, estop_before, was_reset_before} <= {estop, was_estop, was_reset};
-		// A reset begins the time again, from anywhere.
+		// The time may jump to any value at a reset.
 		if (begun && !was_reset)
 			assume (now == was_now + 1);
 
@@ -103,7 +104,7 @@ module ul_lease_properties (
 			end_at <= end_asked;
 		end else if (goes_on)
 			end_at <= end_at + FINISH;
-		// The word was written a cycle ago, and stands in the next.
+		// 2, because the word was written a cycle ago and is in effect in the next one.
 		since <= takes ? 2 : since + (since != 15);
 	end
 
@@ -115,7 +116,7 @@ module ul_lease_properties (
 		assert (state == (finishing ? FINISHING : armed ? ARMED : was_reset ? DISARMED :
 			fell && (was_open || !was_disarmed) ? FAULT : fell ? DISARMED : was_state));
 
-		// In a lease, and nowhere else.
+		// armed is '1' during a lease, and only then.
 		if (was_reset)
 			assert (!armed && reason == NONE && arms == 0 && fault_time == 0);
 		else begin
@@ -123,12 +124,13 @@ module ul_lease_properties (
 				(was_armed && !was_open && !was_disarmed && !did_end && !(was_finishing && was_empty))));
 			assert (finishing == (armed && (did_go_on || was_finishing)));
 			assert (reason == (!fell ? was_reason : was_open ? ESTOP : was_disarmed ? BY_DISARM : SILENCE));
-			// It counts where it rises: an arm of an owner that has the lease is a kick.
+			// The count rises with armed: an arm by the owner of a running lease counts as a kick.
 			assert (arms == (was_armed || !armed ? was_arms : was_arms + 16'd1));
 			assert (fault_time == (state == FAULT && fell ? was_now : was_fault_time));
 		end
 
-		// An end is never passed, and never more than MOST cycles behind the word that named it; then by FINISH at most.
+		// The end is never exceeded, and is never more than MOST cycles after the word that named it; then at most FINISH
+		// more.
 		if (armed)
 			assert (left > 0 && (finishing ? left <= FINISH : left + since <= MOST));
 		if (finishing)
@@ -138,10 +140,10 @@ module ul_lease_properties (
 `ifdef NO_ESTOP
 		assert (!estop_open);
 `else
-		// The pin, two cycles ago; a reset stops.
+		// The pin, two cycles ago; a reset opens the e-stop.
 		assert (estop_open == (was_reset || !estop_before || was_reset_before));
 `endif
-		// Where it falls by itself, in the very cycle of the end.
+		// A lease that ends by silence ends in the very cycle of the end.
 		if (fell && state == FAULT && reason == SILENCE && !was_reset)
 			assert (was_finishing && was_empty ? left < FINISH : now[39:0] == end_at);
 
@@ -156,13 +158,13 @@ module ul_lease_properties (
 		cover (finishing && asked && in_reach && is_owner && left_asked > left);
 `endif
 		cover (fell && state == DISARMED && !was_reset);
-		// A kick moves the end, in the last cycle in which it can.
+		// A kick moves the end, in the last cycle in which that is possible.
 		cover (took && was_armed && did_end && armed);
-		// A word of another, one that would shorten, one that is too late.
+		// A word with another token, one that would shorten the lease, and one that is too late.
 		cover (asked && armed && in_reach && !is_owner && left_asked > left && !takes);
 		cover (asked && armed && in_reach && is_owner && left_asked < left);
 		cover (asked && !armed && is_arm && in_reach && left_asked == 1 && !estop_open && !disarm_written);
-		// A lease across the end of the 40 bits.
+		// A lease that includes the overflow of the 40 bits.
 		cover (armed && now[39:0] == 0 && !took);
 		cover (took && was_state == FAULT);
 	end

@@ -1,19 +1,21 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- A lease: outputs may be on for as long as one owner says so, and no longer than to the end that it named last.
+-- A lease: outputs are enabled only while one owner renews the lease, at most until the end that it named last.
 --
--- The owner arms with a token and an end, an instant of the gateway, and moves the end by kicks with the same token.
--- An end is absolute, so a word that waited or is sent again prolongs nothing. Time counts modulo 2 ** 40: an end in
--- the past is far ahead, and refused as what is further ahead than `most` cycles is.
+-- The owner arms the lease with a token and an end, and moves the end by kicks with the same token. The end is an
+-- absolute time of the gateway, so a word that was delayed or retransmitted does not prolong the lease. Time counts
+-- modulo 2 ** 40: an end in the past is equal to one far ahead, and rejected because it is more than `most` cycles
+-- ahead.
 --
--- A word takes two cycles, which make no lease longer: the first subtracts, so that `ahead` is the time from the cycle
--- in which it stands to the end; in the second it is compared and goes into `left`, which counts down. While armed,
--- `left` is one more than the cycles to the end; where it is `least`, the next cycle is the end. It is `least` while
--- nothing is armed, too, so that one comparison refuses a kick that would shorten a lease, and an arm whose end comes
--- before it takes effect. No wrong bit in `left` or `now` makes a lease longer than the range of `left`.
+-- A word takes two cycles, which do not lengthen a lease. The first cycle subtracts: `ahead` is the time from the cycle
+-- after the write to the end. The second cycle compares `ahead` and loads it into `left`, which counts down. While
+-- armed, `left` is the number of cycles to the end plus one; if it is `least`, the next cycle is the end. It is `least`
+-- while disarmed, too. So one comparison rejects both a kick that would shorten the lease and an arm whose end comes
+-- before it takes effect. A wrong bit in `left` or `now` cannot make a lease longer than the range of `left`.
 --
--- The highest bit of the token says what its owner wants at the end. '1': the lease is not over while `empty` is '0',
--- for `finish_us` more. It takes no word then, but a disarm. Where `finish_us` is 0, a word that wants this is void.
+-- The highest bit of the token states the owner's choice for the end. If it is '1', the lease continues after its end
+-- while `empty` is '0', for at most `finish_us`. During that time it accepts only a disarm. If `finish_us` is 0, a word
+-- with that bit is ignored.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -24,65 +26,67 @@ library work;
 
 entity ul_lease is
   generic (
-    -- At least 1: leases, which know nothing of each other.
+    -- At least 1: number of independent leases.
     axes : positive := 1;
-    -- At least 1: Hz of clk.
+    -- At least 1: frequency of clk in Hz.
     clock_hz : positive := 50_000_000;
-    -- What takes 3 to 2 ** 30 cycles, a part of one counted as one: us that an end may be ahead.
+    -- A time of 3 to 2 ** 30 cycles, rounded up to cycles: maximum time to the end in us.
     most_us : positive := 100_000;
-    -- What takes 0 to 2 ** 30 cycles: us for which a lease can go on behind its end.
+    -- A time of 0 to 2 ** 30 cycles: maximum time in us for which a lease can continue after its end.
     finish_us : natural := 0;
-    -- False: there is no e-stop, and `estop` is not looked at.
+    -- Whether there is an e-stop. If false, `estop` is ignored.
     estop_used : boolean := true
   );
   port (
     -- Clock; its rising edge is active.
     clk : in    std_logic;
-    -- Synchronous, active high, for one cycle or more; it disarms.
+    -- Synchronous reset, active high, for at least one cycle; it disarms.
     rst : in    std_logic;
-    -- Cycles of clk, as the gateway counts them.
+    -- Cycles of clk, from the gateway's timestamp counter.
     now : in    std_logic_vector(63 downto 0);
-    -- '1': nothing that was accepted waits behind the end of the lease.
+    -- '1': no accepted schedule entry is pending after the end of the lease.
     empty : in    std_logic_vector(axes - 1 downto 0) := (others => '1');
-    -- Token of the owner (bits 63 to 40; bit 63: it wants what waits to go on behind the end), and the end of the lease
-    -- (bits 39 to 0): an instant of now, modulo 2 ** 40.
+    -- Token of the owner (bits 63 to 40; bit 63: pending entries continue after the end), and the end of the lease
+    -- (bits 39 to 0): a time of now, modulo 2 ** 40.
     arm : in    std_logic_vector(axes * 64 - 1 downto 0);
-    -- '1' for one cycle: arm is meant.
+    -- '1' for one cycle: arm was written.
     arm_written : in    std_logic_vector(axes - 1 downto 0);
-    -- The same for a lease that has begun.
+    -- As arm, for a lease that has begun.
     kick : in    std_logic_vector(axes * 64 - 1 downto 0);
-    -- '1' for one cycle: kick is meant, unless an arm is in the same one.
+    -- '1' for one cycle: kick was written; ignored if arm_written is '1' in the same cycle.
     kick_written : in    std_logic_vector(axes - 1 downto 0);
-    -- Now, for who reads the registers.
+    -- Equals now, for the registers.
     clock : out   std_logic_vector(axes * 64 - 1 downto 0);
-    -- Of the last fault: now in the last cycle in which armed was '1'.
+    -- Value of now in the last cycle with armed = '1' before the last fault.
     fault_time : out   std_logic_vector(axes * 64 - 1 downto 0);
-    -- '1' while the lease lasts.
+    -- '1' during the lease.
     armed : out   std_logic_vector(axes - 1 downto 0);
-    -- 0: disarmed; 1: armed; 2: fault, until an arm; 3: finishing, behind the end.
+    -- 0: disarmed; 1: armed; 2: fault, until the next arm; 3: finishing, after the end.
     state : out   std_logic_vector(axes * 2 - 1 downto 0);
     -- '1' in state 3.
     finishing : out   std_logic_vector(axes - 1 downto 0);
-    -- Of the last time that armed fell. 0: none since the reset; 1: disarmed; 2: silence, the end came; 3: e-stop.
+    -- Reason for which armed fell last. 0: it has not fallen since the reset; 1: disarm; 2: silence, the end came; 3:
+    -- e-stop.
     reason : out   std_logic_vector(axes * 3 - 1 downto 0);
-    -- Leases that have begun since the reset, modulo 2 ** 16.
+    -- Number of leases begun since the reset, modulo 2 ** 16.
     arms : out   std_logic_vector(axes * 16 - 1 downto 0);
-    -- '1': the e-stop stops.
+    -- '1': the e-stop is open, and stops.
     estop_open : out   std_logic_vector(axes - 1 downto 0);
-    -- Not needed: any write disarms.
+    -- Unused: a write of any value disarms.
     disarm : in    std_logic_vector(axes - 1 downto 0) := (others => '0');
-    -- '1' for one cycle: armed is '0' from the next one on, and an arm or a kick of this cycle or before is void.
+    -- '1' for one cycle: armed is '0' from the next cycle on; an arm or kick in this cycle or the one before is
+    -- discarded.
     disarm_written : in    std_logic_vector(axes - 1 downto 0);
-    -- '1' in the same cycles as armed.
+    -- Equals armed.
     enable : out   std_logic_vector(axes - 1 downto 0);
-    -- '0' stops, '1' lets run. Clock: none.
+    -- '0' stops, '1' permits operation. Clock: none.
     estop : in    std_logic_vector(axes - 1 downto 0) := (others => '1')
   );
 end entity ul_lease;
 
 architecture rtl of ul_lease is
 
-  -- Rounded up, for what is allowed; what is not ends with the sentence of its assertion, not before.
+  -- Converts and rounds up an allowed number; others become `lowest`, so that elaboration reaches their assertion.
   function cycles_of (cycles : real; lowest : natural) return natural is
   begin
 
@@ -96,7 +100,7 @@ architecture rtl of ul_lease is
   constant time_bits  : positive := 40;
   constant token_bits : positive := 64 - time_bits;
 
-  -- Cycles that an end may be ahead, and that it may go on behind it.
+  -- Maximum number of cycles to the end, and for which the lease continues after it.
   constant cycles      : real     := real(most_us) * real(clock_hz) / 1.0e6;
   constant most        : positive := cycles_of(cycles, 3);
   constant more_cycles : real     := real(finish_us) * real(clock_hz) / 1.0e6;
@@ -119,13 +123,13 @@ architecture rtl of ul_lease is
 begin
 
   assert cycles > 2.0 and cycles <= 2.0 ** 30
-    report "ul_lease: most_us is " & integer'image(most_us) & ": what takes 3 to 2 ** 30 cycles of a clock of "
-           & integer'image(clock_hz) & " Hz was expected"
+    report "ul_lease: most_us is " & integer'image(most_us) & ", expected a time of 3 to 2 ** 30 cycles of a clock of "
+           & integer'image(clock_hz) & " Hz"
     severity failure;
 
   assert more_cycles <= 2.0 ** 30
-    report "ul_lease: finish_us is " & integer'image(finish_us) & ": 0, or what takes up to 2 ** 30 cycles of a clock "
-           & "of " & integer'image(clock_hz) & " Hz was expected"
+    report "ul_lease: finish_us is " & integer'image(finish_us) & ", expected a time of at most 2 ** 30 cycles of a clock "
+           & "of " & integer'image(clock_hz) & " Hz"
     severity failure;
 
   with_estop : if estop_used generate
@@ -182,7 +186,7 @@ begin
     signal fell_at  : std_logic_vector(63 downto 0);
     signal begun    : unsigned(15 downto 0);
 
-    -- Nothing is armed between configuration and reset, either.
+    -- Disarmed between configuration and reset, too.
     -- vsg_off signal_007
     signal is_armed : std_logic := '0';
   -- vsg_on signal_007
@@ -192,7 +196,7 @@ begin
     given <= arm(64 * axis + 63 downto 64 * axis) when arm_written(axis) = '1' else
              kick(64 * axis + 63 downto 64 * axis);
 
-    -- From the next cycle on to the end: one less than from this one on.
+    -- Cycles from the next cycle to the end: one less than from the present cycle.
     subtract : process (clk) is
     begin
 

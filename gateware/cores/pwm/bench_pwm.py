@@ -1,6 +1,6 @@
-"""Inside the simulator: the pins of ul_pwm are those of a model in every cycle, whatever values, arming and resets do.
+"""Bench: the pins of ul_pwm equal a model in every cycle, for any values, arming and resets.
 
-The model knows no ramp: it counts the cycles of a period and rounds once for each.
+The model has no ramp: it counts the cycles of a period and rounds once for each period.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 @dataclasses.dataclass(frozen=True)
 class Settings:
-    """Generics of the entity; the simulator can't be asked for a string."""
+    """Generics of the entity, read from the environment because the simulator cannot return a string generic."""
 
     axes: int = 1
     clock_hz: int = 50_000_000
@@ -37,23 +37,23 @@ class Settings:
 
     @property
     def half(self) -> int:
-        """Cycles of half a period."""
+        """Number of cycles of half a period."""
         return (self.clock_hz + self.frequency_hz) // (2 * self.frequency_hz)
 
     @property
     def dead(self) -> int:
-        """Cycles for which both pins stay off before another one is on."""
+        """Number of cycles for which both pins stay '0' before the other one becomes '1'."""
         return -(-self.dead_time_ns * self.clock_hz // 10**9)
 
     def high_cycles(self, value: int) -> int:
-        """Return the cycles of a period for which a value's pulse is '1'."""
+        """Return the number of cycles of a period in which the pulse of a value is '1'."""
         most = 2 ** (self.width - 1) - 1
         value = max(value, -most)
         share = Fraction(value + most, 2 * most) if self.mode == "offset" else Fraction(abs(value), most)
         return round(share * 2 * self.half)
 
     def pulse(self, value: int) -> range:
-        """Return the cycles of a period in which a value's pulse is '1'."""
+        """Return the cycles of a period in which the pulse of a value is '1'."""
         high = self.high_cycles(value)
         if not self.centre:
             return range(high)
@@ -61,10 +61,10 @@ class Settings:
 
 
 class Axis:
-    """One axis of the model: what its two pins are after each edge."""
+    """One axis of the model: the levels of its two pins after each clock edge."""
 
     def __init__(self, settings: Settings) -> None:
-        """Take the generics; nothing is known before the first reset."""
+        """Store the generics; the state is unknown before the first reset."""
         self._settings = settings
         self._runs = False
         self._negative = False
@@ -74,7 +74,7 @@ class Axis:
         self.pwm = self.dir = 0
 
     def edge(self, number: int, value: int, *, armed: bool, reset: bool) -> None:
-        """Make one edge of the clock; `number` is that of the cycle in its period, 0 where a value is taken."""
+        """Simulate one clock edge; `number` is the number of the cycle in its period, 0 when a value is sampled."""
         settings = self._settings
         high = (number - 1) % (2 * settings.half) in self._pulse
         pwm, dir_ = {
@@ -98,16 +98,16 @@ class Axis:
 
 
 class Model:
-    """All axes, and the time base that they share."""
+    """All axes, and their common time base."""
 
     def __init__(self, settings: Settings) -> None:
-        """Take the generics."""
+        """Create the axes."""
         self._period = 2 * settings.half
         self._number = 0
         self._axes = [Axis(settings) for _ in range(settings.axes)]
 
     def edge(self, values: Sequence[int], armed: int, *, reset: bool) -> tuple[int, int]:
-        """Make one edge of the clock; returns `pwm` and `dir` behind it."""
+        """Simulate one clock edge and return `pwm` and `dir` after it."""
         pwm = dir_ = 0
         for index, (axis, value) in enumerate(zip(self._axes, values, strict=True)):
             axis.edge(self._number, value, armed=bool(armed >> index & 1), reset=reset)
@@ -118,10 +118,10 @@ class Model:
 
 
 class Stimulus:
-    """Random inputs: values, of which many are extreme, arming and resets, that change in any cycle."""
+    """Random inputs: values, many of them extreme, arming and resets, which change in any cycle."""
 
     def __init__(self, settings: Settings, rng: random.Random) -> None:
-        """Take the generics and what chooses."""
+        """Store the generics and the random generator."""
         self._settings, self._rng = settings, rng
         self._most = 2 ** (settings.width - 1) - 1
         self.values = [0] * settings.axes
@@ -130,7 +130,7 @@ class Stimulus:
         self._period = 2 * settings.half
 
     def next(self) -> bool:
-        """Choose the inputs of the next cycle; returns whether one has changed."""
+        """Choose the inputs of the next cycle and return whether any has changed."""
         rng, settings = self._rng, self._settings
         changed = False
         if rng.random() < 0.7 / self._period:
@@ -147,7 +147,7 @@ class Stimulus:
         return changed
 
     def packed(self) -> int:
-        """Return the values as the entity takes them."""
+        """Return the values in the format of the entity's port."""
         bits = self._settings.width
         return sum((value & 2**bits - 1) << index * bits for index, value in enumerate(self.values))
 

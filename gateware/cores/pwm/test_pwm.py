@@ -1,4 +1,4 @@
-"""ul_pwm against its model: all modes and alignments, where a clock resolves a value and where it doesn't."""
+"""ul_pwm equals its model: all modes and alignments, with clocks that resolve a value and clocks that do not."""
 
 from __future__ import annotations
 

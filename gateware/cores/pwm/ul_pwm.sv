@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What ul_pwm promises, for all values, arming and resets: each pin is '1' in those cycles of a period that the value
-// taken at its beginning rounds to; both are '0' in the cycle behind one that is not armed, until a period begins; `dir`
-// of "sign" changes where a period begins; two pins of a bridge are never on together, and not within the dead time.
+// Properties of ul_pwm for all values, arming and resets: each pin is '1' in exactly those cycles of a period to which
+// the value sampled at its beginning rounds; both are '0' from the cycle after one that is not armed until a period
+// begins; `dir` of "sign" changes when a period begins; the two pins of a bridge are never '1' together, nor within the
+// dead time.
 //
-// UP_DOWN or OFFSET chooses the mode, which is "sign" else; CENTRE the alignment; SHORT a period of 4 cycles instead of
-// 12, which does not resolve a value of 4 bits. The promise multiplies where the entity steps along a ramp. The last
-// part are the invariants that make the proof hold without a bound: what ramp and rest are in each cycle of a period.
+// UP_DOWN or OFFSET selects the mode (otherwise "sign"), CENTRE the alignment, SHORT a period of 4 cycles instead of
+// 12, which does not resolve a value of 4 bits. The properties multiply; the entity steps along a ramp. The invariants
+// at the end make the proof hold without a bound: they state the values of ramp and rest in each cycle of a period.
 
 module ul_pwm_properties (
 	input clk,
@@ -38,10 +39,10 @@ module ul_pwm_properties (
 
 	ul_pwm dut (.*);
 
-	// The number of a cycle in its period: of the ramp, and a cycle later of the comparison.
+	// The number of a cycle in its period: for the ramp, and one cycle later for the comparison.
 	reg begun = 0, known, compares;
 	reg [3:0] number, at;
-	// The value that was taken, and whether the axis follows it.
+	// The sampled value, and whether the axis outputs its pulse.
 	reg follows;
 	reg signed [3:0] taken;
 	reg was_armed, was_reset, did_follow, was_first, last_dir;
@@ -66,10 +67,11 @@ module ul_pwm_properties (
 		last_dir <= dir;
 	end
 
-	// From 0 to FULL; the most negative number is as its successor.
+	// From 0 to FULL; the most negative number equals its successor.
 	wire signed [4:0] clamped = taken == -8 ? -7 : taken;
 	wire [3:0] size = OFFSET ? clamped + 7 : clamped < 0 ? -clamped : clamped;
-	// Rounded to the nearest cycle: there is no middle, for FULL is odd, and in "offset" PERIOD is even.
+	// Rounded to the nearest cycle. No value is exactly between two cycles, because FULL is odd, and in "offset" PERIOD is
+	// even.
 	wire [9:0] edge_aligned = (2 * at + 1) * FULL;
 	wire [9:0] before_centre = (4 * (HALF - 1 - at) + 1) * FULL, behind_centre = (4 * (at - HALF) + 3) * FULL;
 	wire high = CENTRE ? 4 * HALF * size > (at < HALF ? before_centre : behind_centre) : 2 * PERIOD * size > edge_aligned;
@@ -93,7 +95,8 @@ module ul_pwm_properties (
 		end
 	end
 
-	// Cycles since a pin was on, and for how many cycles it was wanted, without end at 7; which one was on last.
+	// Cycles since each pin was '1', and cycles for which it was wanted, both saturated at 7; and the pin that was '1'
+	// last.
 	reg [2:0] since_pwm = 7, since_dir = 7, for_pwm = 0, for_dir = 0;
 	reg last_was_pwm = 0, last_was_dir = 0;
 
@@ -110,7 +113,7 @@ module ul_pwm_properties (
 			assert (!(pwm && dir));
 			assert (!pwm || since_dir >= DEAD);
 			assert (!dir || since_pwm >= DEAD);
-			// A pin is on where it is wanted: at once, or behind the dead time.
+			// A pin is '1' only if it is wanted; at once, or after the dead time.
 			assert (!pwm || expect_pwm);
 			assert (!dir || expect_dir);
 			if (expect_pwm && (last_was_pwm || for_pwm >= DEAD))
@@ -133,7 +136,7 @@ module ul_pwm_properties (
 `else
 		cover (pwm && taken > 0 && last_dir);
 `endif
-		// It goes on in the middle of a period, and is idle to its end.
+		// The axis is armed again in the middle of a period, and idle until its end.
 		cover (was_armed && armed && !follows && compares && at == PERIOD - 3);
 	end
 

@@ -1,19 +1,19 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Pulse width modulation: signed values as pulses of two pins each, on one time base.
+-- Pulse width modulation: converts signed values to pulses on two pins each, with one common time base.
 --
--- A value is compared with a ramp that goes through its whole range in one period, so its pulse is proportional to it,
--- to the nearest cycle, at any frequency and with no multiplication. With `full` for the largest value, `period` for the
--- cycles of a period and k for the number of a cycle in it, the ramp is (k * full + full / 2) / period, rounded down:
--- exactly round(value * period / full) of its cycles are below the value. It is made without a division: `ramp` takes
--- the whole steps, `rest` what is left of them.
+-- A value is compared with a ramp that passes through its whole range in one period. So the pulse is proportional to
+-- the value, rounded to the nearest cycle, at any frequency and without a multiplier. With `full` the largest value,
+-- `period` the number of cycles of a period, and k the number of a cycle within it, the ramp is floor((k * full + full
+-- / 2) / period): exactly round(value * period / full) of its cycles are below the value. It is generated without a
+-- division: `ramp` accumulates the whole steps, `rest` the remainder.
 --
--- With `centre` the ramp is gone through twice in a period, in half a period each: first mirrored, so that it falls,
--- then rising. They are a quarter and three quarters of a step off, so that both together round as one does.
+-- With `centre`, each half of a period has a whole ramp: the first one is mirrored, so that it falls; the second one
+-- rises. They are offset by one quarter and three quarters of a step, so that both together round like one ramp.
 --
--- What a value is compared with is kept inverted, for a comparison is an addition: a > b where a + not b has a carry. A
--- negative value is compared by its complement, which is one less than its size: a carry goes in. So the most negative
--- number is beyond the ramp as its successor is, and both are full pulses.
+-- The ramp is stored inverted, because a comparison is an addition: a > b if a + not b has a carry. A negative value is
+-- compared by its complement, which is its absolute value minus one; the carry input adds the one. So the most negative
+-- number lies beyond the ramp like its successor, and both are full pulses.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -24,20 +24,21 @@ library work;
 
 entity ul_pwm is
   generic (
-    -- At least 1: values, each with pins of its own, on one time base.
+    -- At least 1: number of values, each with pins of its own, on one time base.
     axes : positive := 1;
-    -- At least 1: Hz of clk.
+    -- At least 1: frequency of clk in Hz.
     clock_hz : positive := 50_000_000;
     -- 2 to 24: bits of a value.
     width : positive := 12;
-    -- 1 to clock_hz / 4: periods a second. One takes an even number of cycles, the nearest.
+    -- 1 to clock_hz / 4: periods per second. A period is rounded to the nearest even number of cycles.
     frequency_hz : positive := 20_000;
-    -- Whether a pulse lies in the middle of its period instead of at its beginning.
+    -- Whether a pulse is in the middle of its period instead of at its beginning.
     centre : boolean := false;
-    -- "sign", "up_down", "offset": what the pins are. The size and the sign; pulses for positive values and pulses for
-    -- negative ones; the high and the low side of a half bridge, which are in turn on and take equal parts for 0.
+    -- "sign", "up_down", "offset": function of the pins. Absolute value and sign; pulses for positive and pulses for
+    -- negative values; high and low side of a half bridge, which alternate with equal parts for 0.
     mode : string := "sign";
-    -- Less than half a period, and 0 for "sign": nanoseconds for which both pins stay off before another one is on.
+    -- Less than half a period, and 0 for "sign": nanoseconds for which both pins stay '0' before the other one becomes
+    -- '1'.
     dead_time_ns : natural := 0
   );
   port (
@@ -45,15 +46,15 @@ entity ul_pwm is
     clk : in    std_logic;
     -- Synchronous reset, active high, for at least one cycle.
     rst : in    std_logic;
-    -- '0': both pins of this axis are '0' from the next cycle on, to the beginning of the first period behind it.
+    -- '0': both pins of this axis are '0' from the next cycle on, until the first period after armed is '1' again.
     armed : in    std_logic_vector(axes - 1 downto 0) := (others => '1');
-    -- Signed; one is taken at the beginning of each period.
+    -- Signed value, sampled at the beginning of each period.
     value : in    std_logic_vector(axes * width - 1 downto 0);
-    -- Not needed.
+    -- Unused.
     value_written : in    std_logic_vector(axes - 1 downto 0) := (others => '0');
-    -- The pulse; that of positive values; the high side.
+    -- By mode: the pulse; the pulse of positive values; the high side.
     pwm : out   std_logic_vector(axes - 1 downto 0);
-    -- '1' for negative values; the pulse of negative values; the low side.
+    -- By mode: '1' for negative values; the pulse of negative values; the low side.
     dir : out   std_logic_vector(axes - 1 downto 0)
   );
 end entity ul_pwm;
@@ -73,35 +74,35 @@ architecture rtl of ul_pwm is
   constant is_offset  : boolean := mode = "offset";
   constant is_up_down : boolean := mode = "up_down";
 
-  -- A generic that is not allowed ends with the sentence of its assertion, not before.
+  -- Clamped, so that elaboration reaches the assertions below even for a width that is not allowed.
   constant bits : positive := minimum(maximum(width, 2), 24);
 
   -- Cycles of half a period, and of a ramp.
   constant half  : natural := (clock_hz + minimum(frequency_hz, clock_hz)) / (2 * minimum(frequency_hz, clock_hz));
   constant steps : natural := chosen(centre, half, 2 * half);
 
-  -- The largest value, in "offset" counted from the smallest.
+  -- The largest value; in "offset" counted from the smallest one.
   constant full      : positive := chosen(is_offset, 2, 1) * (2 ** (bits - 1) - 1);
   constant ramp_bits : positive := chosen(is_offset, bits, bits - 1);
 
-  -- What a ramp begins with, in units of 1 / steps. One that falls is the complement of one that rises from one more; in
-  -- "offset" all is one more, for the most negative number is 0 there.
+  -- Initial values of a ramp in units of 1 / steps. A falling ramp is the complement of one that rises from one more.
+  -- In "offset" all are one more, because there the most negative number is 0.
   constant falls_from : natural := full - 1 - full / 4 + steps;
   constant rises_from : natural := chosen(centre, 3 * full / 4, full / 2) + chosen(is_offset, steps, 0);
 
-  -- By what it rises in each step.
+  -- Increment of the ramp in each step.
   constant whole : natural := full / steps;
   constant part  : natural := full mod steps;
 
-  -- Cycles for which both pins are off.
+  -- Cycles of dead time.
   constant dead : natural := cycles_of(dead_time_ns, 1_000_000_000, clock_hz);
 
   subtype ramp_t is unsigned(ramp_bits - 1 downto 0);
 
-  -- Below 0 while the next step is `whole`, and else that and one more.
+  -- Negative while the next step is `whole`; otherwise the next step is one more.
   subtype rest_t is signed(log2_ceil(steps) downto 0);
 
-  -- Below 0 in the last step.
+  -- Negative in the last step.
   subtype left_t is signed(log2_ceil(steps) downto 0);
 
   signal left      : left_t;
@@ -160,7 +161,7 @@ begin
         begins <= is_second;
       end if;
 
-      -- What a value is compared with; inverted, as the comparison needs it.
+      -- Value of the comparison; inverted, as the comparison needs it.
       beyond <= ramp;
       if is_second = '1' then
         beyond <= not ramp;
@@ -216,7 +217,7 @@ begin
 
     end process take;
 
-    -- The lowest bit makes the carry that goes in, the highest is the one that comes out.
+    -- The lowest bit generates the carry input, the highest bit is the carry output.
     sum       <= ('0' & size & '1') + ('0' & beyond & is_negative);
     is_above  <= sum(sum'high);
     may_pulse <= runs and armed(axis);
@@ -250,7 +251,8 @@ begin
 
     begin
 
-      -- A pin is on again at once, the other one once `waits` has gone below 0.
+      -- The pin that was '1' last may become '1' again at once, the other one after the dead time (`waits` is
+      -- negative).
       drive : process (clk) is
       begin
 

@@ -1,16 +1,16 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Writes the bodies of all frames that the gateway sends: answers and samples, one character a cycle.
+-- Writes the bodies of all frames that the gateway sends, answers and samples, one character per cycle.
 --
--- A body is a walk: letters, then the head (ID or address), the pair (a number of two digits), the words or the tail,
--- whose digits whoever answers has ready while it is sent. A sample is
--- letter and words alone, because its number, sequence and timestamp stand before its words in the sample ring, which
--- is laid out as they are sent. Where both wait, answers and samples take turns; but a sample of another epoch than the
--- present one goes first, because the answer is that of the request which ended it.
+-- A body has these parts in order: letters, the head (ID or address), the pair (a number of two digits), the words or
+-- the tail; the executor supplies the digits of the tail while they are sent. A sample has only a letter and words,
+-- because its number, sequence number and timestamp precede its words in the sample ring, in the order in which they
+-- are sent. If both are waiting, answers and samples take turns. Only a sample of an epoch other than the present one
+-- always goes first, because the waiting answer belongs to the request that ended that epoch.
 --
--- The first word of a sample, from the top: group (8 bits), sequence (8), words of the sample in the ring, this one
--- included (9), a timestamp follows, plain frame, send immediately, epoch. All words of both rings are aligned to the
--- top, where their digits are taken.
+-- The first word of a sample in the ring has, from the highest bit: group (8 bits), sequence number (8), number of
+-- words of the sample in the ring including this one (9), and one bit each for: timestamp follows, plain frame, send
+-- immediately, epoch. The words of both rings are aligned to the highest bit, where their digits are read.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -25,13 +25,13 @@ entity ul_frame_writer is
     data_bits    : positive := 32;
     address_bits : positive := 8;
     id_digits    : positive := 3;
-    -- What `Q` answers: 64 digits.
+    -- Content of the answer to `Q`: 64 digits.
     q_fields : std_logic_vector(255 downto 0) := (others => '0')
   );
   port (
     clk : in    std_logic;
     rst : in    std_logic;
-    -- Answer; what it is made of stands still until taken.
+    -- Answer; its fields are stable until answer_taken is '1'.
     answer_valid       : in    std_logic;
     answer_taken       : out   std_logic;
     answer_message     : in    message_t;
@@ -45,7 +45,8 @@ entity ul_frame_writer is
     answer_address     : in    std_logic_vector(4 * digits_of(address_bits) - 1 downto 0);
     answer_pair        : in    std_logic_vector(7 downto 0);
     answer_words       : in    std_logic_vector(7 downto 0);
-    -- The answer that was taken last has a tail of so many digits behind its first one.
+    -- tail: the answer accepted last ends in a tail with tail_more digits after the first one. The other signals are as
+    -- in `ul_request_executor`.
     tail       : in    std_logic;
     tail_more  : in    unsigned(2 downto 0);
     tail_digit : in    std_logic_vector(3 downto 0);
@@ -58,7 +59,7 @@ entity ul_frame_writer is
     sample_available : in    std_logic;
     sample_word      : in    std_logic_vector(maximum(4 * digits_of(data_bits), 32) - 1 downto 0);
     sample_pop       : out   std_logic;
-    -- In which samples are taken at present.
+    -- Epoch in which samples are taken at present.
     epoch : in    std_logic;
     -- Bodies, to the datalink layer.
     out_data  : out   std_logic_vector(7 downto 0);
@@ -94,7 +95,8 @@ architecture rtl of ul_frame_writer is
     head      : std_logic_vector(head_bits - 1 downto 0);
     head_left : unsigned(3 downto 0);
     pair      : std_logic_vector(7 downto 0);
-    -- Words that are left, the one being sent included; digits left of it, or of what else is sent, that not included.
+    -- words: number of words left, with the one being sent. left: number of digits left of the present word or field,
+    -- without the one being sent.
     words       : unsigned(8 downto 0);
     word        : std_logic_vector(word_bits - 1 downto 0);
     left        : unsigned(5 downto 0);
@@ -117,12 +119,12 @@ architecture rtl of ul_frame_writer is
   signal sample_kept  : std_logic_vector(word_bits - 1 downto 0);
   signal top          : std_logic_vector(31 downto 0);
 
-  -- The letters of each message, as the five low bits of their codes; the second is 0 where there is none.
+  -- Letters of each message as the five low bits of their codes; the second is 0 if there is only one.
   subtype letter_t is std_logic_vector(4 downto 0);
 
   type digits_t is array (0 to config_digits - 1) of std_logic_vector(3 downto 0);
 
-  -- A table, as not every tool takes a slice of which both ends move.
+  -- A table of digits, because not every tool supports a slice with two variable bounds.
   function digits (fields : std_logic_vector(255 downto 0)) return digits_t is
 
     variable result : digits_t;
@@ -232,7 +234,7 @@ architecture rtl of ul_frame_writer is
 
   end function second_letter;
 
-  -- A response word, aligned to the top.
+  -- A response word, aligned to the highest bit.
   function from_response (word : std_logic_vector(data_bits - 1 downto 0)) return std_logic_vector is
 
     variable aligned : std_logic_vector(word_bits - 1 downto 0) := (others => '0');
@@ -258,7 +260,7 @@ architecture rtl of ul_frame_writer is
 begin
 
   advance <= not r.out_valid or out_ready;
-  -- Turns: an answer after a sample, a sample after an answer.
+  -- Alternate: an answer after a sample, a sample after an answer.
   sample_first <= sample_available and (not r.from_sample or (top(3) xor epoch));
   take_answer  <= to_std_logic(r.state = state_idle) and advance and answer_valid and not sample_first;
   take_sample  <= to_std_logic(r.state = state_idle) and advance and sample_available and
@@ -277,13 +279,14 @@ begin
   out_mark     <= r.out_mark;
   busy         <= r.out_valid or to_std_logic(r.state /= state_idle);
 
-  -- The word after this digit comes out of its ring.
+  -- After this digit, load the next word from its ring.
   load_word <= advance and (
                             (to_std_logic(r.state = state_words and r.left = 0 and r.words /= 1)) or
                             (to_std_logic(r.state = state_head and r.left = 0 and r.has_pair = '0' and r.words /= 0)) or
                             (to_std_logic(r.state = state_pair and r.left = 0 and r.words /= 0)));
 
-  -- A register behind the ring's memory, which is slow to show what it read; words of two digits leave no time for it.
+  -- A register after the ring's memory, which has a long clock-to-output delay. Words of two digits are too short to
+  -- allow the extra cycle.
 
   short_words : if data_digits <= 2 generate
 

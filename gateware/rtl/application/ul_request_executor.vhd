@@ -1,26 +1,26 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Application layer, second half: executes a request once it is whole, and has it answered (docs/protocol.md, "Requests
--- and responses" and "Exactly once, in order").
+-- Application layer, second half: executes complete requests and starts their answers (docs/protocol.md, "Requests and
+-- responses" and "Exactly once, in order").
 --
--- One request at a time, from `request_valid` to the moment at which the frame writer begins the answer. The order of
--- the checks is that of the protocol: frame, command, form (the decoder's verdict), session, sequence, range, bus.
+-- It executes one request at a time, from `request_valid` until the frame writer begins the answer. The checks have the
+-- order of the protocol: frame, command and form (results of the decoder), session, sequence, range, bus.
 --
--- What is read goes to the response ring before the answer begins, because an error further on makes the answer that
--- error alone. The words of a block to write, and the mask of WK, stand in the request memory, whose read port follows
--- `memory_index` one cycle later; a single word comes straight from the decoder.
+-- Words that are read go to the response ring before the answer begins, because after a later error the answer contains
+-- only that error. The words of a block write, and the mask of WK, are in the request memory, whose read port follows
+-- `memory_index` one cycle later; a single word comes directly from the decoder.
 --
--- Each request about groups begins an epoch, of which the subscription manager makes a note in each sample: the frame
--- writer sends all samples of the epoch before first, and then the answer, also if that is an error. A K has the samples
--- that wait discarded when its answer is begun.
+-- Each request about groups begins a new epoch, which the subscription manager records in each sample. The frame writer
+-- sends all samples of the previous epoch before the answer, even if the answer is an error. A K discards the waiting
+-- samples when its answer begins.
 --
--- How requests with an ID ended, and what destructive reads gave, stands in two memories that no reset clears. A kept
--- word is read again by an access that the bus master answers itself.
+-- Two memories, which no reset clears, have the outcomes of requests with an ID, and the words that destructive reads
+-- returned. For a repetition, a kept word is read again by an access that the bus master answers without the bus.
 --
--- Some answers have a tail behind all else: the number of a session or what a check left, from the decoder's register,
--- the session under way, the count of writes that failed. Its digits are taken while they are sent, and meanwhile
--- nothing else is executed. A new number moves into the session's register while the old one is sent, and is that of the
--- session with the last digit.
+-- Some answers end in a field of their own, the tail: the number of a session or a CRC residue (from the decoder's
+-- register), the current session, or the count of failed writes. The tail is read digit by digit while it is sent, and
+-- no request executes meanwhile. A new session number is shifted into the session's register while the old one is sent,
+-- and is complete with the last digit.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -40,7 +40,7 @@ entity ul_request_executor is
     masked_write   : boolean  := true;
     queue_commands : boolean  := true;
     send_immediate : boolean  := true;
-    -- Bits that count the words of the response ring.
+    -- Bits of the word count of the response ring.
     room_bits : positive := 9
   );
   port (
@@ -65,17 +65,18 @@ entity ul_request_executor is
     request_asks         : in    std_logic;
     request_number       : in    std_logic_vector(number_bits_of(crc_bits, groups) - 1 downto 0);
     number_shift         : out   std_logic;
-    -- The session under way, 0 for none; a checked frame began it. The number moves while a K is answered. Its highest
-    -- bit asks for the compact form, and is in no check.
+    -- session: the current session, 0 if there is none; it shifts while a K is answered. Its highest bit requests the
+    -- compact form and is not part of the CRC seed. in_session: a session exists. for_program: a checked frame began
+    -- it.
     session     : out   std_logic_vector(4 * session_digits_of(crc_bits) - 1 downto 0);
     in_session  : out   std_logic;
     for_program : out   std_logic;
-    -- Requests come from outside of every session.
+    -- The requests belong to no session.
     no_session : in    std_logic := '0';
     -- Request memory.
     memory_index : out   std_logic_vector(7 downto 0);
     memory_word  : in    std_logic_vector(data_bits - 1 downto 0);
-    -- Response ring; what is written is the bus master's read_data.
+    -- Response ring; the word written is the bus master's read_data.
     ring_write    : out   std_logic;
     ring_commit   : out   std_logic;
     ring_rollback : out   std_logic;
@@ -87,27 +88,28 @@ entity ul_request_executor is
     access_exclusive : out   std_logic;
     access_address   : out   std_logic_vector(address_bits - 1 downto 0);
     access_data      : out   std_logic_vector(data_bits - 1 downto 0);
-    -- No access to the bus: kept_word is what is read.
+    -- Do not access the bus: kept_word is the result of the read.
     access_kept    : out   std_logic;
     kept_word      : out   std_logic_vector(data_bits - 1 downto 0);
     access_granted : in    std_logic;
     access_done    : in    std_logic;
-    -- With done: no other access of the transaction is under way.
+    -- Valid with access_done: no other access of the transaction is pending.
     access_last      : in    std_logic;
     access_failure   : in    error_t;
     access_read_data : in    std_logic_vector(data_bits - 1 downto 0);
-    -- Subscription manager; the operation is asked for until done. is_set follows the group's number one cycle later.
+    -- Subscription manager; the operation is requested until it is done. group_is_set is valid one cycle after the
+    -- group's number.
     group_is_set    : in    std_logic;
     group_request   : out   std_logic;
     group_operation : out   group_operation_t;
     group_done      : in    std_logic;
-    -- Write port of the manager's list of addresses; what is written is the request memory's word.
+    -- Write port of the manager's list of addresses; the word written is that of the request memory.
     list_write : out   std_logic;
     list_index : out   std_logic_vector(7 downto 0);
     epoch      : out   std_logic;
-    -- The samples that wait are of a session that is over.
+    -- The waiting samples belong to a session that has ended: discard them.
     drop_samples : out   std_logic;
-    -- Answer, to the frame writer; it stands until taken.
+    -- Answer, to the frame writer; it is stable until accepted.
     answer_valid       : out   std_logic;
     answer_taken       : in    std_logic;
     answer_message     : out   message_t;
@@ -120,8 +122,8 @@ entity ul_request_executor is
     answer_id          : out   std_logic_vector(4 * id_digits - 1 downto 0);
     answer_pair        : out   std_logic_vector(7 downto 0);
     answer_words       : out   std_logic_vector(7 downto 0);
-    -- The answer that was taken last has a tail: digits of it behind the first one; the digit to send, of which so many
-    -- are left, and that it is sent, with the last of them.
+    -- tail: the answer accepted last ends in a tail. tail_more: number of its digits after the first one. tail_digit:
+    -- the digit to send. tail_left: number of digits that remain after it. tail_taken: the digit is sent.
     tail       : out   std_logic;
     tail_more  : out   unsigned(2 downto 0);
     tail_digit : out   std_logic_vector(3 downto 0);
@@ -140,7 +142,7 @@ architecture rtl of ul_request_executor is
 
   subtype session_t is std_logic_vector(4 * session_digits - 1 downto 0);
 
-  -- How a request ended: "00" well, or one of errors 04, 05 and 06.
+  -- Outcome of a request: "00" for success, or one of the errors 04, 05 and 06.
   subtype fate_t is std_logic_vector(1 downto 0);
 
   type state_t is (
@@ -162,9 +164,9 @@ architecture rtl of ul_request_executor is
     gap_told    : std_logic;
     failures    : unsigned(id_t'range);
     mode        : std_logic_vector(1 downto 0);
-    -- The number of the request being looked at is that of the session.
+    -- The session number in the present request equals that of the session.
     is_same : std_logic;
-    -- How the ID of the request being looked at stands to the one expected.
+    -- Comparison of the present request's ID with the expected ID.
     is_expected : std_logic;
     is_ahead    : std_logic;
     -- The request.
@@ -174,15 +176,15 @@ architecture rtl of ul_request_executor is
     silent  : std_logic;
     id      : id_t;
     asks    : std_logic;
-    -- It has its turn in the order.
+    -- It takes the next place in the sequence.
     counted : std_logic;
-    -- A repetition: how the request ended.
+    -- For a repetition: outcome of the first execution.
     fate : fate_t;
-    -- Its words were kept.
+    -- The words that it read were kept.
     replays : std_logic;
-    -- Its execution.
+    -- Execution of the request.
     address : unsigned(address_bits - 1 downto 0);
-    -- Words that were not asked for yet.
+    -- Number of words not requested from the bus yet.
     left           : unsigned(7 downto 0);
     index          : unsigned(7 downto 0);
     enough_room    : std_logic;
@@ -192,7 +194,7 @@ architecture rtl of ul_request_executor is
     list_write     : std_logic;
     list_index     : unsigned(7 downto 0);
     epoch          : std_logic;
-    -- Its answer, where that is no plain acknowledgement.
+    -- The answer, if it is not a plain acknowledgement.
     error        : error_t;
     out_of_order : std_logic;
   end record registers_t;
@@ -233,7 +235,7 @@ architecture rtl of ul_request_executor is
     out_of_order   => '0'
   );
 
-  -- The upper half of the ring is behind.
+  -- The distance is in the upper half of the sequence space: the ID is older than the expected one.
   function half_ring (distance : unsigned) return std_logic is
   begin
 
@@ -241,7 +243,7 @@ architecture rtl of ul_request_executor is
 
   end function half_ring;
 
-  -- No sample that was taken before may come after the answer.
+  -- After the answer to such a command, no sample from before it may be sent.
   function ends_samples (command : command_t) return boolean is
   begin
 
@@ -249,7 +251,7 @@ architecture rtl of ul_request_executor is
 
   end function ends_samples;
 
-  -- Changes nothing, or begins a session.
+  -- Commands that change nothing, or begin a session.
   function looks (command : command_t) return boolean is
   begin
 
@@ -297,7 +299,7 @@ architecture rtl of ul_request_executor is
 
   end function error_of;
 
-  -- Three digits of four bits each, or two, by place from the right.
+  -- A digit of a number of two or three hex digits, counted from the right.
   function digit_at (number : unsigned; place : unsigned(1 downto 0)) return std_logic_vector is
 
     variable padded : unsigned(15 downto 0);
@@ -346,7 +348,7 @@ architecture rtl of ul_request_executor is
   signal fate_write  : std_logic;
   signal fate        : fate_t;
   signal new_fate    : fate_t;
-  -- Of GN, GX and GP.
+  -- The group of GN, GX or GP is not set.
   signal group_is_missing : std_logic;
 
 begin
@@ -387,9 +389,9 @@ begin
   in_session  <= r.in_session;
   for_program <= r.for_program;
 
-  -- What becomes of the request that stands there: the checks in the order of the protocol.
+  -- Result for the present request, checked in the order of the protocol.
 
-  -- To all nodes there is a WS, which a program's session takes from programs alone, or nothing.
+  -- The only request allowed to all nodes is WS; a session begun by a program accepts it only in a checked frame.
   for_nobody <= request_silent and
                 (request_has_id or to_std_logic(request_error /= error_none or request_command /= command_ws) or
                  (r.for_program and request_plain));
@@ -465,7 +467,7 @@ begin
 
   end generate without_kept;
 
-  -- The tail.
+  -- The tail of an answer.
 
   is_opening  <= to_std_logic(r.command = command_k) and not r.asks;
   has_tail    <= (to_std_logic(r.error = error_session) and r.has_id) or
@@ -582,7 +584,7 @@ begin
 
     end procedure start_session;
 
-    -- What is neither refused nor a repetition that is only acknowledged.
+    -- Execute a request that is neither rejected nor a repetition that only needs an acknowledgement.
 
     procedure execute is
     begin
@@ -674,7 +676,7 @@ begin
 
     end procedure accept_request;
 
-    -- A repetition is executed again if it reads, and that of what was kept reads as well.
+    -- Answer a repetition. Reads are executed again; reads with kept words return the kept words.
 
     procedure answer_again is
     begin
@@ -715,7 +717,7 @@ begin
 
     end procedure finish_access;
 
-    -- Hands the addresses of GS from the request memory on to the subscription manager.
+    -- Copy the addresses of GS from the request memory to the subscription manager.
 
     procedure copy_list is
     begin
@@ -747,7 +749,7 @@ begin
       case r.state is
 
         when state_idle =>
-          -- The first word of the next request comes out of the memory in time if it was asked for all along.
+          -- Index 0 is applied all the time, so that the first word of the next request is read in time.
           v.index := (others => '0');
           if request_valid = '1' then
             accept_request;
@@ -802,7 +804,7 @@ begin
             if has_tail = '1' then
               v.state := state_tail;
             end if;
-            -- Where it was not refused it is not answered.
+            -- A posted write has no answer unless it was rejected; count its failure.
             if r.counted = '1' and r.command = command_ws then
               v.failures := r.failures + 1;
             end if;

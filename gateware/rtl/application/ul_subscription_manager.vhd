@@ -1,19 +1,21 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- Takes the samples of all publish groups when they are due, and keeps their settings (docs/protocol.md, "Groups").
+-- Takes the samples of all publish groups when they are due, and stores the settings of the groups (docs/protocol.md,
+-- "Groups").
 --
--- A group is due by the base tick (`ul_group_timer`), by an edge of its trigger, or by GP. What is due is served at once
--- and lowest number first: the words are read by accesses of their own, which the bus master prefers, into the sample
--- ring, and wait there for the frame writer. Where they have no room, or a read fails, the sample is not sent and only
--- counts.
+-- A group becomes due by the base tick (`ul_group_timer`), by an edge of its trigger, or by GP. Due groups are served
+-- at once, lowest number first. The words of a sample are read by accesses of their own, which have priority in the bus
+-- master, and written to the sample ring, where they wait for the frame writer. If the ring has no space, or a read
+-- fails, the sample is not sent; only its sequence number is used up.
 --
--- Whether a word has changed is found out against a memory of the last sample of each group that was accepted. It has
--- two halves for each group: the new sample is written into the one that is not valid, which becomes the valid one only
--- if the sample is accepted, so a sample that fails half-way changes nothing.
+-- To detect changed words, a memory stores the last accepted sample of each group. It has two halves for each group:
+-- the new sample is written to the invalid half, which becomes the valid one only if the sample is accepted. So a
+-- sample that fails half-way does not change the stored one.
 --
--- Each sample says in which epoch it was taken, for the frame writer.
+-- Each sample has the epoch in which it was taken, for the frame writer.
 --
--- A group of number g has the places g * slot to g * slot + n - 1 in the memory of addresses and in each half of that.
+-- Group g has the places g * slot to g * slot + n - 1 in the memory of addresses and in each half of the memory of last
+-- samples.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -33,16 +35,16 @@ entity ul_subscription_manager is
     base_frequency_millihertz : positive := 100_000_000;
     timestamps                : boolean  := true;
     triggers                  : boolean  := true;
-    -- Bits that count the words of the sample ring.
+    -- Bits of the word count of the sample ring.
     room_bits : positive := 9
   );
   port (
     clk : in    std_logic;
     rst : in    std_logic;
-    -- Asynchronous to clk, if need be; at least two cycles high and two low. Edges that come before the sample of the
-    -- last one was begun are one with it.
+    -- May be asynchronous to clk; must be high and low for at least two cycles each. Edges that arrive before the
+    -- sample for an earlier edge has begun are merged with that edge.
     trigger : in    std_logic_vector(groups - 1 downto 0);
-    -- Operations, asked for until done.
+    -- Operations, requested until done.
     group_request   : in    std_logic;
     group_operation : in    group_operation_t;
     group_done      : out   std_logic;
@@ -50,7 +52,7 @@ entity ul_subscription_manager is
     group_flags     : in    std_logic_vector(5 downto 0);
     group_divisor   : in    std_logic_vector(15 downto 0);
     group_count     : in    std_logic_vector(7 downto 0);
-    -- One cycle after group_number.
+    -- Valid one cycle after group_number.
     group_is_set : out   std_logic;
     -- Addresses of a group that is stopped.
     list_write   : in    std_logic;
@@ -65,13 +67,13 @@ entity ul_subscription_manager is
     access_done      : in    std_logic;
     access_failure   : in    error_t;
     access_read_data : in    std_logic_vector(data_bits - 1 downto 0);
-    -- Sample ring, laid out as `ul_frame_writer` says.
+    -- Sample ring; `ul_frame_writer` describes its layout.
     ring_write    : out   std_logic;
     ring_data     : out   std_logic_vector(maximum(4 * digits_of(data_bits), 32) - 1 downto 0);
     ring_commit   : out   std_logic;
     ring_rollback : out   std_logic;
     ring_room     : in    unsigned(room_bits - 1 downto 0);
-    -- As those of `ul_gateway_clock`.
+    -- As in `ul_gateway_clock`.
     base_tick : out   std_logic;
     timestamp : out   std_logic_vector(63 downto 0)
   );
@@ -79,7 +81,7 @@ end entity ul_subscription_manager;
 
 architecture rtl of ul_subscription_manager is
 
-  -- Cycles between two base ticks beyond one for each group.
+  -- Number of cycles that a round of the timer takes in addition to one cycle for each group.
   constant round_cycles : positive := 8;
 
   constant group_bits : positive := maximum(log2_ceil(groups), 1);
@@ -99,7 +101,8 @@ architecture rtl of ul_subscription_manager is
 
   type last_t is array (0 to 2 ** (group_bits + slot_bits + 1) - 1) of std_logic_vector(data_bits - 1 downto 0);
 
-  -- Nothing of a group is used before it was set: the initial values only keep simulations quiet.
+  -- A group's memory words are not used before the group was set: the initial values only avoid unknown values in
+  -- simulation.
   -- vsg_off signal_007
   signal settings_memory : settings_memory_t := (others => (others => '0'));
   signal state_memory    : state_memory_t    := (others => (others => '0'));
@@ -118,7 +121,7 @@ architecture rtl of ul_subscription_manager is
   signal reason : reason_t;
   signal number : number_t;
 
-  -- Settings and state of group `number`: read one cycle after that, and kept in the cycle after.
+  -- Settings and state of group `number`: read one cycle after it changes, and registered one cycle later.
   signal settings_read  : std_logic_vector(13 downto 0);
   signal settings       : std_logic_vector(13 downto 0);
   signal flags          : std_logic_vector(5 downto 0);
@@ -132,12 +135,12 @@ architecture rtl of ul_subscription_manager is
   signal state_write    : std_logic;
   signal new_state      : std_logic_vector(9 downto 0);
 
-  -- The timer may be changed: an operation that waited for that is carried out.
+  -- The timer is idle: execute the operation that was waiting for it.
   signal carry_out : std_logic;
 
   signal running : vector_t;
-  -- Of those, the ones that edges make due. Edges of others must not even be looked at: each would take cycles from what
-  -- is due, and from operations.
+  -- Running groups that edges make due. Edges of other groups must be ignored at once: each would take cycles from due
+  -- groups and from operations.
   signal listening      : vector_t;
   signal is_set         : vector_t;
   signal due_by_timer   : vector_t;
@@ -161,7 +164,7 @@ architecture rtl of ul_subscription_manager is
   signal lost_kept      : unsigned(7 downto 0);
   signal stamp          : std_logic_vector(63 downto 0);
 
-  -- The sample being taken: its sequence number, words asked for and words read.
+  -- The sample being taken: its sequence number, number of words requested and number of words read.
   signal own_sequence : unsigned(7 downto 0);
   signal asked        : unsigned(7 downto 0);
   signal stored       : unsigned(7 downto 0);
@@ -171,9 +174,9 @@ architecture rtl of ul_subscription_manager is
   signal last_word    : std_logic_vector(data_bits - 1 downto 0);
   signal address_read : std_logic_vector(address_bits - 1 downto 0);
   signal all_asked    : std_logic;
-  -- Addresses and last words are looked up two words ahead, so that there may be one in each cycle.
+  -- Addresses and last words are read two words ahead, so that there can be one access in each cycle.
   signal ahead : unsigned(7 downto 0);
-  -- Words of the sample in the ring: header and timestamp included.
+  -- Number of words of the sample in the ring, with header and timestamp.
   signal total        : unsigned(8 downto 0);
   signal word_done    : std_logic;
   signal enough_room  : std_logic;
@@ -214,7 +217,7 @@ architecture rtl of ul_subscription_manager is
 
   end function one_hot;
 
-  -- A word at the top of the ring's width.
+  -- A value aligned to the highest bit of a ring word.
   function aligned (value : std_logic_vector; bits : positive) return std_logic_vector is
 
     variable result : std_logic_vector(word_bits - 1 downto 0) := (others => '0');
@@ -232,7 +235,7 @@ begin
     report "ul_subscription_manager: more than 256 groups or more than 255 words in one"
     severity failure;
 
-  -- The timer looks at one group a cycle; settings are changed between two of its rounds.
+  -- The timer processes one group per cycle; settings are changed between two of its rounds.
   assert real(clock_hz) * 1.0e3 / real(base_frequency_millihertz) >= real(groups + round_cycles)
     report "unity_link: a base tick of " & integer'image(base_frequency_millihertz) & " mHz leaves less than "
            & integer'image(groups + round_cycles) & " clock cycles, which " & integer'image(groups) & " groups take"
@@ -274,7 +277,7 @@ begin
       collides    => timer_collides
     );
 
-  -- What is due.
+  -- Groups that are due.
 
   with_triggers : if triggers generate
 
@@ -348,7 +351,8 @@ begin
 
   end process pick;
 
-  -- After each sample an operation may go first, so that groups which ask for more than the bus gives can be stopped.
+  -- After each sample an operation has priority, so that groups can be stopped even if they request more than the bus
+  -- can transfer.
   operates      <= group_request and (operation_turn or not pick_valid) and to_std_logic(state = state_idle);
   picks         <= pick_valid and not operates and not timer_collides and to_std_logic(state = state_idle);
   clear_timer   <= one_hot(pick_number, picks and pick_by_timer) or not running;
@@ -399,7 +403,8 @@ begin
       end if;
 
       group_is_set <= '0';
-      -- One bit wider, as 256 groups are a number that does not fit (GHDL converts such a comparison wrongly).
+      -- One bit wider, because the number 256 of groups does not fit into eight bits (GHDL converts such a comparison
+      -- wrongly).
       if resize(unsigned(group_number), 9) < groups then
         group_is_set <= bit_at(is_set, unsigned(group_number(group_bits - 1 downto 0)));
       end if;
@@ -412,7 +417,7 @@ begin
 
   -- The sample.
 
-  -- From settings and state to the header, in steps that are short enough: one state each.
+  -- Derive the header from settings and state in several states, to keep the paths short.
   measure : process (clk) is
   begin
 
