@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What decoder and executor promise together ("Exactly once, in order" in docs/protocol.md), whatever bytes come, damage
-// and resets included, and whatever bus, groups, ring and frame writer do: a request with an ID is executed only in a
-// session, only if its ID is the one expected, which is one more from then on, so that no ID is executed again before all
-// others were; one request at a time, with no more accesses than it asks for, each at its address; a damaged frame
-// executes nothing, nor does what a program's session shuts out; a repetition makes no access to the bus but to read
-// once more; each frame has exactly the answer that it should have, with the numbers behind it; and a bound on the cycles
-// until then.
+// Properties of decoder and executor together ("Exactly once, in order" in docs/protocol.md), for all received bytes,
+// including damage and resets, and for any behaviour of bus, groups, response ring and frame writer. A request with an
+// ID is executed only in a session, and only if its ID is the expected one, which then increases by one; so no ID is
+// executed again before all others were. One request executes at a time, with no more accesses than it requests, each
+// at its address. Neither a damaged frame nor a request that a program's session excludes executes anything. A
+// repetition accesses the bus only to read again. Each frame has exactly the answer that it should have, with the
+// numbers after it, within a bounded number of cycles.
 //
-// What the memories of ends and of kept words give is anything: said is what is written to them, in which place, and that
-// a repetition is answered by what stands in its own.
+// The values read from the memories of outcomes and of kept words are arbitrary. The properties state the values
+// written to them and their addresses, and that the answer to a repetition is the value read from its own address.
 //
-// What a frame asks for is worked out anew here from its characters, by their places, with no look at the decoder. IDs
-// have two digits, words eight bits and addresses four; a block has two words, and there is one group of two. What stands
-// in the request memory is anything, so this says nothing of the words of blocks.
+// The expected meaning of a frame is computed here from its characters and their positions, independently of the
+// decoder. IDs have two digits, words eight bits and addresses four; a block has at most two words, and there is one
+// group of two. The contents of the request memory are arbitrary, so these properties do not cover the words of blocks.
 
 module at_most_once_properties (
 	input clk
@@ -50,7 +50,7 @@ module at_most_once_properties (
 	localparam IN_COMMAND = 0, IN_ID = 1, IN_ADDRESS = 2, IN_COUNT = 3, IN_WORDS = 4, IN_GROUP = 5, IN_FLAGS = 6,
 		IN_DIVISOR = 7, IN_LIST_COUNT = 8, IN_LIST = 9, IN_SESSION = 10, IN_NONE = 11;
 	localparam BLOCK_WORDS = 2, GROUP_WORDS = 2;
-	// More digits than any request has: the count goes on between this and the next number.
+	// More digits than any request has: the digit counter then alternates between this number and the next.
 	localparam MANY = 900;
 
 	wire in_ready;
@@ -64,7 +64,7 @@ module at_most_once_properties (
 	wire [7:0] session, kept_word;
 	wire [2:0] tail_more, tail_left;
 	wire [3:0] tail_digit;
-	// What comes from outside of every session has no part in the one under way.
+	// Frames without a session take no part in the current session.
 	wire takes_ids = in_session && !no_session;
 	wire store, busy;
 	wire [7:0] store_index, store_word, memory_index;
@@ -83,8 +83,8 @@ module at_most_once_properties (
 	wire [7:0] answer_id, answer_pair, answer_words;
 
 `ifdef COVER
-	// What is proved is proved for any input. The covers are reached by these, as a search for them takes too long: a
-	// frame ends at `.`, and at `!` a damaged one; nobody waits.
+	// The properties are proved for any input. The cover statements use this fixed input, because a search for them takes
+	// too long: a frame ends at `.`, and a damaged one at `!`; all ready inputs are '1'.
 	localparam LENGTH = 17;
 	localparam [8 * LENGTH - 1:0] EXECUTED = "K0001.w00A01.h00.", LOST = {"K0001.h02.w!", 40'b0};
 	(* anyconst *) reg loses;
@@ -115,7 +115,7 @@ module at_most_once_properties (
 	ul_request_decoder decoder (.*, .in_session(takes_ids));
 	ul_request_executor executor (.*);
 
-	// Records are laid out from their first field on, the lowest bit first.
+	// Records begin with their first field, at the lowest bit.
 	(* hierconn *) wire [114:0] \decoder.r ;
 	wire [4:0] d_node = \decoder.r [4:0];
 	wire d_has_id = \decoder.r [5], d_lower = \decoder.r [6], d_upper = \decoder.r [7];
@@ -149,12 +149,12 @@ module at_most_once_properties (
 	wire [3:0] e_error = \executor.r [95:92];
 	wire e_out_of_order = \executor.r [96];
 
-	// What goes to the memories.
+	// Write ports of the memories.
 	(* hierconn *) wire \executor.fate_write , \executor.with_kept_keep ;
 	(* hierconn *) wire [1:0] \executor.new_fate ;
 	(* hierconn *) wire [7:0] \executor.with_kept_place ;
 
-	// The command that letters name, and whether they name one.
+	// The command of these letters, and whether they name one.
 	function [4:0] meaning(input [1:0] letters, input [4:0] first, input [4:0] second);
 		case ({letters, first, letters == 1 ? 5'd0 : second})
 			{2'd1, 5'd18, 5'd0}: meaning = 16 + R;
@@ -177,14 +177,14 @@ module at_most_once_properties (
 		endcase
 	endfunction
 
-	// The frame that comes in, and since its end (`ended`) the verdict on it.
+	// The frame being received, and after its end (`ended`) the result of its checks.
 	reg begun = 0;
 	reg [1:0] letters;
 	reg [4:0] first, second;
 	reg lower, upper, named, fields, wrong;
 	reg [9:0] digits;
 	reg [7:0] id, count, group, flags, word, label, residue;
-	// The number of the frame has made room for what its check left.
+	// The residue has replaced the number of the frame.
 	reg has_residue;
 	reg [3:0] address;
 	reg [15:0] divisor;
@@ -229,7 +229,7 @@ module at_most_once_properties (
 		is_about_group ? group == 0 :
 		kind != I || group <= 2;
 
-	// The session, and what it says of a request.
+	// The session, and its decision on a request.
 	reg live, programs, gap_told;
 	reg [7:0] current, expected, failures;
 	reg [1:0] mode;
@@ -262,7 +262,7 @@ module at_most_once_properties (
 	reg [1:0] c_owed;
 	reg [7:0] grants, dones, reads, listed, own;
 	reg failed, settled;
-	// What was judged in the cycle before is about to be executed or answered.
+	// A request was decided on in the cycle before, and its execution or answer begins.
 	reg judged_before, starts_before, held;
 	wire c_replays = c_again && (c_kind == RQ || c_kind == WK);
 	wire c_opens = c_kind == K && !c_asks;
@@ -273,11 +273,11 @@ module at_most_once_properties (
 	wire opening = hold && c_opens && c_owed == NORMAL && !c_damaged;
 	wire ends = tail && tail_taken && tail_left == 0;
 	wire [1:0] c_fate = c_owed != ERROR ? 0 : c_error - BUS + 1;
-	// What was written of the end of a request in the cycle before.
+	// Outcome written for the request in the cycle before.
 	reg fate_written;
 	reg [1:0] written_fate;
 	reg outside_before;
-	// Digits that are left behind the one that is told.
+	// Number of digits after the one being sent.
 	reg [2:0] digits_left;
 	assign tail_left = digits_left;
 
@@ -286,12 +286,12 @@ module at_most_once_properties (
 	wire waits = ((access_request || outstanding) && !access_done) || (group_request && !group_done)
 		|| (answer_valid && !answer_taken) || (e_state == ROOM && room_short) || tail;
 
-	// Any one ID: whether it was executed in this session, and how many others were since.
+	// One arbitrary ID: whether it was executed in this session, and how many others were executed since.
 	(* anyconst *) reg [7:0] watched;
 	reg seen;
 	reg [8:0] others;
 
-	// The stream waits: what is offered stands.
+	// While the stream is stalled, its values are stable.
 	reg offered, late, was_last, was_plain, was_silent;
 	reg [3:0] was_error;
 	reg [7:0] was_data;
@@ -300,22 +300,22 @@ module at_most_once_properties (
 		begun <= 1;
 		assume (begun || rst);
 
-		// A frame's end and its characters stand until taken.
+		// A frame's end and its characters are stable until accepted.
 		offered <= in_valid && !in_ready;
 		{was_data, was_last, was_plain, was_silent, was_error} <= {in_data, in_last, in_plain, in_silent, in_error};
 		if (begun && offered)
 			assume (in_valid && {in_data, in_last, in_plain, in_silent, in_error}
 				== {was_data, was_last, was_plain, was_silent, was_error});
-		// The frame writer takes digits behind an answer alone, and knows how many.
+		// The frame writer reads digits only after an answer, and knows their number.
 		assume (!tail_taken || tail);
 		digits_left <= tail ? digits_left - tail_taken : tail_more;
-		// From where a frame comes stands with it.
+		// no_session is stable as long as the frame.
 		outside_before <= no_session;
 		assume (!begun || !ended || no_session == outside_before);
 
 		late <= in_valid && !in_ready && !ended && !hold;
 
-		// What ul_bus_master keeps to.
+		// Guarantees of ul_bus_master.
 		if (begun) begin
 			assume (!access_granted || (access_request && grants - dones <= (c_kind == RM ? 3 : 0)));
 			assume (!access_done || (outstanding && access_last == (grants - dones == 1)));
@@ -411,7 +411,7 @@ module at_most_once_properties (
 			listed <= listed + list_write;
 			if (group_request && group_done && group_operation != NOTHING && !(c_kind == GS && group_operation == STOP_GROUP))
 				settled <= 1;
-			// How a repetition ended stands in its place.
+			// The outcome of a repetition is read from its own address.
 			if (e_state == LOOK) begin
 				c_error <= e_fate == 0 ? RANGE : e_fate + BUS - 1;
 				if (e_fate != 0 || (c_kind[3:2] == 0 && !in_range))
@@ -425,7 +425,7 @@ module at_most_once_properties (
 				{live, programs, current} <= {1'b1, !c_plain, c_label};
 			if (access_done && access_failure != 0) begin
 				failed <= 1;
-				// Of those that are still open it hears no more.
+				// The remaining accesses in flight are not reported.
 				dones <= grants + access_granted;
 				{c_owed, c_error} <= {2'(ERROR), access_failure};
 				c_open <= !c_silent;
@@ -458,7 +458,7 @@ module at_most_once_properties (
 		end
 
 		if (begun) begin
-			// One at a time, in the order in which frames end; and none is overtaken.
+			// One request at a time, in the order in which their frames end; none is overtaken.
 			assert (request_valid == ended);
 			assert (request_accept == !hold);
 			if (in_valid && in_ready && in_last)
@@ -466,7 +466,7 @@ module at_most_once_properties (
 			if (judged_before)
 				assert (hold == starts_before);
 
-			// No access but those of the request, and none of one that may not be executed.
+			// No accesses except those of the request, and none for a request that may not be executed.
 			if (access_granted) begin
 				assert (hold && c_runs && !failed && !c_kind[3] && grants < needed);
 				assert (access_address == 4'(c_kind == RQ || c_kind == WQ || c_kind == WK ? c_address : c_address + grants));
@@ -488,7 +488,7 @@ module at_most_once_properties (
 				assert (group_operation != SET || listed == c_count);
 			end
 
-			// The answer: what it should be, no other, and before anything else is begun.
+			// The answer is the expected one, there is no other, and it comes before another request begins.
 			if (!hold)
 				assert (!c_open);
 			if (answer_valid) begin
@@ -510,15 +510,15 @@ module at_most_once_properties (
 				if (c_owed != ERROR && answer_has_pair)
 					assert (answer_pair == (c_kind[3] ? c_group : c_count));
 				assert (answer_mark == (mode == 0 ? 0 : mode == 1 ? 2 : 1));
-				// It is executed to the end.
+				// The request has been executed completely.
 				if (c_runs && c_owed == NORMAL && !c_kind[3])
 					assert (grants == needed && dones == needed && reads == answer_words);
 				if (c_runs && c_owed == NORMAL && about_groups)
 					assert (settled);
 			end
 			assert (drop_samples == (answer_valid && answer_taken && c_opens && c_owed == NORMAL));
-			// Behind it: the number of the session that begins and of the one that was, or of this; how many posts failed;
-			// what the check left.
+			// After the answer: the numbers of the new and of the previous session, or of the current one; the number of failed
+			// posted writes; or the CRC residue.
 			assert (tail == (e_state == TAIL));
 			if (tail) begin
 				assert (hold && has_tail && !c_open);
@@ -530,7 +530,7 @@ module at_most_once_properties (
 			if (!hold)
 				assert (session == current);
 
-			// What is written of ends and words, and nothing else.
+			// Exactly these outcomes and words are written.
 			assert (\executor.fate_write == (hold && c_fresh));
 			assert (!hold || !c_fresh || e_id[6:0] == c_id[6:0]);
 			if (held && !hold && c_fresh)
@@ -542,13 +542,13 @@ module at_most_once_properties (
 			if (held && !hold && c_runs && c_kind == WS && c_owed == SILENCE)
 				assert (dones == 1);
 
-			// In time: cycles in which it waits for nobody. At its end they are one more.
+			// Bounded time: number of cycles without a stall by another entity. At the end of the request the count is one more.
 			if (hold)
 				assert (own <= 3 + (c_runs && (!c_kind[3] || c_kind == GS) ? needed : 0));
 			if (in_valid && !in_ready && !ended && !hold)
 				assert (in_last && in_plain && !late);
 
-			// What makes the proof hold without a bound: the session,
+			// Invariants that make the proof hold without a bound: the session,
 			assert (live == e_live && programs == e_programs && (live || !programs));
 			assert (expected == e_expected && gap_told == e_gap_told && mode == e_mode && failures == e_failures);
 			assert (session == (!tail || tail_left != 0 || c_kind != K || c_owed != NORMAL ? current :
@@ -674,7 +674,7 @@ module at_most_once_properties (
 						d_words == (word_count > 256 ? 256 : word_count) : d_words == 256));
 			end
 
-			// the verdict,
+			// the result of the checks,
 			if (ended) begin
 				assert (request_error == error && request_plain == plain && request_silent == silent);
 				if (error == 0) begin
@@ -701,7 +701,7 @@ module at_most_once_properties (
 				end
 			end
 
-			// and the request on its way.
+			// and the request in progress.
 			assert (e_state <= LOOK && d_field <= IN_NONE);
 			assert (hold == (e_state != IDLE) && e_access_request == (e_state == ACCESS));
 			assert (e_enough_room == !room_short);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What AXI4-Lite asks of a master and of a slave (AMBA IHI 0022, A3.2, A3.3 and B1), one access under way at most.
+// Rules of AXI4-Lite for a master and a slave (AMBA IHI 0022, A3.2, A3.3 and B1), with at most one access in flight.
 //
-// The rules of one side are asserted or assumed, as the proof is about it or about the other.
+// The rules of one side are asserted if the proof is about that side, and assumed otherwise.
 
 module axi4_lite_channel #(
 	parameter BITS = 8,
@@ -17,7 +17,7 @@ module axi4_lite_channel #(
 	reg first = 1, was_reset = 0, held = 0;
 	reg [BITS-1:0] offered;
 
-	// What is valid stays, and stays the same, until it is taken; behind a reset nothing is.
+	// A valid transfer stays valid and unchanged until it is accepted; after a reset, valid is '0'.
 	wire holds = (!held || (valid && payload == offered)) && (!was_reset || !valid);
 
 	always @(posedge clk) begin
@@ -58,7 +58,7 @@ module axi4_lite #(
 	input [1:0] rresp,
 	input rvalid,
 	input rready,
-	// Of each channel, whether something has passed that no answer has closed.
+	// For each channel: a transfer has passed that no response has closed yet.
 	output reg has_aw,
 	output reg has_w,
 	output reg has_ar
@@ -76,9 +76,9 @@ module axi4_lite #(
 
 	initial {has_aw, has_w, has_ar} = 0;
 
-	// One answer to each access, and none before the access has passed as a whole.
+	// One response for each access, and none before all parts of the access have passed.
 	wire answers_what_was_asked = (!bvalid || (has_aw && has_w)) && (!rvalid || has_ar);
-	// No second access before the answer to the first.
+	// No second access before the response to the first.
 	wire one_at_a_time = !(awvalid && has_aw) && !(wvalid && has_w) && !(arvalid && has_ar);
 
 	always @(posedge clk) begin

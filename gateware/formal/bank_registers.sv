@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a generated register bank promises (that of bank.ul), whatever a Wishbone master does within the standard and
-// hardware at any time: it keeps to Wishbone B4 as a slave; it takes an access to a register at once and one to a FIFO
-// port within the time that this may take, and answers it in the next cycle, and no other; all words that are read in a
-// sample are of one instant, that of its strobe, and those of a value in a block are of one; a value of several words
-// changes as a whole; a FIFO port moves a word where an access is answered by it, and only there; and a module's strobe
-// falls for a cycle behind its answer.
+// Properties of a generated register bank (that of bank.ul), for a Wishbone master that follows the standard and any
+// hardware signals. It follows Wishbone B4 as a slave. It accepts an access to a register at once, and one to a FIFO
+// port within the allowed time, and answers exactly in the next cycle. All words read in a sample are from one instant,
+// that of its strobe, and those of a value read in a block are from one instant. A value of several words changes as a
+// whole. A FIFO port transfers a word exactly when an access is answered by it. A module's strobe is '0' for a cycle
+// after its answer.
 //
-// PIPELINED: the master is a pipelined one. IN_A_ROW: the bank is built for that; without, it stalls beside each strobe
-// that it has not answered.
+// PIPELINED: the master is pipelined. IN_A_ROW: the bank is generated for a pipelined master; otherwise, it stalls
+// beside each strobe that it has not answered.
 
 module bank_registers_properties #(
 	parameter STREAM_WAIT = 3
@@ -58,26 +58,27 @@ module bank_registers_properties #(
 	(* hierconn *) wire \dut.position_kept , \dut.taken , \dut.elsewhere_stood , \dut.rests ;
 
 	reg first = 1;
-	// What hardware gave in the cycle before, or at the instant of the sample; and one cycle before that.
+	// Values from hardware in the cycle before, or at the instant of the sample; and one cycle earlier.
 	reg [15:0] position, older;
 	reg [7:0] speed;
-	// What the words of a value are in the block that is being read.
+	// Value of the words in the block that is being read.
 	reg in_block = 0;
 	reg [15:0] of_block;
-	// What has to be answered to the access of the last cycle.
+	// Expected answer to the access of the last cycle.
 	reg read = 0, moved = 0, given = 0;
 	reg [7:0] due;
-	// What hardware has to get.
+	// Expected values of the outputs to hardware.
 	reg [7:0] lower = 0;
 	reg [15:0] goal = 0;
 	reg written = 0;
 	reg [2:0] lasts = 0;
-	// An access was taken in the last cycle, and in the one before.
+	// An access was accepted in the last cycle, and in the one before.
 	reg took = 0, took_before = 0;
-	// An answer of a module stood there in the last cycle, and has ended an access then.
+	// stood: a module's answer was present in the last cycle. ended: it ended an access.
 	reg stood = 0, ended = 0;
 
-	// Cycles since the reset, of two that the registers behind hardware take: nothing is known before, and nothing asked.
+	// Counts the two cycles after the reset that the registers of the hardware inputs take: before, their values are
+	// unknown and no access occurs.
 	reg [1:0] settled = 0;
 
 	wire moves = from_hardware_log_valid && to_hardware_log_ready;
@@ -138,7 +139,7 @@ module bank_registers_properties #(
 			assert (takes);
 		assert (!(ended && elsewhere_stb));
 `ifdef PIPELINED
-		// One access is open at most, and that is answered now.
+		// At most one access is open, and it is answered in this cycle.
 `ifdef IN_A_ROW
 		assert (open == took);
 `else
@@ -146,7 +147,7 @@ module bank_registers_properties #(
 `endif
 `endif
 
-		// What makes the proof hold without a bound.
+		// Invariants that make the proof hold without a bound.
 		assert (\dut.goal_gathered == lower);
 		assert (in_block == \dut.position_kept );
 		assert (settled[0] >= settled[1] && (settled[1] || (!in_block && !given)));

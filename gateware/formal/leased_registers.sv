@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What a generated register bank promises of the registers that a lease guards and a schedule writes (those of
-// leased.ul), whatever a Wishbone master, the lease and the schedule do, and in whichever cycle: behind a cycle in which
-// the lease is not armed, each has its safe value, or keeps the one that it has (HOLD); a write ends with err then, and
-// changes nothing; it keeps its safe value until it is written afresh under the new lease, from the bus or from its
-// stage; in a cycle in which the lease is finishing a write ends with err, too, and what comes from the stage alone is
-// new; what was written before counts for nothing then, neither half a value nor what waits in a shadow; what is new
-// in the shadows is taken in the cycle of `commit`, all of it and once; and a register that no lease guards is not touched
-// by one.
+// Properties of a generated register bank for registers that a lease guards and a schedule writes (those of leased.ul),
+// for any Wishbone master, lease and schedule, in any cycle. After a cycle in which the lease is not armed, each
+// guarded register has its safe value, or keeps its value (HOLD); a write ends with err then, and changes nothing. A
+// register keeps its safe value until it is written again under the new lease, by the bus or from its shadow. While the
+// lease is finishing, a write ends with err too, and only shadows change registers. Values written before the lease
+// ended are discarded, whether parts of a value or values in a shadow. New values in the shadows are transferred in the
+// cycle of `commit`, all of them and once. A register without a lease is not affected by one.
 
 module leased_registers_properties (
 	input clk,
@@ -73,13 +72,14 @@ module leased_registers_properties (
 	(* hierconn *) wire [1:0] \dut.wide_pending ;
 
 	wire armed = drive_armed_from_core;
-	// The bus may write; a schedule may while it is armed.
+	// The bus may write; a schedule may write while the lease is armed.
 	wire open = armed && !drive_finishing_from_core;
 	wire begins = wb_cyc && wb_stb && !wb_ack && !wb_err;
 	wire guarded = wb_adr < OTHER;
 	wire writes = begins && wb_we && (open || !guarded);
 
-	// What each register has to hold, what is new for it on the stage, and what there is of a value that is not whole.
+	// Expected value of each register, its new value in the shadow, and the words received of a value that is not
+	// complete.
 	reg first = 1;
 	reg [7:0] is_goal = 0, is_duty = 8'h5A, is_speed = 7, is_other = 0;
 	reg [3:0] is_low = 9, is_high = 3;
@@ -89,11 +89,11 @@ module leased_registers_properties (
 	reg [7:0] new_goal, new_speed, new_other;
 	reg [39:0] new_wide;
 	reg [6:0] pulses = 0;
-	// Written afresh since the lease was armed.
+	// Written since the lease was armed.
 	reg [5:0] is_fresh = 0;
-	// Refused in the last cycle, and allowed.
+	// A write was rejected in the last cycle; a write was allowed.
 	reg refused = 0, allowed = 0;
-	// That the lease was not armed in the last cycle.
+	// The lease was not armed in the last cycle.
 	reg unarmed = 1;
 
 	wire [4:0] takes = plan_commit ? is_new & {1'b1, {4{armed}}} : 5'b0;
@@ -119,7 +119,7 @@ module leased_registers_properties (
 			OTHER: begin is_other <= wb_dat_i[7:0]; pulses[6] <= 1; end
 			default: ;
 		endcase
-		// What acts at an instant does so whatever the bus writes.
+		// A commit takes effect whatever the bus writes.
 		if (takes[0]) begin is_goal <= new_goal; pulses[0] <= 1; is_fresh[0] <= 1; end
 		if (takes[1]) begin is_speed <= new_speed; pulses[2] <= 1; is_fresh[2] <= 1; end
 		if (takes[2]) begin is_wide[31:0] <= new_wide[31:0]; pulses[5] <= 1; is_fresh[5] <= 1; end
@@ -152,7 +152,7 @@ module leased_registers_properties (
 		assert ({other_written, wide_written, high_written, low_written, speed_written, duty_written, goal_written} == pulses);
 		assert (!refused || (wb_err && !wb_ack));
 		assert (!allowed || (wb_ack && !wb_err));
-		// The same in words: safe behind a cycle without a lease, and until written afresh.
+		// The same requirement stated directly: safe values after a cycle without a lease, and until written again.
 		if (unarmed)
 			assert (is_fresh == 0);
 		if (!is_fresh[1])
@@ -164,7 +164,7 @@ module leased_registers_properties (
 		if (!is_fresh[5])
 			assert (wide == 40'h1234567890);
 
-		// What makes the proof hold without a bound.
+		// Invariants that make the proof hold without a bound.
 		assert (\dut.wide_gathered == gathered);
 		assert ({\dut.other_pending , \dut.wide_pending , \dut.speed_pending , \dut.axis_goal_pending } == is_new);
 		if (is_new[0]) assert (\dut.axis_goal_shadow == new_goal);

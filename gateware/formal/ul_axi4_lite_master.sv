@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the AXI4-Lite wrapper promises, whatever the core does within the rules at its top and the slave within those of
-// AXI4-Lite, for as long as it likes: it keeps to AXI4-Lite; the core is told of an access once, with the answer to that
-// access and to no other, however many it has given up before; and an access is made as the core asks for it.
+// Properties of the AXI4-Lite wrapper, for a core that follows the rules at its top and a slave that follows AXI4-Lite,
+// with any delays: it follows AXI4-Lite; it reports an access to the core once, with the response to that access and no
+// other, however many accesses the core has given up before; and an access on the bus is the one that the core
+// requested.
 
 module ul_axi4_lite_master_properties (
 	input clk,
@@ -36,7 +37,7 @@ module ul_axi4_lite_master_properties (
 	reg first = 1;
 	reg asked = 0, answered = 0;
 	reg [40:0] access;
-	// An access has begun on the bus and is not answered; the core has asked for it ever since.
+	// open: an access has begun on the bus and has no response yet. own: the core has requested it all the time.
 	reg open = 0, own = 0;
 	reg [2:0] done = 0, lost = 0;
 
@@ -49,7 +50,7 @@ module ul_axi4_lite_master_properties (
 	end
 
 	always @(posedge clk) if (!first) begin
-		// The core's rules: an access stands still until it is answered, and is taken back for a cycle behind that.
+		// Assumptions on the core: an access is stable until it is answered, and deasserted for a cycle after that.
 		asked <= bus_request && !bus_done;
 		answered <= bus_done;
 		access <= {bus_write, bus_address, bus_write_data};
@@ -80,11 +81,11 @@ module ul_axi4_lite_master_properties (
 		if (wvalid && own && bus_request)
 			assert (wdata == bus_write_data && wstrb == 4'hF);
 		assert (!(awvalid || wvalid || arvalid) || open);
-		// An access that has begun waits for nothing but the slave.
+		// An access that has begun waits only for the slave.
 		if (open)
 			assert ((bready && (awvalid || has_aw) && (wvalid || has_w)) || (rready && (arvalid || has_ar)));
 
-		// What makes the proof hold without a bound.
+		// Invariants that make the proof hold without a bound.
 		assert (open == \dut.waiting );
 		if (open)
 			assert (own == \dut.wanted );

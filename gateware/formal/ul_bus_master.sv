@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the bus master promises to a bus and to its two clients, whatever these do within the rules at its top:
-// an access stands still until it is taken or answered, at most four are under way, of one client and only reads, and
-// none for longer than the time-out after the last answer; each access that was granted is told as done once and in
-// order, to the client that it was granted to, with the word of its answer, up to the first that fails; what is under
-// way behind that one is answered before anything else is asked; a kept word is told without a look at the bus; the lock falls with a time-out, and for as many cycles,
-// or twice as many where several may have been under way, nothing more is asked of the bus; and no sample comes between
-// the accesses of an exclusive transaction, nor a request into a sample.
+// Properties of the bus master for a bus and two clients that follow the rules at its top. An access is stable until it
+// is accepted or answered. At most four accesses are in flight, all reads of one client, and none for longer than the
+// timeout after the last answer. Each granted access is reported done once and in order, to the client to which it was
+// granted, with the word of its answer, up to the first failure; the accesses in flight after that one are completed
+// before any other access begins. A kept word is reported without a bus access. bus_lock is '0' after a timeout, and
+// the bus is not used for as many cycles, or twice as many if several accesses may have been in flight. No sample comes
+// between the accesses of an exclusive transaction, and no request during a sample.
 //
-// ONE_BY_ONE: it is built for a bus that has one access at a time.
+// ONE_BY_ONE: the bus master is configured for a bus with one access at a time.
 
 module ul_bus_master_properties #(
 	parameter TIMEOUT = 3
@@ -50,24 +50,24 @@ module ul_bus_master_properties #(
 	reg asked = 0;
 	reg [16:0] access;
 	reg [2:0] lasts = 0;
-	// Accesses that the bus has taken and not answered.
+	// Number of accesses that the bus has accepted but not answered.
 	reg [2:0] taken = 0;
-	// The answer in the last cycle.
+	// Answer in the last cycle.
 	reg answered = 0;
 	reg [7:0] word;
-	// A kept word is being looked at; it was in the last cycle.
+	// A kept word is being reported now; one was in the last cycle.
 	reg keeping = 0, kept_before = 0;
-	// Accesses that were granted and not yet told, whose they are, and what is still to follow in their transaction.
+	// Number of granted accesses not yet reported, their client, and whether their transaction has further accesses.
 	reg [2:0] open = 0;
 	reg open_sample = 0;
 	reg exclusive = 0, sampling = 0, block = 0;
-	// What is under way is of a block or of a sample of several words; one of them has failed.
+	// The accesses in flight belong to a block or to a sample of several words; one of them has failed.
 	reg ahead = 0, failed = 0;
 	reg request_waits = 0, sample_waits = 0;
 	reg [4:0] done = 0;
-	// Cycles for which nothing more may be asked after a time-out.
+	// Number of cycles for which the bus must not be used after a timeout.
 	reg [3:0] rest = 0;
-	// The words that are read belong to the last instant.
+	// The words being read belong to the last sample strobe.
 	reg instant = 0;
 
 	wire told = request_done || sample_done;
@@ -86,10 +86,10 @@ module ul_bus_master_properties #(
 	end
 
 	always @(posedge clk) if (!rst) begin
-		// The rule for the bus: it takes an access before its answer where others may follow.
+		// Assumption on the bus: it accepts an access before its answer only if others may follow.
 		assume (!bus_next || (bus_request && bus_ahead));
-		// The rules for clients: a request stands until it is granted, and its transaction is of one kind; behind its
-		// last access none is asked for before that is told.
+		// Assumptions on the clients: a request is stable until it is granted, and its transaction is of one kind; after its
+		// last access a client requests nothing until that access is reported.
 		request_waits <= request && !request_granted && !(request_done && failure != 0);
 		sample_waits <= sample && !sample_granted && !(sample_done && failure != 0);
 		assume (!request_waits || request);
@@ -177,7 +177,7 @@ module ul_bus_master_properties #(
 		if (exclusive || sampling)
 			assert (bus_lock || (told && failure == 5));
 
-		// A sample has one instant, in front of its first access, and no access of a request until it is over.
+		// A sample has one strobe, before its first access; no access of a request occurs until the sample is over.
 		assert (sample_strobe == (sample_granted && !sampling));
 		assert (!sample_strobe || !sample_access);
 		if (bus_request)
@@ -190,7 +190,7 @@ module ul_bus_master_properties #(
 		if (sampling && !(told && failure != 0))
 			assert (sample_access);
 
-		// What makes the proof hold without a bound.
+		// Invariants that make the proof hold without a bound.
 		assert (\dut.state <= REST);
 		assert ((under_way || keeping) == (\dut.state == ACTIVE || \dut.state == DRAIN));
 		assert (!(under_way && keeping) && keeping == (\dut.state == ACTIVE && \dut.kept ));

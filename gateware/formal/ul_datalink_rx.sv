@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the datalink layer promises inwards, for every byte that may come and every readiness: what is offered stands
-// until it is taken; no more characters and ends go on than came; an end tells of an error of the datalink layer or of
-// none, and never of a wrong check where there is none; nothing is left of the check of a frame that is good, but where
-// it begins with a small letter and there is no session; and it never stops for longer than it takes to empty its delay
-// line. (What is found wrong with which frame, the benches say.)
+// Properties of the datalink receiver for all received bytes and any readiness of its sink: an output is stable until
+// it is accepted; it outputs no more characters and ends than it received; an end has an error of the datalink layer or
+// none, and a CRC error only if the frame has a CRC; the residue of a good frame is 0, unless the frame begins with a
+// small letter and no session exists; and the receiver never stops for longer than it takes to empty its delay line.
+// (The benches test which error is reported for which frame.)
 //
-// The session stands still from a frame's first letter to its end, as the decoder and the executor see to.
+// Assumed: the session is stable from a frame's first letter to its end, as decoder and executor ensure.
 
 module ul_datalink_rx_properties (
 	input clk,
@@ -35,11 +35,11 @@ module ul_datalink_rx_properties (
 	reg [2:0] ends = 0;
 	reg [2:0] refused = 0;
 	reg [2:0] frames = 0;
-	// A letter was given, and its first one is small; the session in the cycle before.
+	// text: a letter was output. small: the first one is small. session_before: the session in the cycle before.
 	reg text = 0, small = 0;
 	reg [8:0] session_before;
 
-	// The record of registers, its first element lowest.
+	// The record of registers, its first element at the lowest bits.
 	(* hierconn *) wire [53:0] \dut.r ;
 
 	always @(posedge clk) begin
@@ -49,7 +49,7 @@ module ul_datalink_rx_properties (
 	end
 
 	always @(posedge clk) if (!rst) begin
-		// Bounded, so that they can be counted: each frame anew, since an end takes all of them away.
+		// Bounded so that they can be counted; the count restarts with each frame, because an end discards all of them.
 		assume (characters < 200);
 		offered <= out_valid && !give;
 		offer <= {out_data, out_last, out_plain, out_error, out_silent, out_residue};
@@ -80,7 +80,7 @@ module ul_datalink_rx_properties (
 		assert (!out_silent);
 		assert (refused <= CHECK_DIGITS + 1);
 
-		// What makes the proof hold without a bound.
+		// Invariant that makes the proof hold without a bound.
 		assert (\dut.r [26] == text && \dut.r [27] == small && (text || !small));
 
 		cover (frames == 2 && give && out_last && out_plain);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the datalink layer promises outwards, for every body and every readiness: what is offered stands until it is
-// taken; each character of a body goes out, once, in its turn; behind the last one come CR LF (plain) or the digits of
-// the check and LF; the mark of a frame stands beside its LF and nowhere else. (What the check is, the benches say.)
+// Properties of the datalink transmitter for all bodies and any readiness of its sink: an output is stable until it is
+// accepted; each character of a body is output once and in order; after the last one it outputs CR LF (plain) or the
+// digits of the CRC and LF; the mark of a frame is output beside its LF only. (The benches test the value of the CRC.)
 
 module ul_datalink_tx_properties (
 	input clk,
@@ -31,7 +31,7 @@ module ul_datalink_tx_properties (
 	wire give = !rst && out_valid && out_ready;
 	reg offered = 0;
 	reg [9:0] offer;
-	// What the next character out belongs to, and the character of a body that is on its way.
+	// Part of the frame to which the next output belongs, and the character of a body that is in the output register.
 	reg [2:0] part = BODY;
 	reg held = 0;
 	reg [7:0] character;
@@ -41,7 +41,7 @@ module ul_datalink_tx_properties (
 	wire [1:0] expected_mark = part == LF ? mark : 0;
 	wire is_digit = (out_data >= "0" && out_data <= "9") || (out_data >= "A" && out_data <= "F");
 
-	// The record of registers, its first element lowest.
+	// The record of registers, its first element at the lowest bits.
 	(* hierconn *) wire [26:0] \dut.r ;
 	wire [2:0] state = \dut.r [2:0];
 	wire [1:0] left = \dut.r [4:3];
@@ -97,12 +97,12 @@ module ul_datalink_tx_properties (
 				assert (out_data == 8'h0A);
 			assert (out_mark == expected_mark);
 		end
-		// A body once begun never waits for itself.
+		// Within a body, the transmitter inserts no pauses.
 		assert (out_valid == (part != BODY || held));
 		if (part != BODY)
 			assert (last && !held && part <= LF && (part == LF || plain == (part == CR)));
 
-		// What makes the proof hold without a bound: the state of the sender runs one character ahead.
+		// Invariants that make the proof hold without a bound: the state of the transmitter is one character ahead.
 		if (!out_valid || part == LF || part == BODY && !last)
 			assert (state == STATE_BODY && part == LF == last);
 		else if (part == BODY)

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the dual-clock FIFO promises, for any two clocks: an entry that went in comes out as it went in and in its turn,
-// none is lost and none appears; what is offered stands until it is taken; it never takes more than it holds, and
-// `in_level` never says less than is inside.
+// Properties of the dual-clock FIFO for any two clocks: an entry leaves unchanged and in order, none is lost and none
+// is duplicated; an output is stable until it is accepted; the FIFO never stores more entries than its depth, and
+// `in_level` is never less than the number stored.
 //
-// A step of the proof is an instant, and `in_clk` or `out_clk` at '1' says that this clock has its edge then: the tool
-// puts it so into the converted design. Every order of edges is one of these. An edge that both have at once reads the
-// pointer of the other side as it was; that a pointer caught while it changes is its old or its new value needs no
-// more than that one bit of it changes at a time, which is proved below.
+// Each step of the proof is an instant; `in_clk` or `out_clk` at '1' means that this clock has its edge then (the tool
+// converts the design to this form). So every order of edges is covered. If both clocks have an edge at once, each side
+// reads the other's pointer before the change. A pointer sampled during a change reads as its old or its new value if
+// only one bit changes at a time; that is proved below.
 //
-// Which entry is followed is left open (`follow`), so what holds for it holds for all. The second half are the
-// invariants that make the proof hold without a bound: where the entry waits, and how the pointers stand to each other.
+// The followed entry is arbitrary (`follow`), so its properties hold for all entries. The second half has the
+// invariants that make the proof hold without a bound: the place of the entry, and the relations of the pointers.
 
 module ul_fifo_async_properties #(
 	parameter WIDTH = 2,
@@ -77,7 +77,7 @@ module ul_fifo_async_properties #(
 		if (offered)
 			assert (out_valid && out_data == offer);
 
-		// It can be filled, drained, and passed through, each after its memory was gone round.
+		// The FIFO can be filled, drained, and passed through, each after its memory has wrapped around.
 		cover (inside == DEPTH + 1 && gone == DEPTH);
 		cover (inside == 0 && gone == 2 * DEPTH);
 		cover (push && pop && gone > DEPTH);
@@ -101,7 +101,7 @@ module ul_fifo_async_properties #(
 		end
 	endfunction
 
-	// How far a pointer is beyond the oldest one that anybody sees.
+	// Distance of a pointer from the oldest pointer that either side sees.
 	function [ADDRESS:0] beyond(input [ADDRESS:0] pointer);
 		beyond = pointer - binary(\dut.read_seen );
 	endfunction

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the synchronous FIFO promises, for every sequence of offers and readiness: an entry that went in comes out as it
-// went in and in its turn, none is lost and none appears; what is offered stands until it is taken; its capacity is its
-// depth, and `level` counts what is inside.
+// Properties of the synchronous FIFO for all sequences of inputs and readiness: an entry leaves unchanged and in order,
+// none is lost and none is duplicated; an output is stable until it is accepted; the capacity equals the depth, and
+// `level` is the number of stored entries.
 //
-// An offer that is not taken may be changed or taken back: the FIFO must not rely on a source that behaves better.
-// Which entry is followed is left open (`follow`), so what holds for it holds for all. The second half are the
-// invariants that make the proof hold without a bound: where the entry waits, and how the pointers stand to each other.
+// An input that is not accepted may change or be withdrawn: the FIFO must not rely on a stable source. The followed
+// entry is arbitrary (`follow`), so its properties hold for all entries. The second half has the invariants that make
+// the proof hold without a bound: the place of the entry, and the relations of the pointers.
 
 module ul_fifo_sync_properties #(
 	parameter WIDTH = 2,
@@ -64,7 +64,7 @@ module ul_fifo_sync_properties #(
 		if (offered)
 			assert (out_data == offer);
 
-		// It can be filled, drained, and passed through, each after its memory was gone round.
+		// The FIFO can be filled, drained, and passed through, each after its memory has wrapped around.
 		cover (inside == DEPTH && gone == 2 * DEPTH);
 		cover (inside == 0 && gone == 2 * DEPTH + 1);
 		cover (push && pop && inside == 1 && gone > DEPTH);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the receiver of the MAC promises, for every line there may be: a frame of which it says that it is good has as
-// many bytes as a frame may have, all of which went out, and ends in its right check; and it never locks up: where the
-// line is silent and the verdict is taken, it looks for the next frame within four cycles, whatever was before.
+// Properties of the MAC receiver for all input signals: a frame reported as good has an allowed number of bytes, all of
+// which were output, and a right frame check sequence; and the receiver never locks up: if the line is idle and the
+// status is accepted, it searches for the next frame within four cycles, whatever its previous state.
 //
-// The check is worked out here from the bytes that went out, bit by bit as IEEE 802.3 has it. It is proved with frames of
-// 6 to 8 bytes. The last half are the invariants by which the proof holds for any number of cycles: what the receiver has
-// of the check is that of those bytes, and of the symbol behind them.
+// The frame check sequence is computed here from the bytes that were output, bit by bit as in IEEE 802.3. The proof
+// uses frames of 6 to 8 bytes. The second half has the invariants that make the proof hold for any number of cycles:
+// the receiver's CRC is that of these bytes and of the symbol after them.
 
 module ul_mac_rx_properties (
 	input clk,
@@ -83,13 +83,13 @@ module ul_mac_rx_properties (
 		if (silent == 4)
 			assert (\dut.state == HUNTING && !out_valid);
 
-		// One that is too long, and a good one behind it.
+		// A frame that is too long, and a good one after it.
 		cover (\dut.length == 9);
 		cover (give && out_end && out_data[0] && bad_one);
 	end
 
 `ifdef COVER
-	// The line that reaches them.
+	// The input that reaches the cover statements.
 	localparam STEPS = 57;
 	localparam [4*STEPS-1:0] SYMBOLS = 228'h189996993412d55000000077777777777777777777d550000;
 	localparam [STEPS-1:0] VALID = 57'h1fffc07fffff0;
@@ -100,7 +100,7 @@ module ul_mac_rx_properties (
 	end
 `endif
 
-	// With the byte that stands at the output.
+	// Includes the byte at the output.
 	wire pending = out_valid && !out_end;
 	wire [31:0] check_all = pending ? eight(check, out_data) : check;
 	wire [10:0] bytes_all = bytes + pending;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the executor promises about sessions, whatever the decoder, the bus and the groups do, resets included: between a
-// reset and the end of the answer to the next K that begins a session, and for what comes from outside of every session,
-// no request with an ID begins an access, changes a group or writes its list of addresses; and each is answered by error
-// 0A under its ID, with what its check left behind, unless it was sent to all nodes: then nothing becomes of it.
+// Properties of the executor about sessions, for any behaviour of decoder, bus and groups, and for resets. Between a
+// reset and the end of the answer to the next K that begins a session, and for requests from outside of every session,
+// no request with an ID begins an access, changes a group or writes its list of addresses; and each is answered by
+// error 0A with its ID and its CRC residue, except that a request to all nodes is ignored.
 
 module ul_request_executor_properties (
 	input clk,
@@ -62,17 +62,18 @@ module ul_request_executor_properties (
 	ul_request_executor dut (.*);
 
 	reg begun = 0;
-	// A session is under way; the number of the request in the cycle before is its own; a K is being answered.
+	// under_way: a session exists. same: the number of the request in the cycle before is that of the session. opening: a
+	// K that begins a session is being answered.
 	reg under_way, same, opening;
-	// A request that must be refused has been accepted, and was not done with yet; what it was.
+	// refused: a request that must be rejected was accepted, and is not finished. The other registers describe it.
 	reg refused, answered, plain;
-	// What was sent to all nodes with an ID was accepted in the cycle before.
+	// A request with an ID to all nodes was accepted in the cycle before.
 	reg ignored;
 	reg [3:0] command;
 	reg [7:0] id;
 	reg executed;
 
-	// A record is laid out from its first field on, the lowest bit first.
+	// Records begin with their first field, at the lowest bit.
 	(* hierconn *) wire [100:0] \dut.r ;
 	wire [3:0] state = \dut.r [3:0];
 	wire [3:0] its_command = \dut.r [39:36];
@@ -87,7 +88,7 @@ module ul_request_executor_properties (
 	always @(posedge clk) begin
 		begun <= 1;
 		assume (begun || rst);
-		// `k` is no command.
+		// `k` is not a command.
 		assume (request_command != K || !request_has_id || request_error != 0);
 
 		same <= request_number[6:0] == session[6:0];
@@ -130,7 +131,7 @@ module ul_request_executor_properties (
 			if (ignored)
 				assert (!hold && !access_request && !group_request && !list_write && !answer_valid);
 
-			// What makes the proof hold without a bound.
+			// Invariants that make the proof hold without a bound.
 			assert (under_way == \dut.r [4] && for_program == \dut.r [5] && same == \dut.r [33]);
 			assert (\dut.r [81] == (state == ACCESS) && (!access_request || \dut.r [81]));
 			assert (!list_write || state == COPY);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the Wishbone wrapper promises, whatever the core does within the rules at its top and the slave beyond any:
-// it keeps to Wishbone B4; an answer is passed on where the access is the slave's, and nowhere else; what has been sent
-// away is asked again after one cycle; `cyc` stands while the lock does, and falls in an access only where the core
-// gives that up or the slave sends it away. Of several accesses in a pipeline each is given its own answer, in order,
-// also where some of them are sent away, and none but these is asked twice.
+// Properties of the Wishbone wrapper, for a core that follows the rules at its top and any slave: it follows Wishbone
+// B4; an answer is passed on only while the slave has the access; after `rty` the access is requested again after one
+// cycle; `cyc` is '1' while bus_lock is, and falls during an access only if the core gives it up or the slave answers
+// `rty`. Each of several pipelined accesses gets its own answer, in order, even if some are answered by `rty`, and only
+// those are requested twice.
 
 `ifdef PIPELINED
 module ul_wishbone_master_properties (
@@ -21,7 +21,7 @@ module ul_wishbone_master_properties (
 	input err,
 	input rty,
 	input stall,
-	// Which access is followed.
+	// Selects the access that is followed.
 	input pick
 );
 	localparam WAITS = 0, AWAY = 1, ANSWERED = 2;
@@ -51,16 +51,16 @@ module ul_wishbone_master_properties (
 	reg first = 1;
 	reg asked = 0, requested = 0, ahead = 0, answered = 0, away = 0;
 	reg [16:0] access;
-	// Accesses of the core that were taken and not passed on.
+	// Number of accesses accepted from the core and not reported yet.
 	reg [2:0] flight = 0;
-	// One of them: how many stand before it at the core and at the slave, and what is known of it.
+	// One of these accesses: number of accesses before it at the core and at the slave, and its state.
 	reg follows = 0;
 	reg [7:0] followed, word;
 	reg failed;
 	reg [2:0] before, waits;
 	reg [1:0] known;
 	reg [1:0] tries = 0;
-	// Cycles in which nothing happens though something is wanted.
+	// Cycles without progress although an access is requested.
 	reg [1:0] idle = 0;
 	reg [2:0] done = 0;
 
@@ -83,8 +83,9 @@ module ul_wishbone_master_properties (
 	end
 
 	always @(posedge clk) if (!first) begin
-		// The core's rules: an access stands still until it is taken or answered. Several are reads of one transaction, and
-		// four at most. Otherwise it is taken back for a cycle behind its answer. What is given up takes all with it.
+		// Assumptions on the core: an access is stable until it is accepted or answered. Several accesses in flight are reads
+		// of one transaction, and at most four. Otherwise the request is deasserted for a cycle after its answer. Giving up
+		// an access ends its whole transaction.
 		asked <= bus_request && !leaves;
 		requested <= bus_request;
 		ahead <= bus_ahead;
@@ -125,11 +126,11 @@ module ul_wishbone_master_properties (
 		if (is_done || !lives)
 			follows <= 0;
 
-		// What the core gets for the access followed is what the slave has answered to it, once and in order.
+		// The core gets exactly the slave's answer to the access followed, once and in order.
 		if (is_done)
 			assert (is_hit ? (ack || err) && {bus_error, bus_read_data} == {err, dat_i} :
 				!is_new && known == ANSWERED && {bus_error, bus_read_data} == {failed, word});
-		// No word is asked twice but for one that was sent away.
+		// No word is requested twice except after `rty`.
 		if (repeats && follows && before == 0)
 			assert (known == AWAY && adr == followed);
 		if (repeats)
@@ -148,7 +149,7 @@ module ul_wishbone_master_properties (
 		assert (!cyc || lives);
 		assert (idle <= 2);
 
-		// What makes the proof hold without a bound.
+		// Invariants that make the proof hold without a bound.
 		assert (held <= 4 && owed == open && owed <= held);
 		assert (\dut.with_pipeline_sent_away == (away && lives) || !lives || !$past(lives));
 		assert (ahead || flight == 0);
@@ -224,7 +225,7 @@ module ul_wishbone_master_properties (
 	reg first = 1, was_reset = 0;
 	reg asked = 0, answered = 0;
 	reg [16:0] access;
-	// The last cycle: an access was the slave's and not answered, and whether it was sent away.
+	// In the last cycle: an access was pending at the slave, and whether it was answered by `rty`.
 	reg pending = 0, away = 0;
 	reg [2:0] done = 0, tries = 0;
 
@@ -234,7 +235,7 @@ module ul_wishbone_master_properties (
 	end
 
 	always @(posedge clk) if (!first) begin
-		// The core's rules: an access stands still until it is answered, and is taken back for a cycle behind that.
+		// Assumptions on the core: an access is stable until it is answered, and deasserted for a cycle after that.
 		asked <= bus_request && !bus_done;
 		answered <= bus_done;
 		access <= {bus_write, bus_address, bus_write_data};
@@ -242,7 +243,7 @@ module ul_wishbone_master_properties (
 			assume ({bus_write, bus_address, bus_write_data} == access);
 		if (answered)
 			assume (!bus_request);
-		// One that is given up takes its transaction with it.
+		// Giving up an access ends its transaction.
 		if (asked && !bus_request)
 			assume (!bus_lock);
 
@@ -266,7 +267,7 @@ module ul_wishbone_master_properties (
 		assert (!cyc || bus_lock || bus_request);
 		assert (!bus_next);
 
-		// What makes the proof hold without a bound.
+		// Invariant that makes the proof hold without a bound.
 		assert (away == \dut.classic_sent_away );
 		cover (done == 2 && bus_done && tries == 3 && bus_lock);
 		cover (done == 3 && answered && asked == 0 && ack);

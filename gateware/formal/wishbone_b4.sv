@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What Wishbone B4 asks of a master and of a slave on a bus between two (revision B4, sections 3 and 5).
+// Rules of Wishbone B4 for a master and a slave on the bus between them (revision B4, sections 3 and 5).
 //
-// The rules of one side are asserted or assumed, as the proof is about it or about the other. A master may take back
-// `cyc` at any time; then a slave with registers may answer once more in the cycle after it.
+// The rules of one side are asserted if the proof is about that side, and assumed otherwise. A master may deassert
+// `cyc` at any time; a slave with registers may then still answer in the following cycle.
 
 module wishbone_b4 #(
 	parameter ADDRESS_BITS = 8,
 	parameter DATA_BITS = 8,
 	parameter PIPELINED = 0,
-	// Whether this side is proved; otherwise it is assumed to keep to the rules. 2: nothing is known of it.
+	// 1: this side is proved. 0: it is assumed to follow the rules. 2: no assumptions about it.
 	parameter MASTER = 1,
 	parameter SLAVE = 0
 ) (
@@ -25,7 +25,7 @@ module wishbone_b4 #(
 	input err,
 	input rty,
 	input stall,
-	// Accesses that a pipelined slave has taken and not answered.
+	// Number of accesses that a pipelined slave has accepted but not answered.
 	output reg [2:0] open
 );
 	wire answered = ack || err || rty;
@@ -36,14 +36,14 @@ module wishbone_b4 #(
 	reg held = 0, strobe = 0;
 	reg [ADDRESS_BITS+DATA_BITS+(DATA_BITS+7)/8:0] access;
 	initial open = 0;
-	// A read has no data.
+	// The data signals of a read are ignored.
 	wire [ADDRESS_BITS+DATA_BITS+(DATA_BITS+7)/8:0] asked = {we, adr, we ? dat : {DATA_BITS{1'b0}}, sel};
 
-	// Rule 3.20: what a reset ends. 3.25: `cyc` stands over the strobe. 3.60: an access stands still until it is taken.
+	// Rule 3.20: a reset ends accesses. 3.25: `cyc` includes the strobe. 3.60: an access is stable until it is accepted.
 	wire ends_by_reset = !was_reset || (!cyc && !stb);
 	wire is_in_cycle = !stb || cyc;
 	wire stands_still = !(held && cyc) || (stb && asked == access);
-	// Rule 3.45: one answer at a time. 3.35 and 3.50: none without an access.
+	// Rule 3.45: at most one kind of answer. 3.35 and 3.50: no answer without an access.
 	wire one_answer = ack + err + rty <= 1;
 	wire is_asked = PIPELINED ? !answered || open != 0 || took || (strobe && !cyc) : !answered || (cyc && stb) || (strobe && !stb);
 
