@@ -1,6 +1,6 @@
-"""Marks every bench `rtl`, the benches of `gateware/bench` also `slow`, and skips a bench whose tool is missing.
+"""Marks every bench `rtl`, the benches of `gateware/bench` also `slow`, and skips a bench if its tool is missing.
 
-A bench compiles its entity before it runs, so `make test` runs only the benches of the cores, one for each core.
+A bench compiles its entity before it runs, which takes long, so `make test` runs only one bench for each core.
 """
 
 from __future__ import annotations
@@ -21,12 +21,12 @@ _BENCHES = _HERE / "bench"
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Declare the mark, also when only this folder is run."""
+    """Declare the mark, for runs of this folder alone too."""
     config.addinivalue_line("markers", "rtl: runs the gateware in a simulator (needs ghdl and cocotb)")
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Mark what stands in this folder."""
+    """Mark the benches in this folder, and skip them if there is no simulator."""
     missing = pytest.mark.skip(reason="no simulator: apt install ghdl-mcode, pip install cocotb")
     for item in items:
         parents = Path(item.path).parents
@@ -40,7 +40,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_call() -> Generator[None]:
-    """Skip a test that a tool is missing for, with the sentence that names it."""
+    """Skip a test whose tool is missing, with the error text as the reason."""
     try:
         return (yield)
     except ToolMissingError as error:

@@ -1,4 +1,4 @@
-# Targets of the gateware; the Makefile above includes this file and brings VENV, BIN and ALL.
+# Targets of the gateware; the Makefile in the folder above includes this file and sets VENV, BIN and ALL.
 
 .PHONY: rtl synth synth-quick test-rtl lint-vhdl formal verilog lists datasheets
 
@@ -14,11 +14,11 @@ datasheets: $(ALL) ## tables and pictures of docs/reference/gateware and of the 
 verilog: $(ALL) ## the gateway as Verilog-2005 into build/verilog, one file for each configuration
 	@$(BIN)/python -m gateware.tools.verilog
 
-synth: $(ALL) ## sizes and Fmax of what has changed into gateware/RESULTS.md, checked against gateware/budget.toml; mapped.json
+synth: $(ALL) ## sizes and Fmax of changed designs into gateware/RESULTS.md, checked against gateware/budget.toml; mapped.json
 	@$(BIN)/python -m gateware.tools.synth
 	@$(BIN)/python -m gateware.tools.mapped
 
-synth-quick: $(ALL) ## each top and each board through Yosys, not placed: what a CI has the time for
+synth-quick: $(ALL) ## each top and each board through Yosys, not placed: short enough for a CI
 	@$(BIN)/python -m gateware.tools.synth_quick
 
 test-rtl: $(ALL) ## the benches of the gateware, in GHDL

@@ -46,7 +46,7 @@ def test_each_top_and_each_board_is_tried_once_and_together_where_only_their_pla
 def test_a_name_that_is_none_is_told(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     monkeypatch.setattr(sys, "argv", ["synth_quick", "ulx4s"])
     assert main() == 2
-    assert capsys.readouterr().err.startswith("no top and no board has 'ulx4s' in its name: those are default, ")
+    assert capsys.readouterr().err.startswith("no top and no board has 'ulx4s' in its name; there are default, ")
 
 
 def test_what_a_tool_refuses_is_found_and_what_is_right_is_not(

@@ -1,8 +1,8 @@
-"""The tool flow of the gateware: VHDL to Verilog, to a C++ model of the same RTL, and to logic cells.
+"""The tool flow of the gateware: converts VHDL to Verilog, to a C++ model of the same RTL, and to logic cells.
 
-`ghdl` finds or fetches a GHDL that converts correctly, `convert` uses it, `model` makes what `unity_link.virtual.rtl`
-compiles, `synth` what `gateware/RESULTS.md` shows, `mapped` what `gateware/mapped.json` has. Each result is kept under
-a hash of what it was made from.
+`ghdl` finds or downloads a GHDL that converts correctly, and `convert` uses it. `model` writes the C++ that
+`unity_link.virtual.rtl` compiles, `synth` writes `gateware/RESULTS.md`, and `mapped` writes `gateware/mapped.json`.
+Each result is stored under a hash of its inputs.
 """
 
 from __future__ import annotations
@@ -11,5 +11,5 @@ import argparse
 
 
 def parser_of(about: str | None) -> argparse.ArgumentParser:
-    """Return the parser of the command line of a tool, which shows the tool's docstring as it is written."""
+    """Return the command-line parser of a tool, whose help shows the tool's docstring unchanged."""
     return argparse.ArgumentParser(description=about, formatter_class=argparse.RawDescriptionHelpFormatter)

@@ -1,8 +1,8 @@
-"""The constraints of the crossings, and of the pins of FT245 and PHYs, for each vendor's tool: written by `make lists`.
+"""The constraints of the clock domain crossings, and of the pins of FT245 and PHYs, for each vendor's tool.
 
-What crosses is read from the VHDL: each `ul_synchroniser` whose label ends in `_crossing` takes bits that know nothing
-of each other, each `ul_reset_synchroniser` a reset, and the two of `ul_fifo_async` Gray pointers. So every tool is told
-of the same paths.
+`make lists` writes them. The crossings are read from the VHDL: each `ul_synchroniser` whose label ends in `_crossing`
+takes independent bits, each `ul_reset_synchroniser` a reset, and the two of `ul_fifo_async` Gray pointers. So every
+tool gets constraints for the same paths.
 """
 
 from __future__ import annotations
@@ -24,15 +24,15 @@ _RESETS = re.compile(r"^ *(\w+) : entity work\.ul_reset_synchroniser$", re.MULTI
 _FIFO = "ul_fifo_async"
 _POINTERS = ("write", "read")
 _FIFOS = ("*ft245_sync*fifo*", "*mac_inst*fifo*")
-"""Find the instances of it, and none of a FIFO with one clock, which `unity_link` has beside them."""
+"""Match the asynchronous FIFOs, and none of the synchronous FIFOs that `unity_link` has besides."""
 _PADS = {"ul_ft245_async": ("receive_flag", "transmit_flag")}
-"""Registers at pins of an entity that meet what comes from no clock."""
+"""Registers at the pins of an entity that sample asynchronous inputs."""
 _BOUND_NS = 10
 _PHYS = ("rmii", "mii", "rgmii")
 _LANES = {"rmii": 2, "mii": 4, "rgmii": 4}
 _MADE_CLOCK = (
-    "clk is the clock of 50 MHz that phy_tx_clk of unity_link is connected to: put the output of a PLL in its place if "
-    "one makes it."
+    "clk is the clock of 50 MHz at phy_tx_clk of unity_link. If a PLL generates it, put the output of the PLL in its "
+    "place."
 )
 _BOUND = (
     f"{_BOUND_NS} ns: put the period of the faster clock here. It also bounds the skew of a pointer, which has no "
@@ -47,11 +47,11 @@ class _Tool(NamedTuple):
     name: str
     comment: str
     registers: Callable[[str], str]
-    """Writes what finds registers by a pattern of their names, in which `/` stands between instances."""
+    """Format the command that finds registers by a pattern of their names, with `/` between instances."""
     clock: str
-    """A clock by its name."""
+    """Form of a clock, by its name."""
     bound: str
-    """The command for the most that a way may take."""
+    """Command for the maximum delay of a path."""
 
 
 _GOWIN = _Tool("Gowin's tool", "//", "[get_regs {{{}}}]".format, "{}", "set_max_delay")
@@ -60,7 +60,7 @@ _EFINITY = _Tool("Efinity", "#", "[get_cells {{{}}}]".format, "{}", "set_max_del
 
 
 def crossings() -> dict[str, tuple[list[str], list[str]]]:
-    """Return the labels of single bits and of resets that cross, by the entity in which they stand."""
+    """Return the labels of single bits and of resets that cross, by the entity that contains them."""
     found: dict[str, tuple[list[str], list[str]]] = {}
     for source in vhdl_sources():
         text = source.read_text()
@@ -80,7 +80,7 @@ def constraints() -> dict[str, str]:
         "efinity/unity_link.sdc": _sdc(_EFINITY),
         "lattice/unity_link.lpf": _lpf(),
         "vivado/ul_ft245_sync_pins.xdc": _vivado_pins(
-            "ft245_sync", "a synchronous FT245", ("# Of gateware/pads/xilinx; the attribute IOB asks for it already.",)
+            "ft245_sync", "a synchronous FT245", ("# gateware/pads/xilinx has the attribute IOB already.",)
         ),
         f"vivado/{_FIFO}.xdc": _vivado_fifo(),
     }
@@ -99,7 +99,7 @@ def constraints() -> dict[str, str]:
 
 
 def _lines(comment: str, head: Iterable[str], commands: Iterable[str]) -> str:
-    """Return a file: the licence, paragraphs as comments, and commands."""
+    """Return the text of a file: the licence, paragraphs as comments, and commands."""
     start = f"{comment} "
     filled = ((comment, *textwrap.wrap(text, 120, initial_indent=start, subsequent_indent=start)) for text in head)
     told = (line for paragraph in filled for line in paragraph)
@@ -122,11 +122,11 @@ def _sdc(tool: _Tool) -> str:
         (
             *_pins(tool.clock, "ft245_sync"),
             "",
-            f"{tool.comment} Gray pointers, and the memory of a FIFO where it is one of LUTs.",
+            f"{tool.comment} Gray pointers, and the memory of a FIFO if it consists of LUTs.",
             *(bound.format(registers(f"*{way}_gray*"), registers(f"*{way}_crossing/meta*")) for way in _POINTERS),
             *(bound.format(registers(f"{fifo}memory*"), registers(f"{fifo}out_data*")) for fifo in _FIFOS),
             "",
-            f"{tool.comment} One bit each, and resets, which begin at any instant.",
+            f"{tool.comment} Single bits, and resets, which are asserted asynchronously.",
             *(f"set_false_path -to {registers(f'*{label}/meta*')}" for label in (*_all(0), *_all(1))),
             *(
                 f"set_false_path -to {registers(f'*{entity[3:]}*{label}*')}"
@@ -141,9 +141,9 @@ def _pins(clock: str, medium: str, source: str = "[get_ports {clk}]") -> Iterato
     """Yield the clocks of a medium and the delays of its pins.
 
     Args:
-        clock: form of a clock, of which the name is put in.
+        clock: form of a clock, into which its name is inserted.
         medium: one of `PIN_TIMES`.
-        source: the pin that a clock which the FPGA makes comes from.
+        source: the port from which a clock that the FPGA generates is derived.
     """
     for pins in PIN_TIMES[medium]:
         made = f"create_generated_clock -name {pins.clock} -source {source} -divide_by 2"
@@ -179,7 +179,7 @@ def _phy_lpf(medium: str) -> str:
 
 
 def _preferences(medium: str) -> Iterator[str]:
-    """Yield the lines of Diamond, which has a time for each bit, and none for the way to a made clock."""
+    """Yield the lines for Diamond, which sets times for each bit, but none for outputs to a generated clock."""
     for pins in PIN_TIMES[medium]:
         if not pins.is_made:
             yield f'FREQUENCY PORT "{pins.clock}" {1000 / pins.period_ns:g} MHZ;'
@@ -208,7 +208,7 @@ def _quartus() -> str:
             *(f"    {line}" for line in _pins("{}", "ft245_sync") if line),
             "}",
             "",
-            "# Gray pointers: within a cycle of the clock that takes them, by less than one of the other apart.",
+            "# Gray pointers: delay below a cycle of the receiving clock, skew below a cycle of the sending clock.",
             f"foreach way {{{' '.join(_POINTERS)}}} {{",
             f'    set from [get_registers -nowarn "*{_FIFO}*|${{way}}_gray\\[*\\]"]',
             f'    set to   [get_registers -nowarn "*{_FIFO}*|*:${{way}}_crossing|meta\\[*\\]"]',
@@ -226,14 +226,14 @@ def _quartus() -> str:
             "    }",
             "}",
             "",
-            f"# The memory of a FIFO where it is one of LUTs. {_BOUND_NS} ns: put the period of the faster clock here.",
+            f"# The memory of a FIFO if it consists of LUTs. {_BOUND_NS} ns: put the period of the faster clock here.",
             f'set memory [get_registers -nowarn "*{_FIFO}*|*memory*"]',
             f'set taken  [get_registers -nowarn "*{_FIFO}*|out_data\\[*\\]"]',
             "if {[get_collection_size $memory] && [get_collection_size $taken]} {",
             f"    set_max_delay -from $memory -to $taken {_BOUND_NS}",
             "}",
             "",
-            "# One bit each, and resets, which begin at any instant.",
+            "# Single bits, and resets, which are asserted asynchronously.",
             f"foreach crossing {{{' '.join(_all(0))}}} {{",
             '    set_false_path -to [get_registers -nowarn "*${crossing}|meta*"]',
             "}",
@@ -272,8 +272,8 @@ def _vivado(entity: str, bits: list[str], resets: list[str]) -> str:
             f"{entity} in Vivado: read_xdc -ref {entity} {entity}.xdc",
             _MADE,
             (
-                "What comes from no clock, or is one bit: any delay is right. A reset begins at any instant; its end "
-                "is timed, from the last register of its row on."
+                "Asynchronous inputs and single bits: any delay is right. A reset is asserted asynchronously; its end "
+                "is timed from the last register of its synchroniser."
             ),
         ),
         (
@@ -293,13 +293,13 @@ def _vivado_fifo() -> str:
         "#",
         (
             (
-                f"{_FIFO} in Vivado: read_xdc -ref {_FIFO} {_FIFO}.xdc, behind the create_clock of both clocks (with "
-                "PROCESSING_ORDER LATE where those are in a file of a project)."
+                f"{_FIFO} in Vivado: read_xdc -ref {_FIFO} {_FIFO}.xdc, after the create_clock of both clocks (with "
+                "PROCESSING_ORDER LATE if those are in a file of a project)."
             ),
             _MADE,
             (
-                "The bits of a Gray pointer must differ by less than a cycle of the clock that makes them, and arrive "
-                "within one of that which takes them. What is read has stood there for more than a cycle."
+                "The delays of the bits of a Gray pointer must differ by less than a cycle of the sending clock, and "
+                "be below a cycle of the receiving clock. An entry is stable for more than a cycle before it is read."
             ),
         ),
         (
@@ -319,7 +319,7 @@ def _vivado_fifo() -> str:
                 )
             ),
             "",
-            "# Where the memory is one of LUTs: a block RAM reads by the clock that takes.",
+            "# For a memory of LUTs: a block RAM is read by the receiving clock.",
             "set_max_delay -quiet -datapath_only -from [get_clocks -of_objects [get_ports in_clk]] \\",
             "    -to [get_cells -quiet {out_data_reg[*]}] $out_ns",
         ),

@@ -1,24 +1,24 @@
-"""The cores of the gateware as tools see them: a folder of `gateware/cores` each, and what its `core.toml` says.
+"""The cores of the gateware for the tools: the folders of `gateware/cores`, and the contents of each `core.toml`.
 
-That file says how the core is proved, and what it may take of an FPGA; all other is found by its name. In core `NAME`:
+That file describes how the core is proved, and its budget in an FPGA; everything else is found by name. In core `NAME`:
 
-    [[proofs]]                          any number; the properties of the entity `ul_NAME` stand in `ul_NAME.sv`
-    entity = "ul_NAME_part"             another entity, whose properties are in the file of that name
+    [[proofs]]                          any number; the properties of the entity `ul_NAME` are in `ul_NAME.sv`
+    entity = "ul_NAME_part"             another entity; its properties are in the file of that name
     generics = { axes = 1 }
-    defines = ["COUNTER"]               of the preprocessor of the properties; they tell proofs apart
+    defines = ["COUNTER"]               for the preprocessor of the properties; they distinguish proofs
     cover_steps = 20                    within which every `cover` is reached from reset
     induction_steps = 2
-    bits = true                         z3 is faster so where there is much arithmetic
+    bits = true                         makes z3 faster if there is much arithmetic
     faults."the filter is open" = ["signal", "1'b1"]
-                                        with which the proof must fail: a signal of the converted Verilog, as a regular
-                                        expression, and what drives it instead
+                                        a fault with which the proof must fail: a signal of the converted Verilog, as a
+                                        regular expression, and the expression that drives it instead
 
     [sizes.6]                           any number; the configuration is called `NAME_6`
     generics = { axes = 6 }
     ecp5 = { logic = 900, memory = 0, fmax_mhz = 100 }
-                                        the most that it may take, and the least speed, on a device of
-                                        `gateware/tools/synth.py`; a device that is not named is not tried;
-                                        `seed = 2` is one of the placer, where the router does not end with 1
+                                        the maximum size and the minimum speed on a device of
+                                        `gateware/tools/synth.py`; the configuration is not placed on other devices;
+                                        `seed = 2` selects another seed if the router does not finish with 1
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ class Limits(msgspec.Struct, forbid_unknown_fields=True):
 
 
 class Size(msgspec.Struct, forbid_unknown_fields=True):
-    """A configuration of a core that is placed."""
+    """A configuration of a core to place."""
 
     generics: dict[str, bool | int | str] = {}
     ice40: Limits | None = None
@@ -66,7 +66,7 @@ class Size(msgspec.Struct, forbid_unknown_fields=True):
 
     @property
     def limits(self) -> dict[str, Limits]:
-        """Limits by the device."""
+        """Limits by device."""
         on_each = {"ice40": self.ice40, "up5k": self.up5k, "ecp5": self.ecp5}
         return {device: limits for device, limits in on_each.items() if limits is not None}
 
@@ -87,7 +87,7 @@ class Core(NamedTuple):
 
     @property
     def entity(self) -> str:
-        """Name of its entity."""
+        """Name of the core's entity."""
         return f"ul_{self.folder.name}"
 
 
@@ -95,7 +95,7 @@ def cores() -> Iterator[Core]:
     """Yield each core of the gateware, sorted by name.
 
     Raises:
-        ValueError: for a `core.toml` with something else in it.
+        ValueError: if a `core.toml` has an unknown field.
     """
     for folder in core_folders():
         file = folder / "core.toml"

@@ -1,11 +1,11 @@
-"""The parts of datasheets that follow from the sources, and their pictures: written by `make datasheets`.
+"""The parts of datasheets that are derived from the sources, and their pictures: written by `make datasheets`.
 
-The page of an entity is in docs/reference/gateware, that of a core is the `README.md` of its folder. It is written by
-hand, but for what stands between comments that say what is to be there: the tables of generics and ports, from the
-VHDL; what it takes and how fast it is, from `gateware/RESULTS.md` and `gateware/mapped.json`; the files of constraints.
-Pictures are drawn of simulations (`gateware.bench.datasheets`). Tests hold both equal to what is in the tree.
+The page of an entity is in docs/reference/gateware, the page of a core is the `README.md` of its folder. A page is
+written by hand, except the parts between comments that name their contents: the tables of generics and ports, from the
+VHDL; size and speed, from `gateware/RESULTS.md` and `gateware/mapped.json`; the files of constraints. Pictures are
+drawn from simulations (`gateware.bench.datasheets`). Tests compare both with the sources of today.
 
-The entities that are generated from a spec are shown by those of one example (`gateware.tools.generated`).
+The pages of generated entities show those of one example spec (`gateware.tools.generated`).
 
     python -m gateware.tools.datasheets
 """
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 PAGES = GATEWARE.parent / "docs" / "reference" / "gateware"
 _PART = re.compile(r"(<!-- Written by `make datasheets`, (\w+)((?: \w+)*): begin -->\n).*?(<!-- end -->)", re.DOTALL)
-# A literal, or a name that no sentence has: with an underscore, or of a clock.
+# # A literal, or a name that no English sentence contains: with an underscore, or of a clock.
 _CODE = re.compile(r"""'[01]'|"\w+"|\b[a-z\d]+_[a-z\d_]+|\bclk(?:out)?\b""")
 _WHOLE_TEXT = re.MULTILINE | re.DOTALL
 _ALL = re.compile(r"^\(others => (.+)\)$")
@@ -40,7 +40,7 @@ _WHOLE = {
     "Radiant": ["lattice/unity_link.pdc"],
     "Efinity": ["efinity/unity_link.sdc"],
 }
-"""The files of all entities, of tools that have no others."""
+"""Files for all entities, for tools that have one file each."""
 _PINS_OF_PHY = {
     "Quartus": "quartus/MEDIUM_pins.sdc",
     "Gowin EDA": "gowin/MEDIUM_pins.sdc",
@@ -52,19 +52,19 @@ _PINS_OF_PHY = {
 
 
 def entity(name: str) -> Entity:
-    """Return an entity of the gateware, of its boards, or of what is generated.
+    """Return an entity of the gateware, of its boards, or of the generated VHDL.
 
     Raises:
-        ValueError: if there is none, or what it has bears no comment.
+        ValueError: if there is no entity of this name, or a generic or port of it has no comment.
     """
     return read_entity(_text_of(name), name, entity)
 
 
 def _text_of(name: str) -> str:
-    """Return the file of an entity.
+    """Return the text of the file of an entity.
 
     Raises:
-        ValueError: if there is none of its name.
+        ValueError: if there is no file of its name.
     """
     if name in generated.ENTITIES:
         return generated.texts()[name]
@@ -75,13 +75,13 @@ def _text_of(name: str) -> str:
 
 
 def sheets() -> dict[str, Path]:
-    """Return the page of each entity that has one, by its name; that of a core is the `README.md` in its folder."""
+    """Return the page of each entity that has one, by its name; the page of a core is the `README.md` in its folder."""
     by_hand = {path.stem: path for path in sorted(PAGES.glob("*.md")) if path.stem != "index"}
     return by_hand | {core.entity: core.folder / "README.md" for core in cores()}
 
 
 def filled(name: str) -> str:
-    """Return the page of an entity with the parts that are not written by hand as they should be."""
+    """Return the page of an entity with its derived parts written anew."""
     return _PART.sub(lambda part: _written(name, part), sheets()[name].read_text())
 
 
@@ -120,7 +120,7 @@ def _ports(name: str, _: Sequence[str]) -> list[str]:
 
 
 def _with_defaults(group: Group) -> str:
-    """Return what ports mean, and what inputs are that are left open."""
+    """Return the meaning of ports, and the values of inputs that are left open."""
     defaults = sorted({_ALL.sub(r"\1", port.default) for port in group.declarations if port.default})
     return _marked(group.meaning) + (
         f" Left open: {', '.join(f'`{default}`' for default in defaults)}." if defaults else ""
@@ -128,7 +128,7 @@ def _with_defaults(group: Group) -> str:
 
 
 def _marked(text: str) -> str:
-    """Return a sentence with what is VHDL in it marked as code."""
+    """Return a sentence with the VHDL in it marked as code."""
     return _CODE.sub(lambda found: f"`{found[0]}`", text)
 
 
@@ -150,7 +150,7 @@ def _resources(_: str, configurations: Sequence[str]) -> list[str]:
 
 
 def _mapped(configurations: Sequence[str]) -> Iterator[tuple[str, ...]]:
-    """Yield a row for each family that nothing is placed for, and each configuration that was mapped."""
+    """Yield a row for each family that is mapped but not placed, and each configuration that was mapped."""
     found = mapped.results()
     for name, target in mapped.TARGETS.items():
         for configuration in configurations:
@@ -180,21 +180,21 @@ def _constraints(name: str, _: Sequence[str]) -> list[str]:
         return [_PINS_OF_PHY[tool]] if "ul_mac" in below else []
 
     if not scoped:
-        return ["The period of its clock, and no more: nothing in it crosses from one clock to another."]
+        return ["Only the period of its clock: it has no clock domain crossing."]
     rows = [
         ("Vivado", ", ".join([*scoped, *pins])),
         *((tool, ", ".join(f"`{path}`" for path in (*paths, *of_phy(tool)))) for tool, paths in _WHOLE.items()),
     ]
     return [
-        "The period of each clock, and these of `gateware/constraints`; its `README.md` says what they hold, and that",
-        "no vendor's tool has read them here." + " MEDIUM is `rmii`, `mii` or `rgmii`." * ("ul_mac" in below),
+        "The period of each clock, and these files of `gateware/constraints`. Its `README.md` describes them; they are",
+        "untested with the vendors' tools." + " MEDIUM is `rmii`, `mii` or `rgmii`." * ("ul_mac" in below),
         "",
         *_table(("tool", "files"), rows),
     ]
 
 
 def _records(*_: object) -> list[str]:
-    """Return the records of the hardware's side of a generated entity."""
+    """Return the records for the hardware's side of a generated entity."""
     found = re.findall(
         r"^  (type \w+ is record\n.*?end record \w+;)$", generated.texts()[generated.PACKAGE], _WHOLE_TEXT
     )
@@ -211,7 +211,7 @@ _PARTS: dict[str, Callable[[str, Sequence[str]], list[str]]] = {
 
 
 def _with_all_below(name: str) -> set[str]:
-    """Return the names of an entity and of all that it is made of."""
+    """Return the names of an entity and of all entities below it."""
     found: set[str] = set()
     waiting = [name]
     while waiting:
@@ -236,7 +236,7 @@ def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
 
 
 def main() -> int:
-    """Write all pages and pictures; returns the exit status."""
+    """Write all pages and pictures, and return the exit status."""
     parser_of(__doc__).parse_args()
     from gateware.bench.datasheets.stories import PICTURES, pictures
 

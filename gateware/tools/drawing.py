@@ -1,8 +1,7 @@
-"""Draws a piece of a simulation's waveform (VCD) as SVG: clock, bits, words, and the numbers of the cycles.
+"""Draws a part of a simulation's waveform (VCD) as SVG: clock, bits, words, and the numbers of the cycles.
 
-The libraries that draw timing diagrams take them from hand-written cells of one clock; here are the instants of a
-simulation, which may have two clocks or none. A picture brings its own background, so that it can be read on a page of
-either colour.
+Libraries for timing diagrams draw hand-written cells of one clock; this module draws the times of a simulation, with
+two clocks or none. A picture has its own background, so that it is readable on light and dark pages.
 """
 
 from __future__ import annotations
@@ -23,10 +22,10 @@ _LABELS, _WIDTH, _MARGIN = 118, 760, 10
 _TOP, _ROW, _HEIGHT = 26, 25, 15
 _SLANT = 2.0
 _LETTER = 6.2
-"""Width of a letter of a value."""
+"""Width of a letter of a value, in pixels."""
 _LEAST_TICK, _LEAST_NUMBER = 7, 20
 _STEPS = (1, 2, 5, 10, 20, 50, 100, 200, 500)
-"""Cycles from one line or number to the next."""
+"""Possible numbers of cycles between grid lines, and between cycle numbers."""
 _DEFINED = frozenset("01")
 _PICOSECONDS = {"fs": 0.001, "ps": 1, "ns": 1000}
 _STYLE = """\
@@ -41,25 +40,25 @@ class Row:
     """A signal of a picture."""
 
     signal: str
-    """Its name in the entity that was simulated."""
+    """Name of the signal in the simulated entity."""
     label: str = ""
-    """Instead of its name."""
+    """Label instead of the name."""
     when: str = ""
-    """Its value is shown only where this signal is 1."""
+    """The value is shown only while this signal is 1."""
     as_text: bool = False
-    """Its value is a character."""
+    """The value is shown as a character."""
     each: str = ""
-    """Clock at each rising edge of which another value is drawn, even if it is the same."""
+    """Clock at each rising edge of which a new value is drawn, even if it is unchanged."""
 
 
 @dataclasses.dataclass(frozen=True)
 class Window:
-    """A piece of time, in ps."""
+    """An interval of time, in ps."""
 
     begin: int
     end: int
     zero: int
-    """The edge at this instant has the number 0."""
+    """The edge at this time has the number 0."""
 
 
 class Waveform:
@@ -70,7 +69,7 @@ class Waveform:
         wanted: names of signals of the outermost entity.
 
     Raises:
-        KeyError: if it has none of a name.
+        KeyError: if the file has no signal of a wanted name.
     """
 
     def __init__(self, path: Path, wanted: Sequence[str]) -> None:
@@ -112,17 +111,17 @@ class Waveform:
                 changes.append((now, text))
 
     def at(self, name: str, time: int) -> str:
-        """Return the value that a signal has from an instant on, as binary digits or letters."""
+        """Return the value of a signal from a time on, as binary digits or letters."""
         changes = self._changes[name]
         index = bisect.bisect_right(changes, time, key=lambda change: change[0])
         return changes[index - 1][1] if index else "u"
 
     def edges(self, name: str, window: Window) -> list[int]:
-        """Return the instants in a window at which a clock rises."""
+        """Return the times in a window at which a clock rises."""
         return [at for at, value in self._changes[name] if value == "1" and window.begin <= at <= window.end]
 
     def pieces(self, row: Row, window: Window) -> Iterator[tuple[int, int, str | None]]:
-        """Yield begin, end and value of each piece in which a signal of a window stands; None: it does not count."""
+        """Yield begin, end and value of each interval of a signal in a window; the value is None if it is not shown."""
         names = [row.signal, *([row.when] if row.when else [])]
         instants = {at for name in names for at, _ in self._changes[name] if window.begin < at < window.end}
         steps = {at for at in self.edges(row.each, window) if at > window.begin} if row.each else set()
@@ -141,10 +140,10 @@ def draw(waveform: Waveform, title: str, rows: Sequence[Row], clock: str, window
 
     Args:
         waveform: of the simulation.
-        title: what the picture shows, for those who can't see it.
+        title: text alternative of the picture.
         rows: the signals, from the top.
-        clock: of which the cycles are numbered.
-        window: the piece that is shown.
+        clock: the clock whose cycles are numbered.
+        window: the interval to show.
     """
     height = _TOP + _ROW * len(rows) + _MARGIN
     whole = _LABELS + _WIDTH + _MARGIN
@@ -178,7 +177,7 @@ class _Scale:
 
 
 def _grid(edges: list[int], window: Window, scale: _Scale, height: float) -> Iterator[str]:
-    """Yield a line for each edge, and its number, as far as there is room."""
+    """Yield a line for each edge, and its number, if there is enough space."""
     if len(edges) < 2:
         return
     pitch = scale(edges[1]) - scale(edges[0])

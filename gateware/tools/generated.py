@@ -1,6 +1,6 @@
-"""The entities that are generated from a spec, as the datasheets show them: those of `examples/rover.ul`.
+"""The generated entities that the datasheets show: those of `examples/rover.ul`.
 
-That has what a spec can ask of hardware: registers and what they read, a FIFO port, groups by time and by trigger.
+That spec uses every kind of hardware interface: registers with inputs, a FIFO port, periodic and triggered groups.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ def texts() -> dict[str, str]:
 
 
 def sources(folder: Path) -> list[Path]:
-    """Return the files in a folder, to which they are written unless they are there."""
+    """Return the files in a folder; write those that are missing or out of date."""
     folder.mkdir(parents=True, exist_ok=True)
     paths = {folder / f"{name}.vhd": text for name, text in texts().items()}
     for path, text in paths.items():

@@ -1,8 +1,8 @@
-"""The gateware's files in compile order, as each tool wants to be told: written by `make lists`, held by a test.
+"""The gateware's files in compile order, in the format of each tool: written by `make lists`, checked by a test.
 
-`unity_link.f` is the list itself, `unity_link.core` for FuseSoC, and `import/` has a script for each vendor's tool;
-`constraints/` is written with them. Who adds, renames or removes a file of `gateware/rtl` or of a core, or a crossing,
-runs this again.
+`unity_link.f` is the list itself, `unity_link.core` is for FuseSoC, and `import/` has a script for each vendor's tool;
+`constraints/` is written with them. Run this again after adding, renaming or removing a file of `gateware/rtl` or of a
+core, or a clock domain crossing.
 
     python -m gateware.tools.lists
 """
@@ -33,7 +33,7 @@ _MADE = "made by `make lists`"
 
 
 def in_compile_order() -> list[str]:
-    """Return the files of the gateware below `gateware`, each behind those that it needs."""
+    """Return the files of the gateware below `gateware`, each after the files that it needs."""
     texts = {source.relative_to(GATEWARE).as_posix(): source.read_text() for source in vhdl_sources()}
     file_of = {unit: path for path, text in texts.items() for unit in _UNIT.findall(text)}
     needs = {path: {file_of[unit] for unit in _USED.findall(text)} - {path} for path, text in texts.items()}
@@ -41,7 +41,7 @@ def in_compile_order() -> list[str]:
     sorter.prepare()
     ordered: list[str] = []
     while sorter.is_active():
-        # By name where the order is free, so that a list changes as little as the files do.
+        # Files whose order is free are sorted by name, so that a list changes as little as the files do.
         ready = sorted(sorter.get_ready())
         ordered += ready
         sorter.done(*ready)
@@ -49,7 +49,7 @@ def in_compile_order() -> list[str]:
 
 
 def lists() -> dict[str, str]:
-    """Return all files that are written, by their path below `gateware`."""
+    """Return the contents of all files to write, by their path below `gateware`."""
     files = in_compile_order()
     return {
         "unity_link.f": _lines(f"# {LICENCE}", f"# VHDL-2008, library {LIBRARY}, in compile order; {_MADE}.", *files),
@@ -138,7 +138,7 @@ def _core(files: list[str]) -> str:
 
 
 def main() -> int:
-    """Write all; returns the exit status."""
+    """Write all files, and return the exit status."""
     parser_of(__doc__).parse_args()
     for name, text in (lists() | constraints()).items():
         path = GATEWARE / name

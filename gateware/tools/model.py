@@ -1,11 +1,11 @@
-"""The gateware as C++: what `make rtl` writes into `unity_link/virtual/rtl/generated/`, and the wheel carries.
+"""The gateware as C++: `make rtl` writes it to `unity_link/virtual/rtl/generated/`, which is part of the wheel.
 
-One text for each configuration that users may want to talk to without having tools. All are kept in one archive, beside
-an index: that names what each was made from (as long as that is the same, nothing is made anew), and says what its
-gateware answers to `Q`, so that one can be chosen before it is compiled.
+There is one C++ text for each configuration that users may want to run without the tools. All texts are in one archive.
+An index has a hash of the sources of each (a text is made again only if the hash changes), and its answer to `Q`, so
+that a configuration can be chosen before it is compiled.
 
-    python -m gateware.tools.model            make what is out of date
-    python -m gateware.tools.model --check    fail if something is out of date (for CI)
+    python -m gateware.tools.model            make the texts that are out of date
+    python -m gateware.tools.model --check    fail if a text is out of date (for CI)
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ from unity_link.virtual.rtl.archive import GENERATED, Entry, read_index, read_te
 from unity_link.virtual.rtl.making import make, origin
 from unity_link.virtual.rtl.specs import with_clock
 
-# The clock of most is one with which a simulated second passes in a second; that of those for tests on simulated time
-# is so slow that a minute costs little.
+# With the clock of most configurations, the simulation runs about as fast as real time. The configurations for tests on
+# simulated time have a slower clock, so that a simulated minute takes little processor time.
 _CLOCK = {"clock_hz": 500_000, "base_frequency_millihertz": 10_000_000}
 _SLOW_CLOCK = {"clock_hz": 50_000, "base_frequency_millihertz": 1_000_000, "groups": 4}
 _CRC_8 = {"crc_bits": 8, "crc_polynomial": 0x07}
@@ -39,11 +39,11 @@ CONFIGURATIONS: dict[str, dict[str, int]] = {
     "default": {**_CLOCK, "sample_depth": 1024},
     # The widths of the paper's gateway.
     "short": {**_CLOCK, "id_digits": 2, **_CRC_8},
-    # What the experiment of the paper measures: an FT232H at its true clock, because its time is modelled, with the
-    # CRC of the paper, and IDs for a window that fills the medium. A fine base tick finds the limit of publishing.
+    # The experiment of the paper measures this one: an FT232H at its true clock, because its timing is modelled, with
+    # the CRC of the paper, and IDs for a window that fills the medium. A fine base tick finds the limit of publishing.
     "ft232h": _FT232H,
     "ft232h_compact": {**_FT232H, "compact": True},
-    # The widest of everything.
+    # The largest value of every width.
     "wide": {
         **_CLOCK,
         **_CRC_32,
@@ -54,7 +54,7 @@ CONFIGURATIONS: dict[str, dict[str, int]] = {
         "sample_depth": 4096,
         "wb_pipelined": True,
     },
-    # Widths that are no multiple of anything.
+    # Widths that are not multiples of 4 or 8.
     "odd": {
         **_CLOCK,
         "data_bits": 9,
@@ -63,7 +63,7 @@ CONFIGURATIONS: dict[str, dict[str, int]] = {
         "block_words": 10,
         "build_id": 0xCAFE,
     },
-    # The least of everything.
+    # The smallest configuration.
     "minimal": {
         **_CLOCK,
         **dict.fromkeys(OPTIONAL, False),
@@ -71,29 +71,29 @@ CONFIGURATIONS: dict[str, dict[str, int]] = {
         "block_words": 1,
         "groups": 0,
     },
-    # Groups, and nothing that could be left out.
+    # Groups, without the features that can be left out.
     "bare_groups": {**_CLOCK, **dict.fromkeys(OPTIONAL, False)},
-    # One of several on a medium.
+    # One of several nodes on a shared medium.
     "node": {**_CLOCK, "node": 5},
     "slow": _SLOW_CLOCK,
     "compact": {**_SLOW_CLOCK, **_CRC_32, "compact": True},
     "crc_32": {**_SLOW_CLOCK, **_CRC_32},
     "short_ids": {**_SLOW_CLOCK, **_CRC_32, "id_digits": 2},
-    # Behind a UART of three wires, which stops nobody.
+    # For a UART of three wires, without flow control.
     "uart": {**_SLOW_CLOCK, **_CRC_32, "flow_control": False, "rx_fifo_depth": 64, "tx_fifo_depth": 64},
-    # That of a spec, which is that of the robot of this name.
+    # The gateway of the spec of the robot with this name.
     "walker": with_clock(generics_of(compile_file(GATEWARE.parent / "examples" / "walker.ul").interface())),
 }
 
 
 def is_current(name: str) -> bool:
-    """Return whether the C++ of a configuration was made from what is there now."""
+    """Return whether the C++ of a configuration was made from the present sources."""
     entry = read_index(GENERATED).get(name)
     return entry is not None and entry.origin == origin(CONFIGURATIONS[name])
 
 
 def main() -> int:
-    """Make or check all configurations; returns the exit status."""
+    """Make or check all configurations, and return the exit status."""
     parser = argparse.ArgumentParser(description="Make the C++ of the gateware.")
     parser.add_argument("--check", action="store_true", help="fail if something is out of date, and make nothing")
     arguments = parser.parse_args()

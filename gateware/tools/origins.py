@@ -1,7 +1,7 @@
-"""Names of what a design was made from: the sources of its top, and the Verilog that GHDL makes of them.
+"""Hashes of the inputs of a design: the sources of its top, and the Verilog that GHDL makes of them.
 
-The figures of `make synth` name both. If the sources are the same, so is the Verilog; if they differ, the Verilog may
-still be the same, and the figures with it.
+The figures of `make synth` record both. If the sources are the same, so is the Verilog; if they differ, the Verilog may
+still be the same, and then the figures remain valid.
 """
 
 from __future__ import annotations
@@ -25,26 +25,26 @@ _NAME_DIGITS = 12
 
 
 class Origin(msgspec.Struct, frozen=True):
-    """Names of what figures are of."""
+    """Hashes of the inputs from which figures were made."""
 
     verilog: str
-    """Name of the Verilog, as `verilog_of`."""
+    """Hash of the Verilog, from `verilog_of`."""
     sources: str
-    """Name of the VHDL, as `sources_of`."""
+    """Hash of the VHDL, from `sources_of`."""
     tools: str
-    """Name of the tools with their versions and options."""
+    """Hash of the tools with their versions and options."""
 
 
 def sources_of(top: str, generics: Mapping[str, object], sources: Iterable[Path]) -> str:
-    """Return a name of an entity with generics, of all entities below it, and of the packages that these use.
+    """Return a hash of an entity with generics, of all entities below it, and of the packages that these use.
 
     Args:
         top: name of the entity.
         generics: their values.
-        sources: VHDL files, of which those count that the top needs, without their comments.
+        sources: VHDL files. Only those that the top needs are hashed, without their comments.
 
     Raises:
-        KeyError: if no file has the top.
+        KeyError: if no file contains the top.
     """
     texts = [_REMARK.sub("", source.read_text()) for source in sources]
     text_of = {unit: text for text in texts for unit in _UNIT.findall(text)}
@@ -60,6 +60,6 @@ def sources_of(top: str, generics: Mapping[str, object], sources: Iterable[Path]
 
 
 def verilog_of(text: str) -> str:
-    """Return a name of a Verilog text without its comments and the space around them."""
+    """Return a hash of a Verilog text, without its comments, empty lines and indentation."""
     code = _COMMENT.sub(lambda found: found[1] or "", text)
     return hash_of(["\n".join(line for line in map(str.strip, code.splitlines()) if line)])[:_NAME_DIGITS]

@@ -1,8 +1,8 @@
 """The pins and crossings of a design that nextpnr has placed on an ECP5: read from its netlist.
 
-A pin's registers are in its I/O cell (`IOLOGIC`), or they are not: nothing is taken from what the sources wanted. A
-crossing is every register whose data comes from another clock, or from a pin that no register stands behind; a good one
-is a wire from a register to the first of a row, of which each but the last has nothing behind it but the next.
+A pin's registers count only if they are in its I/O cell (`IOLOGIC`), whatever the sources request. A crossing is every
+register with data from another clock, or from a pin without a register. A good crossing is a wire from a register to
+the first register of a row, in which each register except the last drives only the next one.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ class Pin:
     registers: tuple[str, ...]
     """Registers of its I/O cell: "in", "out" and "driver"."""
     bypassed: bool
-    """True if something of the fabric is connected to the pin itself."""
+    """True if logic of the fabric is connected to the pin itself."""
     delay_steps: int = 0
-    """Steps of the I/O cell's delay, which stands before the register "in"."""
+    """Steps of the I/O cell's delay, in front of the register "in"."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -40,18 +40,18 @@ class Crossing:
 
     bits: int
     stages: int
-    """Registers in a row; 0: what crosses does not do so on a wire, or a register is looked at before the last."""
+    """Registers in series; 0 if the crossing is not a plain wire, or if logic uses a register before the last one."""
     longest_ns: float
-    """Delay of the longest way between the two clocks."""
+    """Longest delay between the two clocks."""
     skew_ns: float
-    """By which these differ."""
+    """Difference between the delays of the bits."""
 
 
 class Placed:
     """A placed design: nextpnr's netlist (`--write`) and its report with the delays of all nets."""
 
     def __init__(self, netlist: dict[str, Any], report: dict[str, Any]) -> None:
-        """Take what nextpnr wrote."""
+        """Store the netlist and the report of nextpnr."""
         (self._module,) = netlist["modules"].values()
         self._cells: dict[str, dict[str, Any]] = self._module["cells"]
         self._driver: dict[int, str] = {}
@@ -72,7 +72,7 @@ class Placed:
         }
 
     def pins(self) -> dict[str, Pin]:
-        """Return what stands at each pin, by its name."""
+        """Return the cells at each pin, by its name."""
         names = {
             bit: f"{name}[{index}]" if len(port["bits"]) > 1 else name
             for name, port in self._module["ports"].items()
@@ -96,7 +96,7 @@ class Placed:
         return Pin(registers, bypassed=bypassed, delay_steps=int(modes.get("DELAY.DEL_VALUE", "0"), 2))
 
     def crossings(self) -> dict[str, Crossing]:
-        """Return each crossing but those of resets and of memories, by the place of its first registers."""
+        """Return the crossings, except those of resets and memories, by the place of their first registers."""
         found: dict[str, list[str]] = collections.defaultdict(list)
         for name, cell in self._cells.items():
             if cell["type"] == "TRELLIS_FF" and any(clock != self._clock(cell) for clock in self._sources(name)):
@@ -113,7 +113,7 @@ class Placed:
         )
 
     def _sources(self, name: str) -> set[int | None]:
-        """Return the clocks of all that a register's data depends on; None: of none. Memories are left out."""
+        """Return the clocks of the registers on which a register's data depends, without memories; None for a pin."""
         cell = self._cells[name]
         return functools.reduce(set.union, (self._clocks_behind(bit) for bit in _data_bits(cell)), set[int | None]())
 
@@ -143,7 +143,7 @@ class Placed:
         return drivers in (["TRELLIS_FF"], ["TRELLIS_IO"], ["IOLOGIC"])
 
     def _row(self, name: str) -> int:
-        """Return how many registers stand in a row from this one on, each the only one behind the last."""
+        """Return the number of registers in series from this one on; each drives only the next one."""
         stages = 1
         while True:
             loads = self._loads[self._cells[name]["connections"]["Q"][0]]
@@ -161,7 +161,7 @@ class Placed:
 
 
 def gowin_registers(netlist: dict[str, Any]) -> dict[str, int]:
-    """Return how many registers nextpnr-himbaechel has put into the I/O cells of a Gowin, by what they are for."""
+    """Return the number of registers that nextpnr-himbaechel has placed in the I/O cells of a Gowin FPGA, by kind."""
     (module,) = netlist["modules"].values()
     attributes = [cell["attributes"] for cell in module["cells"].values()]
     kinds = {"in": "IREG_TYPE", "out": "OREG_TYPE", "driver": "TREG_TYPE"}
@@ -173,5 +173,5 @@ def _data_bits(cell: dict[str, Any]) -> list[int]:
 
 
 def _place(name: str) -> str:
-    """Return where a register stands in the hierarchy: its name without its own last part."""
+    """Return the place of a register in the hierarchy: its name without the last part."""
     return name.rpartition(".")[0]

@@ -1,8 +1,8 @@
-"""Reads VHDL-2008 by a parser that is not GHDL's, and says what synthesis tools of vendors refuse or read otherwise.
+"""Reads VHDL-2008 with another parser than GHDL's, and reports constructs that vendors' synthesis tools do not support.
 
-The references are the tables of supported constructs in UG901 (Vivado) and in the help of Quartus Prime Standard; where
-they differ, the stricter counts. The parser is the grammar of tree-sitter-vhdl. An expression is taken for one that
-moves if it mentions a signal, a variable or a port of its file.
+The references are the tables of supported constructs in UG901 (Vivado) and in the help of Quartus Prime Standard; if
+they differ, the stricter one applies. The parser is the grammar of tree-sitter-vhdl. An expression counts as variable
+if it mentions a signal, a variable or a port of its file.
 
     python -m gateware.tools.subset [FILE ...]        the gateware, or files
 """
@@ -55,21 +55,21 @@ _REFUSED = {
     "mode_view_declaration": "a view of VHDL-2019",
 }
 _DIVIDING = ("mod", "rem", "/")
-# What turns a vector into another type and is no logic: VHDL-93 has it as a conversion.
+# Conversions of a vector to another type, without logic; VHDL-93 permits them in port maps.
 _CONVERSIONS = ("std_logic_vector", "unsigned", "signed")
 _MOVING = ("signal_declaration", "variable_declaration", "interface_variable_declaration")
 _OPERATORS = ("adding_operator", "multiplying_operator", "unary_operator", "logical_operator", "relational_operator")
 
 
 class Fault(NamedTuple):
-    """Construct that a tool refuses."""
+    """Construct that a tool does not support."""
 
     line: int
     sentence: str
 
 
 def faults(text: str) -> list[Fault]:
-    """Return what is wrong with a VHDL file, in the order of its lines; nothing, if every tool reads it."""
+    """Return the unsupported constructs of a VHDL file, in the order of its lines; none if every tool reads it."""
     root = parse(text)
     broken = [Fault(_line(node), "it is no VHDL-2008") for node in nodes(root) if node.is_error or node.is_missing]
     moving = set(_moving(root))
@@ -137,7 +137,7 @@ def _actuals(node: Node, functions: set[str]) -> Iterator[Fault]:
 
 
 def _moving(root: Node) -> Iterator[str]:
-    """Yield the names of what can change: signals, variables, ports, and parameters that are one of those."""
+    """Yield the names of objects whose value can change: signals, variables, ports, and parameters of those classes."""
     for node in nodes(root):
         is_port = node.type in ("interface_declaration", "interface_signal_declaration") and is_within(
             node, "port_clause", root
@@ -148,7 +148,7 @@ def _moving(root: Node) -> Iterator[str]:
 
 
 def _moves(node: Node, moving: set[str]) -> bool:
-    """Return whether an expression mentions something that moves, other than its length or bounds."""
+    """Return whether an expression mentions a variable object, other than its length or bounds."""
     text = re.sub(r"\w+'(length|high|low|left|right|range)\b", "", re.sub(r"\.\w+", "", text_of(node)))
     return any(word.lower() in moving for word in re.findall(r"[a-z]\w*", text, re.IGNORECASE))
 
@@ -174,7 +174,7 @@ def _line(node: Node) -> int:
 
 
 def main() -> int:
-    """Check files; returns the exit status."""
+    """Check files, and return the exit status."""
     parser = parser_of(__doc__)
     parser.add_argument("files", nargs="*", type=Path, help="default: the gateware")
     chosen = parser.parse_args().files

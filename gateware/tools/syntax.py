@@ -1,4 +1,4 @@
-"""The syntax tree of a VHDL-2008 file, by the grammar of tree-sitter-vhdl: a reader that is not GHDL."""
+"""The syntax tree of a VHDL-2008 file, by the grammar of tree-sitter-vhdl: a parser independent of GHDL."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _PARSER = Parser(Language(tree_sitter_vhdl.language()))
 
 
 def parse(text: str) -> Node:
-    """Return the root of a file's tree; what is no VHDL is a node of its own in it."""
+    """Return the root of a file's tree; text that is not VHDL is an error node in it."""
     return _PARSER.parse(text.encode()).root_node
 
 
@@ -28,12 +28,12 @@ def nodes(node: Node) -> Iterator[Node]:
 
 
 def child(node: Node, kind: str) -> Node | None:
-    """Return the first node of a kind right below another."""
+    """Return the first child of a node that has this kind, or None."""
     return next((below for below in node.named_children if below.type == kind), None)
 
 
 def is_within(node: Node, kind: str, end: Node) -> bool:
-    """Return whether a node is below one of a kind, looking no further up than `end`."""
+    """Return whether an ancestor of a node, up to but without `end`, has this kind."""
     parent = node.parent
     while parent is not None and parent != end:
         if parent.type == kind:
@@ -43,5 +43,5 @@ def is_within(node: Node, kind: str, end: Node) -> bool:
 
 
 def text_of(node: Node) -> str:
-    """Return what stands in the file."""
+    """Return the text of a node in the file."""
     return (node.text or b"").decode()

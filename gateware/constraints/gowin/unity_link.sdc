@@ -15,13 +15,13 @@ set_input_delay -clock ft_clkout -min 0 [get_ports {ft_rxf_n ft_txe_n ft_data[*]
 set_output_delay -clock ft_clkout -max 7.5 [get_ports {ft_rd_n ft_wr_n ft_oe_n ft_siwu_n ft_data[*]}]
 set_output_delay -clock ft_clkout -min 0 [get_ports {ft_rd_n ft_wr_n ft_oe_n ft_siwu_n ft_data[*]}]
 
-// Gray pointers, and the memory of a FIFO where it is one of LUTs.
+// Gray pointers, and the memory of a FIFO if it consists of LUTs.
 set_max_delay -from [get_regs {*write_gray*}] -to [get_regs {*write_crossing/meta*}] 10
 set_max_delay -from [get_regs {*read_gray*}] -to [get_regs {*read_crossing/meta*}] 10
 set_max_delay -from [get_regs {*ft245_sync*fifo*memory*}] -to [get_regs {*ft245_sync*fifo*out_data*}] 10
 set_max_delay -from [get_regs {*mac_inst*fifo*memory*}] -to [get_regs {*mac_inst*fifo*out_data*}] 10
 
-// One bit each, and resets, which begin at any instant.
+// Single bits, and resets, which are asserted asynchronously.
 set_false_path -to [get_regs {*trigger_crossing/meta*}]
 set_false_path -to [get_regs {*up_crossing/meta*}]
 set_false_path -to [get_regs {*question_crossing/meta*}]

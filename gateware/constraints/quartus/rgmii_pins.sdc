@@ -8,8 +8,7 @@
 # 2.6 ns before each edge of RXC, of 20 ns between edges (TskewR). TXC leaves 10 ns after the data, so the PHY may delay
 # it or not: setup 1.0 ns (TsetupR), and hold 1.0 ns (TholdR) after a delay of 2.6 ns at most.
 #
-# clk is the clock of 50 MHz that phy_tx_clk of unity_link is connected to: put the output of a PLL in its place if one
-# makes it.
+# clk is the clock of 50 MHz at phy_tx_clk of unity_link. If a PLL generates it, put the output of the PLL in its place.
 
 create_clock -name phy_rx_clk -period 40 [get_ports {phy_rx_clk}]
 create_generated_clock -name phy_txc -source [get_ports {clk}] -divide_by 2 [get_ports {phy_txc}]

@@ -13,7 +13,7 @@ if {[get_collection_size [get_ports -nowarn ft_clkout]]} {
     set_output_delay -clock ft_clkout -min 0 [get_ports {ft_rd_n ft_wr_n ft_oe_n ft_siwu_n ft_data[*]}]
 }
 
-# Gray pointers: within a cycle of the clock that takes them, by less than one of the other apart.
+# Gray pointers: delay below a cycle of the receiving clock, skew below a cycle of the sending clock.
 foreach way {write read} {
     set from [get_registers -nowarn "*ul_fifo_async*|${way}_gray\[*\]"]
     set to   [get_registers -nowarn "*ul_fifo_async*|*:${way}_crossing|meta\[*\]"]
@@ -25,14 +25,14 @@ foreach way {write read} {
     }
 }
 
-# The memory of a FIFO where it is one of LUTs. 10 ns: put the period of the faster clock here.
+# The memory of a FIFO if it consists of LUTs. 10 ns: put the period of the faster clock here.
 set memory [get_registers -nowarn "*ul_fifo_async*|*memory*"]
 set taken  [get_registers -nowarn "*ul_fifo_async*|out_data\[*\]"]
 if {[get_collection_size $memory] && [get_collection_size $taken]} {
     set_max_delay -from $memory -to $taken 10
 }
 
-# One bit each, and resets, which begin at any instant.
+# Single bits, and resets, which are asserted asynchronously.
 foreach crossing {trigger_crossing up_crossing question_crossing answer_crossing driving_crossing rx_up_crossing tx_up_crossing carrier_crossing rx_crossing cts_crossing pins_crossing estop_crossing} {
     set_false_path -to [get_registers -nowarn "*${crossing}|meta*"]
 }

@@ -15,6 +15,6 @@ set_input_delay -clock ft_clkout -min 0 [get_ports {ft_rxf_n ft_txe_n ft_data[*]
 set_output_delay -clock ft_clkout -max 7.5 [get_ports {ft_rd_n ft_wr_n ft_oe_n ft_siwu_n ft_data[*]}]
 set_output_delay -clock ft_clkout -min 0 [get_ports {ft_rd_n ft_wr_n ft_oe_n ft_siwu_n ft_data[*]}]
 
-# Of gateware/pads/xilinx; the attribute IOB asks for it already.
+# gateware/pads/xilinx has the attribute IOB already.
 set_property IOB TRUE [get_ports {ft_rxf_n ft_txe_n ft_data[*]}]
 set_property IOB TRUE [get_ports {ft_rd_n ft_wr_n ft_oe_n ft_siwu_n ft_data[*]}]

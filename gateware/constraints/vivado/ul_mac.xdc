@@ -4,8 +4,8 @@
 #
 # Made by `make lists` from the VHDL. Unchecked: see README.md.
 #
-# What comes from no clock, or is one bit: any delay is right. A reset begins at any instant; its end is timed, from the
-# last register of its row on.
+# Asynchronous inputs and single bits: any delay is right. A reset is asserted asynchronously; its end is timed from the
+# last register of its synchroniser.
 
 set_false_path -quiet -to [get_cells -quiet -hierarchical -filter {NAME =~ *rx_up_crossing/meta_reg*}]
 set_false_path -quiet -to [get_cells -quiet -hierarchical -filter {NAME =~ *tx_up_crossing/meta_reg*}]

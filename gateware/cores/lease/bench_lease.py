@@ -139,9 +139,7 @@ class Axis:
         }
 
     def _written(self, inputs: Inputs, now: int) -> tuple[Word, bool] | None:
-        """Return the word of a cycle if its end and token are allowed: not past, not too far ahead, no unsupported
-        finish.
-        """
+        """Return the word of a cycle, unless its end is past or too far ahead, or it wants an unsupported finish."""
         word = inputs.arm or inputs.kick
         if word is None or not 0 < (word.end - now) % TIME <= self._settings.most:
             return None
@@ -168,9 +166,7 @@ class Axis:
 
 
 class Stimulus:
-    """Random inputs of an axis: ends around every limit, tokens that are nearly equal, and all other inputs at any
-    time.
-    """
+    """Random inputs of an axis: ends around every limit, nearly equal tokens, and all other inputs at any time."""
 
     def __init__(self, settings: Settings, rng: random.Random) -> None:
         """Store the generics and the random generator."""

@@ -123,13 +123,13 @@ architecture rtl of ul_lease is
 begin
 
   assert cycles > 2.0 and cycles <= 2.0 ** 30
-    report "ul_lease: most_us is " & integer'image(most_us) & ", expected a time of 3 to 2 ** 30 cycles of a clock of "
-           & integer'image(clock_hz) & " Hz"
+    report "ul_lease: most_us is " & integer'image(most_us) & ", expected a time of 3 to 2 ** 30 cycles of a "
+           & "clock of " & integer'image(clock_hz) & " Hz"
     severity failure;
 
   assert more_cycles <= 2.0 ** 30
-    report "ul_lease: finish_us is " & integer'image(finish_us) & ", expected a time of at most 2 ** 30 cycles of a clock "
-           & "of " & integer'image(clock_hz) & " Hz"
+    report "ul_lease: finish_us is " & integer'image(finish_us) & ", expected a time of at most 2 ** 30 cycles of "
+           & "a clock of " & integer'image(clock_hz) & " Hz"
     severity failure;
 
   with_estop : if estop_used generate

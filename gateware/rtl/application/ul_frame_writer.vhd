@@ -10,7 +10,7 @@
 --
 -- The first word of a sample in the ring has, from the highest bit: group (8 bits), sequence number (8), number of
 -- words of the sample in the ring including this one (9), and one bit each for: timestamp follows, plain frame, send
--- immediately, epoch. The words of both rings are aligned to the highest bit, where their digits are read.
+-- immediately, epoch. The words of both rings are aligned to the highest bit; their digits are read there.
 
 library ieee;
   use ieee.std_logic_1164.all;
