@@ -1,5 +1,5 @@
-"""cocotb benches of the gateware: one folder per entity, run by GHDL from pytest.
+"""cocotb benches of the gateware: one folder for each entity, run in GHDL by pytest.
 
-`test_<entity>.py` is what pytest collects: it names the configurations (generics) to run. `bench_<entity>.py` beside it
-holds the cocotb tests, which run inside the simulator. `runner.run_bench` joins the two.
+pytest collects `test_<entity>.py`, which names the configurations (generics) to run. `bench_<entity>.py` in the same
+folder has the cocotb tests, which run inside the simulator. `runner.run_bench` connects the two.
 """

@@ -1,7 +1,7 @@
-"""Frames of Ethernet as bytes, and a PHY at 100 Mb/s at the pins of the gateware: RMII, MII or RGMII.
+"""Ethernet frames as bytes, and a PHY at 100 Mb/s for the pins of the gateware: RMII, MII or RGMII.
 
-The PHY gives frames symbol by symbol, whole or with what lines and hosts do to them, and takes frames from the pins: it
-checks preamble, delimiter, gap and CRC of each. Names of the pins are those of `ul_mac` and of `unity_link`.
+The PHY outputs frames symbol by symbol, intact or with the faults of lines and hosts. It receives frames from the pins,
+and checks preamble, delimiter, gap and CRC of each. The names of the pins are those of `ul_mac` and of `unity_link`.
 """
 
 from __future__ import annotations
@@ -32,30 +32,30 @@ if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
 
 SHORTEST = 60
-"""Bytes of the shortest frame without its check."""
+"""Bytes of the shortest frame without its frame check sequence."""
 BYTE_NS = 80
 PREAMBLE = b"\x55" * 7 + b"\xd5"
 _GAP_NS = 12 * BYTE_NS
 
 
 def check_of(body: bytes) -> bytes:
-    """Return the four bytes of the check of a frame, as they are sent."""
+    """Return the four bytes of a frame check sequence, in the order in which they are sent."""
     return zlib.crc32(body).to_bytes(4, "little")
 
 
 def with_check(body: bytes) -> bytes:
-    """Return a frame with padding and check."""
+    """Return a frame with padding and frame check sequence."""
     padded = body.ljust(SHORTEST, b"\0")
     return padded + check_of(padded)
 
 
 def symbols_of(data: bytes, lanes: int) -> list[int]:
-    """Return the symbols in which bytes go over so many lines."""
+    """Return the symbols that transfer bytes over this number of lines."""
     return [byte >> place & (1 << lanes) - 1 for byte in data for place in range(0, 8, lanes)]
 
 
 def bytes_of(symbols: list[int], lanes: int) -> bytes:
-    """Return the bytes that whole groups of symbols are."""
+    """Return the bytes of symbols; an incomplete byte at the end is dropped."""
     each = 8 // lanes
     groups = (symbols[at : at + each] for at in range(0, len(symbols) - each + 1, each))
     return bytes(sum(symbol << lanes * place for place, symbol in enumerate(group)) for group in groups)
@@ -63,41 +63,41 @@ def bytes_of(symbols: list[int], lanes: int) -> bytes:
 
 @dataclasses.dataclass(frozen=True)
 class Sent:
-    """A frame on its way to the gateware, and what happens to it."""
+    """A frame to the gateware, and its faults."""
 
     data: bytes
-    """Bytes behind the delimiter, the check among them."""
+    """Bytes after the delimiter, with the frame check sequence."""
     preamble: int | None = None
-    """Symbols of the preamble, the delimiter's own left out; None: as many as IEEE 802.3 has."""
+    """Symbols of the preamble without those of the delimiter; None: as many as in IEEE 802.3."""
     toggling: int = 0
-    """Nibbles at the end of which CRS_DV falls with the first symbol, RMII alone."""
+    """For RMII: nibbles at the end for which CRS_DV is low with the first symbol."""
     dribble: int = 0
-    """Symbols behind the last byte."""
+    """Symbols after the last byte."""
     error_at: int | None = None
-    """Symbol behind the delimiter in which the PHY says that it saw an error."""
+    """Symbol after the delimiter in which the PHY reports an error; None: no error."""
     delimited: bool = True
     """False if the delimiter is missing."""
     gap: int = 12
-    """Bytes of silence behind it."""
+    """Bytes of silence after the frame."""
 
 
 class Phy:
-    """A PHY at the pins; what it found wrong in frames of the gateware has raised in the simulation.
+    """A PHY at the pins; a fault in a frame of the gateware raises an AssertionError in the simulation.
 
     Args:
         dut: has the pins.
         interface: "rmii", "mii" or "rgmii".
-        timed: whether its outputs are undefined from the least to the most time that they may take to change
+        timed: whether its outputs are undefined from the minimum to the maximum of their delay
             (`unity_link.gateware.pin_times`); otherwise they change at the edge.
     """
 
     def __init__(self, dut: SimHandleBase, interface: str, *, timed: bool = False) -> None:
         self.received: list[bytes] = []
-        """Frames of the gateware, without preamble and check."""
+        """Frames of the gateware, without preamble and frame check sequence."""
         self.ended_ns: list[float] = []
-        """Time at which each of them had ended."""
+        """Simulated time in ns at which each of them had ended."""
         self.began_ns: list[float] = []
-        """Time at which the preamble of each frame to the gateware began."""
+        """Simulated time in ns at which the preamble of each frame to the gateware began."""
         self._dut, self._interface = dut, interface
         self._timed = timed
         self._lanes = 2 if interface == "rmii" else 4
@@ -123,7 +123,7 @@ class Phy:
     # To the gateware
 
     async def send(self, *frames: bytes | Sent) -> None:
-        """Send frames; returns behind the gap of the last one."""
+        """Send frames; return after the gap of the last one."""
         done = Event()
         for frame in frames:
             done = Event()
@@ -142,7 +142,7 @@ class Phy:
             done.set()
 
     async def _edge(self) -> None:
-        """Wait until the pins may change."""
+        """Wait until the PHY may change its outputs."""
         await (FallingEdge if self._interface == "rgmii" else RisingEdge)(self._dut.phy_rx_clk)
 
     async def _put(self, symbol: int, valid: int, error: int) -> None:
@@ -155,7 +155,7 @@ class Phy:
         await self._edge()
 
     def _change(self, **pins: int) -> None:
-        """Give pins values, after an edge of the clock that they belong to."""
+        """Set pins, after an edge of their clock."""
         if self._timed:
             cocotb.start_soon(self._change_in_time(pins))
         else:
@@ -173,7 +173,7 @@ class Phy:
             getattr(self._dut, name).value = value
 
     def _line(self, frame: Sent) -> list[tuple[int, int, int]]:
-        """Return symbol, validity and error for each symbol's time."""
+        """Return symbol, valid and error for each symbol period."""
         head = symbols_of(PREAMBLE, self._lanes)
         own = 1 if self._lanes == 4 else 4
         preamble = len(head) - own if frame.preamble is None else frame.preamble
@@ -193,10 +193,10 @@ class Phy:
     # From the gateware
 
     async def wait_for(self, count: int, most_us: int = 2000) -> list[bytes]:
-        """Wait until so many frames came, and return all.
+        """Wait until a number of frames were received, and return all.
 
         Raises:
-            AssertionError: if they have not come within `most_us` of the simulation.
+            AssertionError: if they have not been received within `most_us` of simulated time.
         """
         while len(self.received) < count:
             self._came.clear()
@@ -235,7 +235,7 @@ class Phy:
         self._came.set()
 
     async def _compare_edges(self) -> None:
-        """See that what stands at the falling edge of TXC is what stood at the rising one."""
+        """Check that the data at the falling edge of TXC equals that at the rising edge."""
         pins = (self._dut.phy_txd, self._dut.phy_tx_en)
         while True:
             await RisingEdge(self._dut.phy_txc)
@@ -244,7 +244,7 @@ class Phy:
             assert [pin.value for pin in pins] == rising, "RGMII: data differ between the edges of TXC"
 
     async def _time_outputs(self) -> None:
-        """See that data do not change within the times that a PHY needs around each edge of TXC."""
+        """Check that data does not change within setup and hold time of the PHY around each edge of TXC."""
         times = PIN_TIMES["rgmii"][1]
         pins = (self._dut.phy_txd, self._dut.phy_tx_en)
         changed, edge = -1e9, -1e9

@@ -1,11 +1,11 @@
-"""Runs a cocotb bench in GHDL from pytest: the only place that knows how a simulation is built and started.
+"""Runs a cocotb bench in GHDL from pytest: the only module that builds and starts simulations.
 
-The sources are analysed once for each entity and state of the gateware (the directory under `gateware/build/` is
-named after a hash of them), so a second run starts at once and a changed source is never run stale. Generics are given
-when the simulation starts, so all configurations share one build.
+The sources are analysed once for each entity and state of the gateware (the folder in `gateware/build/` is named after
+a hash of them). So a second run starts at once, and outdated sources never run. Generics are set when the simulation
+starts, so all configurations share one build.
 
-A bench fails if one of its tests fails, if none ran, or if the simulator printed a warning: of a source, or of an
-undriven or undefined signal, which shows up in `numeric_std` and would otherwise pass unseen.
+A bench fails if one of its tests fails, if none ran, or if the simulator printed a warning: about a source, or about an
+undriven or undefined signal, which `numeric_std` reports and which would otherwise remain unnoticed.
 """
 
 from __future__ import annotations
@@ -28,8 +28,8 @@ if TYPE_CHECKING:
 GATEWARE = Path(__file__).resolve().parent.parent
 _BUILD = GATEWARE / "build" / "bench"
 _STD = "--std=08"
-# cocotb has pytest explain assertions; pytest's plugins have no business in a simulation, and take two seconds to load.
-# Nor has coverage: it would double the time, to measure benches and what the model's own tests measure.
+# cocotb uses pytest to explain assertions; pytest's plugins are not needed in a simulation, and take two seconds to
+# load. Coverage would double the time, only to measure benches and code that the model's own tests cover.
 _INSIDE = {"PYTHONWARNINGS": "error", "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1", "COVERAGE_PROCESS_CONFIG": ""}
 _SOURCE_WARNING = r"^.*:\d+:\d+:warning:.*$"
 _PICOSECONDS = {"fs": 0.001, "ps": 1, "ns": 10**3, "us": 10**6, "ms": 10**9, "s": 10**12}
@@ -66,12 +66,12 @@ def run_bench(  # noqa: PLR0913 - each says one thing of the run, by its name
         toplevel: name of the entity, in lower case.
         module: dotted name of the Python module with the cocotb tests (`gateware.bench.uart.bench_uart`).
         generics: generics of the top entity; booleans may be Python's.
-        extra_sources: VHDL files beside those of the gateware (a wrapper made for the bench), in the library `work`.
-        testcase: run only the test or tests whose name ends so.
+        extra_sources: VHDL files in addition to those of the gateware (a wrapper for the bench), in the library `work`.
+        testcase: run only the tests whose names end with this.
         seed: of cocotb's random numbers; by default 1, so that a run can be repeated. The environment variable
             COCOTB_RANDOM_SEED overrides it.
         extra_env: further environment variables that the bench reads.
-        warnings_allowed: do not fail on the simulator's warnings; say why where you set it.
+        warnings_allowed: do not fail on the simulator's warnings; give the reason in a comment at the call.
         waves: a file for the waveform (VCD) of all signals.
 
     Raises:
@@ -82,20 +82,21 @@ def run_bench(  # noqa: PLR0913 - each says one thing of the run, by its name
     from cocotb_tools.runner import get_runner
 
     libraries = {
-        # GHDL finds the order of analysis itself.
+        # GHDL determines the order of analysis itself.
         LIBRARY: sources_for(toplevel, extra_sources),
         "work": [Path(source).resolve() for source in extra_sources],
     }
     build_dir = _BUILD / f"{toplevel}-{_hash_of(itertools.chain(*libraries.values()))}"
     run_dir = build_dir / f"run-{uuid.uuid4().hex[:12]}"
     run_dir.mkdir(parents=True)
-    # Here ends what cocotb's use of pytest sees of the project: no conftest.py, which takes a second to load.
+    # cocotb's use of pytest stops here, and does not load the project's conftest.py, which takes a second.
     if not (_BUILD / "pytest.ini").exists():
         (_BUILD / "pytest.ini").write_text("[pytest]\n")
     log_file, results_file = run_dir / "simulation.log", run_dir / "results.xml"
     runner = get_runner("ghdl")
     try:
-        # Of two at once, one would keep its library beside the other's, and GHDL finds them out of step.
+        # A lock, because two runs at once could leave the library of one and the index of the other, which GHDL
+        # rejects.
         with (build_dir / "lock").open("w") as lock:
             fcntl.flock(lock, fcntl.LOCK_EX)
             _build_once(runner, toplevel, libraries, build_dir)
@@ -118,7 +119,7 @@ def run_bench(  # noqa: PLR0913 - each says one thing of the run, by its name
         )
         ran, failed = get_results(results_file)
     except (RuntimeError, SystemExit) as error:
-        # The runner exits where a test failed; with a results file, its counts say more than the exit does.
+        # The runner exits if a test failed; the counts in a results file have more information than the exit.
         if not results_file.exists():
             raise BenchError(f"{toplevel} did not run to its end ({error})\n{_tail(log_file)}") from error
         ran, failed = get_results(results_file)
@@ -131,8 +132,8 @@ def run_bench(  # noqa: PLR0913 - each says one thing of the run, by its name
 
 
 def _build_once(runner: object, toplevel: str, libraries: Mapping[str, Sequence[Path]], build_dir: Path) -> None:
-    """Analyse the sources unless that was done; two runs at once do the same work twice and one result is kept."""
-    # That of the entity last, because only it is asked for.
+    """Analyse the sources unless that was done. Two runs at once both analyse, and one result is kept."""
+    # The library of the entity comes last, because only that one is elaborated.
     own = library_of(toplevel)
     names = [name for name in libraries if libraries[name] and name != own] + [own]
     if (build_dir / _index(own)).exists():
@@ -162,12 +163,12 @@ def _build_once(runner: object, toplevel: str, libraries: Mapping[str, Sequence[
 
 
 def _index(library: str) -> str:
-    """Return the name of the file in which GHDL keeps what it knows of a library."""
+    """Return the name of GHDL's index file of a library."""
     return f"{library}-obj08.cf"
 
 
 def _hash_of(sources: Iterable[Path]) -> str:
-    """Return what names a build: the contents and places of all sources."""
+    """Return a hash of the contents and paths of all sources, as the name of a build."""
     digest = hashlib.sha256()
     for source in sources:
         digest.update(str(source).encode() + b"\0" + source.read_bytes() + b"\0")
@@ -175,12 +176,12 @@ def _hash_of(sources: Iterable[Path]) -> str:
 
 
 def _as_vhdl(value: object) -> object:
-    """Write a generic's value as GHDL's `-g` takes it."""
+    """Format the value of a generic for GHDL's option `-g`."""
     return str(value).lower() if isinstance(value, bool) else value
 
 
 def _warnings(log: str) -> list[str]:
-    """Return the simulator's warnings: of the sources, and after the end of the first reset of undefined signals."""
+    """Return the simulator's warnings: about sources, and about undefined signals after the end of the first reset."""
     reset_ended = re.search(r"reset ended at (\d+) ps", log)
     first_ps = int(reset_ended[1]) if reset_ended else 0
     found = re.finditer(r"^.*:@(\d+)([fpnum]?s):\((?:assertion|report) (?:warning|error)\).*$", log, re.MULTILINE)
@@ -189,7 +190,7 @@ def _warnings(log: str) -> list[str]:
 
 
 def _tail(log_file: Path, lines: int = 20) -> str:
-    """Return the end of a log for an error message."""
+    """Return the end of a log for an error text."""
     if not log_file.exists():
         return "(no output)"
     text = log_file.read_text(errors="replace").splitlines()

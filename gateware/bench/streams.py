@@ -1,7 +1,7 @@
-"""Drivers and monitors for the byte streams of the gateware (data, valid, ready), and the reset that every bench does.
+"""Drivers and monitors for the byte streams of the gateware (data, valid, ready), and the reset for all benches.
 
-All of them look at signals right at the rising edge, where cocotb still shows the values before it, and change them
-after it, as registers do.
+All of them read signals at the rising edge, where cocotb still returns the values before it, and change them after it,
+as registers do.
 """
 
 from __future__ import annotations
@@ -25,28 +25,28 @@ _clocks: dict[str, Task[None]] = {}
 
 
 async def start(clk: LogicObject, rst: LogicObject, period_ns: float = 20.0) -> None:
-    """Start a clock of the given period, unless it runs, and reset for five cycles; returns one cycle after that."""
+    """Start a clock of this period, unless it is running, and reset for five cycles; return one cycle after that."""
     running = _clocks.get(clk._path)  # noqa: SLF001 - a handle has no public name that is unique
     if running is None or running.done():
         _clocks[clk._path] = cocotb.start_soon(Clock(clk, 2 * round(period_ns * 500), unit="ps").start())  # noqa: SLF001
     rst.value = 1
     await ClockCycles(clk, 5)
     rst.value = 0
-    # `runner` looks for this: undefined signals are no fault until then.
+    # `runner` searches for this message: undefined signals are no fault before it.
     cocotb.log.info("reset ended at %d ps", get_sim_time("ps"))
     await RisingEdge(clk)
 
 
 class Joined:
-    """Several signals as one value, the first one lowest: what goes through a stream beside its data."""
+    """Several signals as one value, the first one at the lowest bits, for the signals of a stream beside its data."""
 
     def __init__(self, *parts: tuple[LogicArrayObject | LogicObject, int]) -> None:
-        """Take the signals and the bits of each."""
+        """Store the signals and the number of bits of each."""
         self._parts = parts
 
     @property
     def value(self) -> int:
-        """Only written."""
+        """Write-only."""
         raise NotImplementedError
 
     @value.setter
@@ -57,7 +57,7 @@ class Joined:
 
 
 class Source:
-    """Offers entries on a stream, with pauses of its own in a share of the cycles."""
+    """Offers entries on a stream, with random pauses."""
 
     def __init__(
         self,
@@ -69,14 +69,14 @@ class Source:
         pause: float = 0.0,
         rng: random.Random | None = None,
     ) -> None:
-        """Take the stream's signals, and the probability (0 to 1) of not offering an entry in a cycle."""
+        """Store the stream's signals, and the probability (0 to 1) of not offering an entry in a cycle."""
         self._clk, self._data, self._valid, self._ready = clk, data, valid, ready
         self.pause = pause
         self._rng = rng or random.Random(1)
         valid.value = 0
 
     async def send(self, entries: Iterable[int]) -> None:
-        """Offer each entry until it is taken; returns when the last one was."""
+        """Offer each entry until it is accepted; return when the last one was."""
         for entry in entries:
             paused = 0
             while self._rng.random() < self.pause:
@@ -93,9 +93,9 @@ class Source:
 
 
 class Sink:
-    """Takes entries from a stream into `received`, with pauses in a share of the cycles.
+    """Accepts entries of a stream into `received`, with random pauses.
 
-    `data` may be several signals that go together: entries are then tuples of their values.
+    `data` may be several signals: entries are then tuples of their values.
     """
 
     def __init__(
@@ -108,7 +108,7 @@ class Sink:
         pause: float = 0.0,
         rng: random.Random | None = None,
     ) -> None:
-        """Take the stream's signals, and the probability (0 to 1) of not being ready in a cycle; starts at once."""
+        """Store the stream's signals and the probability (0 to 1) of not being ready in a cycle, and start at once."""
         self._clk, self._data, self._valid, self._ready = clk, data, valid, ready
         self.pause = pause
         self.received: list[int | tuple[int, ...]] = []
@@ -118,14 +118,15 @@ class Sink:
         self._task = cocotb.start_soon(self._run())
 
     def stop(self) -> None:
-        """Take no more; the ready signal stays as it is."""
+        """Accept no more entries; the ready signal keeps its level."""
         self._task.cancel()
 
     async def _run(self) -> None:
         offered = None
         while True:
             offers = not self.pause or self._rng.random() >= self.pause
-            # What happens in no cycle takes no time of the simulation: nothing is written or looked at in vain.
+            # Write ready only if it changes, and sleep while nothing is offered, because each access takes time in the
+            # simulator.
             if offers is not offered:
                 offered = offers
                 self._ready.value = int(offers)
@@ -146,7 +147,7 @@ class Sink:
         """Wait until `count` entries were received and return them.
 
         Raises:
-            AssertionError: if they have not come within `most_us` of the simulation.
+            AssertionError: if they have not been received within `most_us` of simulated time.
         """
         if len(self.received) < count:
             self._wanted = count

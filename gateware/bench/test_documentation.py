@@ -1,4 +1,4 @@
-"""The claims of docs/gateware.md: its design works, and the boards elaborate."""
+"""The statements of docs/gateware.md: its design works, and the boards elaborate."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""The proofs of `gateware/formal` and of the cores, and that they can fail: each finds a fault that is put in.
+"""The proofs of `gateware/formal` and of the cores, and that they can fail: each finds a fault put into its design.
 
-`make test-all` proves what takes z3 seconds, and puts one fault before each proof. The longest proofs and all other
-faults are for the campaign; `make formal` has every proof, too.
+`make test-all` runs the proofs that take z3 seconds, and puts one fault into the design of each. The longest proofs and
+all other faults are for the campaign; `make formal` runs every proof, too.
 """
 
 from __future__ import annotations
@@ -124,7 +124,7 @@ FAULTS = {
     "a program's session shuts nothing out": ("at_most_once", "shut_out", "1'b0"),
     "how a request ended is not written": ("at_most_once", "fate_write", "1'b0"),
 }
-"""The proof, a signal of it (a regular expression), and what drives it in place of what should."""
+"""The proof, a signal of its Verilog (a regular expression), and the expression that drives the signal instead."""
 FAULTS |= {f"{proof.name}: {name}": (proof.name, *fault) for proof in PROOFS for name, fault in proof.faults.items()}
 
 
@@ -140,11 +140,11 @@ def _prove(proof: Proof, fault: tuple[str, str] | None = None) -> str | None:
 
 
 LONG = {"leased_registers", "ul_schedule followed", "ul_schedule reads", "ul_schedule ends"}
-"""Proofs that take minutes of a processor where nothing is kept of them."""
+"""Proofs that take minutes of processor time if their results are not in the cache."""
 
 
 def faults() -> Iterator[object]:
-    """Yield each fault; all but the first of a proof are for the campaign."""
+    """Yield each fault; all except the first of a proof are for the campaign."""
     seen: set[str] = set()
     for name, fault in FAULTS.items():
         yield pytest.param(fault, id=name, marks=[pytest.mark.campaign] if fault[0] in seen else [])
@@ -165,7 +165,7 @@ def test_the_properties_are_proved(proof: Proof) -> None:
 @pytest.mark.parametrize("fault", [*faults()])
 def test_a_proof_fails_where(fault: tuple[str, str, str]) -> None:
     entity, *replaced = fault
-    # That the covers are reached without it is another test.
+    # Another test checks that the covers are reached without the fault.
     proof = dataclasses.replace(next(proof for proof in PROOFS if proof.name == entity), cover_steps=0)
     wrong = _prove(proof, (replaced[0], replaced[1]))
     assert wrong is not None

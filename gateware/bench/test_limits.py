@@ -1,4 +1,4 @@
-"""Rules checked before any tool is started: equal to those that the gateware checks at its elaboration."""
+"""Rules checked before any tool starts: they equal those that the gateware checks at elaboration."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 TOP = "unity_link"
-# How it ends: by an assertion, whose sentence names a generic by its name or by its meaning.
+# Elaboration ends by an assertion whose sentence names a generic, by its name or its meaning.
 SENTENCE = re.compile(
     r"\(assertion failure\): \w+: .*\bexpected|which \d+ groups take|than one sample of the largest group"
 )
@@ -80,7 +80,7 @@ BEYOND: list[tuple[dict[str, object], str]] = [
 
 @pytest.fixture(scope="module")
 def elaborate(tmp_path_factory: pytest.TempPathFactory) -> Callable[[Mapping[str, object]], None]:
-    """Return what elaborates the gateway with generics, and raises where GHDL refuses."""
+    """Return a function that elaborates the gateware with generics, and raises if GHDL rejects them."""
     work, ghdl = tmp_path_factory.mktemp("work"), converting_ghdl()
     options = ["--std=08", f"--work={LIBRARY}", f"--workdir={work}"]
     ghdl.run("import", *options, *map(str, vhdl_sources()), cwd=work)

@@ -1,4 +1,4 @@
-"""File list, FuseSoC core and import scripts have every file of the gateware, once, behind what it needs."""
+"""File list, FuseSoC core and import scripts have every file of the gateware once, after the files that it needs."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def test_no_constraint_is_written_by_hand() -> None:
 
 @pytest.mark.parametrize("tool", ["vivado", "quartus", "radiant", "diamond", "gowin"])
 def test_a_script_adds_each_file_with_its_library(tool: str) -> None:
-    """Run it in Tcl, with stand-ins for the tool's commands."""
+    """Run the script in Tcl, with substitutes for the tool's commands."""
     tkinter = pytest.importorskip("tkinter")
     seen: list[tuple[str, ...]] = []
     interpreter = tkinter.Tcl()

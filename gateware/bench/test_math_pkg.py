@@ -1,4 +1,4 @@
-"""The arithmetic that generics go through when a design is elaborated, against Python's."""
+"""The arithmetic of generics at elaboration, compared with Python's."""
 
 from __future__ import annotations
 

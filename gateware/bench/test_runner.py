@@ -1,4 +1,4 @@
-"""The runner of the benches fails where it should: what it lets pass, no bench would find."""
+"""The runner of the benches reports faults: a fault that it ignored would be found by no bench."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Readers that are not GHDL take every VHDL file, and find in it nothing that a vendor's tool refuses."""
+"""Parsers other than GHDL read every VHDL file, and find no construct that a vendor's tool rejects."""
 
 from __future__ import annotations
 
@@ -105,7 +105,7 @@ def test_the_gateware_has_nothing_that_a_tool_refuses(path: Path) -> None:
 @pytest.mark.parametrize(("name", "count"), [("scara", 3), ("walker", 10)])
 def test_generated_designs_have_nothing_that_a_tool_refuses(name: str, count: int) -> None:
     made = [file for file in generate("vhdl", compile_file(EXAMPLES / f"{name}.ul")) if "_bench" not in file.name]
-    # The scara has its signals in a TosNet, which no whole design brings.
+    # The scara has its signals in a TosNet, which is not part of a generated top.
     assert len(made) == count
     assert {file.name: found for file in made if (found := faults(file.text))} == {}
 

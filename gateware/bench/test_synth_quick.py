@@ -1,4 +1,4 @@
-"""The quick synthesis knows every top and every board, and finds what a tool refuses."""
+"""The quick synthesis includes every top and every board, and reports designs that a tool rejects."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def test_each_top_and_each_board_is_tried_once_and_together_where_only_their_pla
     boards = [name for name in board_names() if load_board(name)[1].family in FAMILIES]
     names = {name for together in tried for name in together}
     assert sum(map(len, tried)) == len(names)
-    # Of a core that is there in several sizes, the smallest.
+    # Only the smallest size of a core is synthesised.
     left_out = {*CONFIGURATIONS, *boards} - names
     assert all(CONFIGURATIONS[name].is_core for name in left_out)
     assert names - {*CONFIGURATIONS} == {*boards}
@@ -52,7 +52,7 @@ def test_a_name_that_is_none_is_told(monkeypatch: pytest.MonkeyPatch, capsys: py
 def test_what_a_tool_refuses_is_found_and_what_is_right_is_not(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    # `faults` would take a missing tool for a fault of the design.
+    # `faults` would report a missing tool as a fault of the design.
     converting_ghdl()
     right = "q <= s; s <= d when rising_edge(clk);"
     tops = {"right": right, "latch": "q <= d when clk = '1';", "circle": "s <= not s; q <= s;"}

@@ -1,7 +1,7 @@
-"""The gateware fits its budget on both families of FPGAs, and the tools that say so refuse what is wrong.
+"""The gateware fits its budget on both families of FPGAs, and the tools report faulty designs.
 
-A configuration takes half a minute to synthesise, the first time: results are kept in the user's cache under a hash of
-the sources, the tools and the options, and `make synth` shares them.
+Synthesis of a configuration takes half a minute the first time: results are stored in the user's cache under a hash of
+the sources, the tools and the options, and shared with `make synth`.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 LIMITS = budget()
 IN_CI = [("default", "ice40"), ("minimal", "ice40"), ("default", "ecp5")]
 QUICKEST = "ecp5"
-"""The device that a core is placed on in the least time."""
+"""The device on which a core is placed in the least time."""
 PROMISED = {
     ("default", "ice40", "fmax_mhz"): 60,
     ("default", "ecp5", "fmax_mhz"): 100,
@@ -119,7 +119,7 @@ def test_the_name_of_sources_is_that_of_their_code(
         (tmp_path / "top.vhd").write_text(top)
         (tmp_path / "below.vhd").write_text("entity below is\nend entity;\n" + text)
         (tmp_path / "of_it.vhd").write_text("package of_it is\n" + text)
-        # An entity that is not below the top does not count.
+        # An entity that the top does not contain is not hashed.
         (tmp_path / "other.vhd").write_text(f"entity other is\n-- {len(names)}\nx <= {len(names)};")
         names.append(origins.sources_of("top", {"depth": 3}, sorted(tmp_path.glob("*.vhd"))))
     assert (names[0] != names[1]) == is_changed

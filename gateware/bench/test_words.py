@@ -1,4 +1,4 @@
-"""No name of the gateware's VHDL is a word of SystemVerilog: its Verilog is read in each language."""
+"""No name in the gateware's VHDL is a keyword of SystemVerilog, so its Verilog is valid in both languages."""
 
 from __future__ import annotations
 

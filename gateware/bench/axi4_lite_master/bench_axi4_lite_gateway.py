@@ -1,4 +1,4 @@
-"""Inside the simulator: the same requests as on Wishbone are answered by a gateway on AXI4-Lite."""
+"""Bench: a gateway on AXI4-Lite answers the same requests as one on Wishbone."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 
 
 MOST_NS = 20 * (3 * 64 + 200)
-"""An access waits for the rest behind the one before it, as long as the timeout of 64 cycles, and times out."""
+"""Maximum time to an answer in ns: the bus is first released after a timeout of 64 cycles; then an access times out."""
 
 
 class _Gateway:
-    """A gateway with a memory on its bus, of which each channel is ready when it likes."""
+    """A gateway with a memory on its bus, whose channels are ready at random times."""
 
     def __init__(self, dut: SimHandleBase, pause: float) -> None:
         self.slave = Slave(dut, pause, "axi_")
@@ -30,14 +30,14 @@ class _Gateway:
         self._session = 0
 
     async def ask(self, body: bytes, expected: bytes) -> None:
-        """Send a checked request, whose answer must be the checked frame of `expected`."""
+        """Send a checked request, and check that the answer is the checked frame of `expected`."""
         self._sink.received.clear()
         await self._source.send(checked(body, self._session))
         answer = checked(expected, self._session, answers=True)
         assert bytes(await self._sink.wait_for(len(answer))) == answer, body
 
     async def open(self) -> None:
-        """Begin a session by a plain frame."""
+        """Begin a session with a plain frame."""
         self._sink.received.clear()
         await self._source.send(opening() + b"\r")
         answer = opening() + b"0000\r\n"
@@ -89,7 +89,7 @@ async def a_slave_that_never_answers_costs_each_access_an_error_and_no_request_i
     await gateway.open()
     await gateway.ask(b"GS00000001022021", b"GS00")
     gateway.slave.silent = True
-    # The first access stands at the slave for ever, a read or a write; none behind it gets there.
+    # The slave never answers the first access, a read or a write; no later access reaches it.
     for number, (letters, fields) in enumerate(
         ((b"r", b"0A"), (b"w", b"0B00000001"), (b"rm", b"2014"), (b"wm", b"20" + b"%08X" % 1 * 3), (b"r", b"30")) * 2
     ):
@@ -99,7 +99,7 @@ async def a_slave_that_never_answers_costs_each_access_an_error_and_no_request_i
     for _ in range(2):
         await gateway.ask(b"R0A", b"X05")
         await gateway.ask(b"WK0A0000000F00000005", b"X05")
-        # A sample that cannot be read is not published.
+        # A sample is not published if its read fails.
         await gateway.ask(b"GP00", b"GP00")
     gateway.slave.end()
     gateway = await _begin(dut, 0.0)

@@ -1,4 +1,4 @@
-"""Inside the simulator: the AXI4-Lite wrapper in front of a slave that takes each channel when it likes."""
+"""Bench: the AXI4-Lite wrapper with a slave that accepts each channel at random times."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ FROM_SLAVE = ("awready", "wready", "bresp", "bvalid", "arready", "rdata", "rresp
 
 
 class Slave:
-    """Memory behind AXI4-Lite that checks the rules of its channels: what is valid stays until it is taken.
+    """AXI4-Lite memory that checks the rules of its channels: a valid transfer stays valid until it is accepted.
 
     Args:
         dut: the master.
-        pause: how often a channel is not ready.
-        prefix: what the names of its pins begin with.
+        pause: probability (0 to 1) that a channel is not ready.
+        prefix: of the names of its pins.
     """
 
     def __init__(self, dut: SimHandleBase, pause: float, prefix: str = "") -> None:
@@ -43,7 +43,7 @@ class Slave:
         self._running = cocotb.start_soon(self._run())
 
     def end(self) -> None:
-        """Leave the bus, as where a reset of both ends comes."""
+        """Leave the bus, as at a reset of both ends."""
         self._running.cancel()
 
     def _sometimes(self) -> int:
@@ -57,7 +57,7 @@ class Slave:
             self._take()
 
     def _offer(self) -> None:
-        """Be ready, and answer what was taken, when it likes."""
+        """Set the ready signals, and answer accepted accesses, at random times."""
         dut = self.dut
         dut.awready.value = self._sometimes() if self._write_address is None else 0
         dut.wready.value = self._sometimes() if self._write_data is None else 0
@@ -115,7 +115,7 @@ async def _begin(dut: SimHandleBase, pause: float = 0.0) -> Slave:
 async def _access(
     dut: SimHandleBase, address: int, word: int | None = None, most: int = 200
 ) -> tuple[int, bool] | None:
-    """Access one word as the core does; gives what was read and whether it failed, or None where it was given up."""
+    """Access one word as the core does; return the word read and whether it failed, or None if it was given up."""
     dut.bus_request.value = 1
     dut.bus_write.value = int(word is not None)
     dut.bus_address.value = address

@@ -1,4 +1,4 @@
-"""Inside the simulator: as many base ticks come as the frequencies say, evenly."""
+"""Bench: the base tick has the right number of ticks for its frequency, evenly spaced."""
 
 from __future__ import annotations
 

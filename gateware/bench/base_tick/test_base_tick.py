@@ -1,4 +1,4 @@
-"""The base tick where the clock is a multiple of it, and where it is not."""
+"""The base tick, with a clock that is a multiple of its frequency and with one that is not."""
 
 from __future__ import annotations
 

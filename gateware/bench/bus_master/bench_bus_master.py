@@ -1,4 +1,4 @@
-"""Inside the simulator: who gets the bus, in which order, and what happens when it does not answer."""
+"""Bench: which client gets the bus, in which order, and the behaviour if the bus does not answer."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ BUS_ERROR, TIMEOUT = 4, 5
 
 
 class _Slave:
-    """Answers each access after some cycles with the address inverted; notes who accessed what, and the lock."""
+    """Answers each access after some cycles with the inverted address; records accesses, their kinds, and the lock."""
 
     def __init__(self, dut: SimHandleBase, waits: int = 0) -> None:
         self.dut = dut
         self.waits = waits
         self.silent = False
         self.strays: set[int] = set()
-        """Cycles behind the end of an access in which there is another answer, to nothing."""
+        """Cycles after the end of an access in which the slave answers again, without an access."""
         self.failing: set[int] = set()
         self.accesses: list[tuple[int, int]] = []
-        """Address, and whether it was a write."""
+        """Address, and 1 for a write, of each access."""
         self.unlocked_after: list[int] = []
-        """Accesses that had been made whenever the lock fell."""
+        """Number of accesses that had been made whenever the lock fell."""
         cocotb.start_soon(self._run())
 
     async def _run(self) -> None:
@@ -76,7 +76,7 @@ async def _begin(dut: SimHandleBase, waits: int = 0) -> _Slave:
 async def _request(
     dut: SimHandleBase, addresses: list[int], *, write: bool = False, exclusive: bool = False
 ) -> list[int]:
-    """Access addresses as one transaction; gives the failure of each, up to the first."""
+    """Access addresses as one transaction; return the failure of each, up to the first one that is not 0."""
     failures = []
     dut.request.value = 1
     for index, address in enumerate(addresses):
@@ -86,7 +86,7 @@ async def _request(
         dut.request_more.value = index < len(addresses) - 1
         while True:
             await RisingEdge(dut.clk)
-            # Behind its last access a client asks for nothing before that has been told.
+            # After its last access a client requests nothing until that access is done.
             if dut.request_granted.value == 1 and dut.request_more.value == 0:
                 dut.request.value = 0
             if dut.request_done.value == 1:
@@ -100,7 +100,7 @@ async def _request(
 
 
 async def _sample(dut: SimHandleBase, addresses: list[int], after: int = 0) -> list[int]:
-    """Read addresses as one sample, beginning after some cycles; gives the words."""
+    """Read addresses as one sample, beginning after some cycles; return the words."""
     for _ in range(after):
         await RisingEdge(dut.clk)
     words = []
@@ -140,7 +140,7 @@ async def a_sample_comes_between_the_words_of_a_read_and_is_not_interrupted(dut:
     first = order.index(0x80)
     assert 0 < first < 4
     assert order[first : first + 3] == [0x80, 0x81, 0x82]
-    # The lock of the block stood all the time.
+    # The lock of the block was asserted all the time.
     assert slave.unlocked_after == [8]
 
 

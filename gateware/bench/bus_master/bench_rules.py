@@ -1,4 +1,4 @@
-"""Inside the simulator: clients that break the rules of the bus master, each of which ends the simulation."""
+"""Bench: clients that break the rules of the bus master; each ends the simulation."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ async def _first_of_a_block(dut: SimHandleBase, client: str) -> None:
 async def _behind_the_last(dut: SimHandleBase, client: str) -> None:
     await _first_of_a_block(dut, client)
     getattr(dut, f"{client}_more").value = 0
-    # The bus takes the first access, so that the second and last is granted before the answer.
+    # The bus accepts the first access, so that the second and last one is granted before the answer.
     dut.bus_next.value = 1
     await RisingEdge(dut.clk)
     dut.bus_next.value = 0

@@ -1,4 +1,4 @@
-"""Inside the simulator: frames in compact form, text and noise become the text that the host makes of them."""
+"""Bench: frames in compact form, text and noise are converted to the same text as by the host."""
 
 from __future__ import annotations
 

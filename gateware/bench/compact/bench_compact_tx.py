@@ -1,4 +1,4 @@
-"""Inside the simulator: text becomes the bytes that the host makes of it."""
+"""Bench: text is converted to the same bytes as by the host."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ async def _pass(dut: SimHandleBase, text: bytes, *, compact: bool, pause: float)
 async def what_leaves_has_the_text_that_came_and_is_shorter(dut: SimHandleBase) -> None:
     form = form_of(dut, from_gateway=True)
     for pause in (0.0, 0.4):
-        # No plain frame is put into the form.
+        # Without plain frames, because they have no compact form.
         text = frames(form, random.Random(1), 300).replace(b"\r", b"")
         packed = await _pass(dut, text, compact=True, pause=pause)
         assert Unpacker(form).unpack(packed) == text

@@ -13,19 +13,19 @@ if TYPE_CHECKING:
 
 
 def form_of(dut: SimHandleBase, *, from_gateway: bool) -> CompactForm:
-    """Return the form that an entity was built for; one that sends has no digits of an address."""
+    """Return the form for which an entity was built; a transmitter has no address digits."""
     address_digits = 0 if from_gateway else int(dut.address_digits.value)
     has_node = dut.node.value.to_signed() >= 0
     return CompactForm(int(dut.id_digits.value), 4, address_digits, from_gateway=from_gateway, has_node=has_node)
 
 
 def text_of(form: CompactForm, data: bytes) -> bytes:
-    """Return the text that a gateway makes: a line end behind an end is an empty frame to it, on any medium."""
+    """Return the text that the gateware outputs; with a node, a line end after a compact end is an empty frame."""
     return Unpacker(form).unpack(data.replace(END + b"\n", END + b"\n\n") if form.has_node else data)
 
 
 def frames(form: CompactForm, rng: random.Random, count: int) -> bytes:
-    """Return frames of every command with digits of any number that it may have, and others among them."""
+    """Return frames of every command, with any allowed number of digits, mixed with other frames."""
     text = ""
     for _ in range(count):
         prefix = "ZB5" if form.has_node else ""
@@ -38,7 +38,7 @@ def frames(form: CompactForm, rng: random.Random, count: int) -> bytes:
 
 
 def damaged(data: bytes, rng: random.Random) -> bytes:
-    """Return bytes with some of them lost, changed or added."""
+    """Return bytes of which some were lost, changed or added."""
     found = bytearray()
     for byte in data:
         chance = rng.random()

@@ -1,4 +1,4 @@
-"""The stages of the compact form, against the host's."""
+"""The entities of the compact form, compared with the host's functions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Inside the simulator: frames are taken apart and checked, whatever comes, under random back-pressure."""
+"""Bench: frames are separated and checked, for any input, under random back pressure."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ if TYPE_CHECKING:
 
 CRC, TOO_LONG, OVERFLOW = 1, 7, 9
 POLYNOMIAL = 0x1021
-"""The default, of which a CRC takes what it has room for."""
+"""The default polynomial; a CRC uses as many of its low bits as it has."""
 LOST = 1 << 8
 
 
 class _Bench:
-    """The entity between a source of characters (with a bit for loss) and a sink of bodies."""
+    """The entity between a source of characters (with a bit for lost bytes) and a sink of bodies."""
 
     def __init__(self, dut: SimHandleBase, pause: float) -> None:
         self.dut = dut
         self.digits = int(dut.crc_bits.value) // 4
         self.crc = Crc(4 * self.digits, POLYNOMIAL % 16**self.digits)
         self.longest = int(dut.longest.value)
-        # A negative generic is read as a large number.
+        # cocotb returns a negative generic as a large number.
         self.node = int(dut.node.value) if int(dut.node.value) < 255 else -1
         self.prefix = b"" if self.node < 0 else b"Z%02X" % self.node
         self._source = Source(
@@ -37,7 +37,7 @@ class _Bench:
         self._sink = Sink(dut.clk, signals, dut.out_valid, dut.out_ready, pause=pause)
 
     async def frames(self, data: bytes, lost: frozenset[int] = frozenset()) -> list[tuple[bytes, int, int, int]]:
-        """Send characters; gives body, plain, error and silent of each frame."""
+        """Send characters; return body, plain, error and silent of each frame."""
         await self._source.send(byte | (LOST if index in lost else 0) for index, byte in enumerate(data))
         for _ in range(30 * self.digits):
             await cocotb.triggers.RisingEdge(self.dut.clk)

@@ -1,4 +1,4 @@
-"""The datalink layer inwards, with checks of each width, alone and on a shared medium."""
+"""The datalink receiver, with CRCs of each width, alone and on a shared medium."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Inside the simulator: bodies become frames, without a gap, with their mark beside the last character."""
+"""Bench: bodies become frames without gaps, with their mark beside the last character."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
 
 POLYNOMIAL = 0x1021
-"""The default, of which a CRC takes what it has room for."""
+"""The default polynomial; a CRC uses as many of its low bits as it has."""
 
 
 def _joined(dut: SimHandleBase) -> Joined:
@@ -47,7 +47,7 @@ async def _send(
 def _frames(dut: SimHandleBase, bodies: list[tuple[bytes, int, int]], session: int = 0) -> list[tuple[int, ...]]:
     bits, node = int(dut.crc_bits.value), int(dut.node.value)
     crc = Crc(bits, POLYNOMIAL % 2**bits)
-    # A negative generic is read as a large number.
+    # cocotb returns a negative generic as a large number.
     prefix = b"" if node > 254 else b"Z%02X" % node
     expected = []
     for body, plain, mark in bodies:

@@ -1,4 +1,4 @@
-"""The datalink layer outwards, with checks of each width, alone and on a shared medium."""
+"""The datalink transmitter, with CRCs of each width, alone and on a shared medium."""
 
 from __future__ import annotations
 

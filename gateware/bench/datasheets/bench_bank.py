@@ -1,4 +1,4 @@
-"""Inside the simulator: what the pictures of a generated register bank show, at its bus and its hardware's side."""
+"""Bench for the pictures of a generated register bank: its bus and the hardware's side."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ async def _begin(dut: SimHandleBase) -> None:
 
 
 async def _transaction(dut: SimHandleBase, *accesses: tuple[int, int | None]) -> list[int | None]:
-    """Make accesses, writes where there is a word, as a pipelined master; return what was read, None for an error."""
+    """Make accesses (writes if they have a word) as a pipelined master; return the words read, and None for errors."""
     answers: list[int | None] = []
     waiting = list(accesses)
     dut.wb_cyc.value = 1
@@ -61,7 +61,7 @@ async def bank_fifo(dut: SimHandleBase) -> None:
     await _begin(dut)
 
     async def hardware() -> None:
-        """Return a byte three cycles later, and keep it until it is taken."""
+        """Offer a byte three cycles later, until it is accepted."""
         await ClockCycles(dut.clk, 3)
         dut.log.value, dut.log_valid.value = 0x2A, 1
         taken = False

@@ -1,4 +1,4 @@
-"""Inside the simulator: what the pictures of FIFOs, crossings and the chain show."""
+"""Bench for the pictures of FIFOs, synchronisers and the chain of shift registers."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ ENTRIES = (0xA0, 0xA1, 0xA2)
 
 
 async def _pass_entries(dut: SimHandleBase, name: str, clk: str, waits: int) -> None:
-    """Pass three entries in and out, of which the first waits."""
+    """Pass three entries in and out; the first one waits in the entity."""
     source = Source(
         getattr(dut, f"in_{clk}" if hasattr(dut, "in_clk") else clk), dut.in_data, dut.in_valid, dut.in_ready
     )
@@ -105,7 +105,7 @@ async def shift_chain(dut: SimHandleBase) -> None:
 
 @cocotb.test(timeout_time=1, timeout_unit="ms")
 async def one_bit(dut: SimHandleBase) -> None:
-    """A chain of one bit with a wire from its end to its beginning: the light at its end does not flicker."""
+    """A chain of one bit with a wire from its end to its beginning: the output at the end does not flicker."""
 
     async def wire() -> None:
         while True:

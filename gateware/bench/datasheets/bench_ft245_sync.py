@@ -1,4 +1,4 @@
-"""Inside the simulator: what the pictures of `ul_ft245_sync` show, at the chip of its bench."""
+"""Bench for the pictures of `ul_ft245_sync`, with the chip model of its own bench."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Inside the simulator: what the pictures of the whole gateway show, at its FIFO port and its Wishbone bus."""
+"""Bench for the pictures of the whole gateway: its FIFO port and its Wishbone bus."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ async def _gateway(dut: SimHandleBase) -> Gateway:
 
 
 async def _answered(dut: SimHandleBase, gateway: Gateway, picture: Picture, count: int = 1) -> None:
-    """Wait for answers; the cycles are counted from the edge at which the last byte of the request was taken."""
+    """Wait for answers; the cycles are numbered from the edge at which the last byte of the request was accepted."""
     await FallingEdge(dut.in_valid)
     picture.zero()
     while gateway.received.count(b"\n") < count:

@@ -1,4 +1,4 @@
-"""Inside the simulator: what the pictures of the wrappers of buses show; the core's side is driven here."""
+"""Bench for the pictures of the bus wrappers; it drives the core's side."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 async def _access(dut: SimHandleBase, address: int, word: int | None = None) -> int:
-    """Make an access as the core does, and return what was read."""
+    """Make an access as the core does, and return the word read."""
     dut.bus_request.value = 1
     dut.bus_write.value = word is not None
     dut.bus_address.value = address
@@ -38,7 +38,7 @@ async def wishbone_classic(dut: SimHandleBase) -> None:
     dut.bus_address.value = dut.bus_write_data.value = dut.dat_i.value = 0
 
     async def slave() -> None:
-        """Answer a strobe by what comes next, a cycle later."""
+        """Answer each strobe with the next entry of `answers`, one cycle later."""
         while True:
             await RisingEdge(dut.clk)
             asked = dut.stb.value == 1 and dut.ack.value == 0 and dut.rty.value == 0

@@ -1,4 +1,4 @@
-"""Inside the simulator: what the pictures of `ul_uart` show."""
+"""Bench for the pictures of `ul_uart`."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- What the pictures of a generated register bank run on: that of examples/rover.ul behind a pipelined master, with those
--- elements of its records that are shown as ports of their own.
+-- Top for the pictures of a generated register bank: the bank of examples/rover.ul with a pipelined master. The shown
+-- elements of its records are ports.
 
 library ieee;
   use ieee.std_logic_1164.all;

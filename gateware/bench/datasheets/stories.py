@@ -1,6 +1,6 @@
-"""The contents of the datasheets' pictures: which bench, which of its signals, and the clock whose cycles are counted.
+"""The contents of the datasheets' pictures: the bench, its signals, and the clock whose cycles are numbered.
 
-Each is a piece of a simulation; the bench says when it begins and ends (`gateware.bench.datasheets.window`).
+Each picture is a part of a simulation; the bench marks its begin and end (`gateware.bench.datasheets.window`).
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _GATEWAY = GATEWARE / "bench" / "unity_link" / "unity_link_bench.vhd"
 
 @dataclasses.dataclass(frozen=True)
 class Picture:
-    """One picture; its name is that of the test in the bench, and of the file."""
+    """One picture; the bench's test and the picture's file have the same name."""
 
     title: str
     rows: tuple[Row, ...]
@@ -34,7 +34,7 @@ class Picture:
 
 @dataclasses.dataclass(frozen=True)
 class Simulation:
-    """A run of a bench, of which pictures are drawn."""
+    """A run of a bench from which pictures are drawn."""
 
     entity: str
     bench: str
@@ -42,7 +42,7 @@ class Simulation:
     generics: Mapping[str, object] = dataclasses.field(default_factory=dict)
     sources: tuple[Path, ...] = ()
     generated: bool = False
-    """True if it is of the entities that are generated from a spec."""
+    """True if the entity is generated from a spec."""
 
     def draw(self) -> Iterator[tuple[str, str]]:
         """Simulate, and yield the name of each picture with its text."""

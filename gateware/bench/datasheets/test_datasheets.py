@@ -1,4 +1,4 @@
-"""The datasheets are those of the sources: tables, pictures and examples; and each public entity has one."""
+"""The datasheets match the sources: tables, pictures and examples; and each public entity has one."""
 
 from __future__ import annotations
 
@@ -115,7 +115,7 @@ def test_the_examples_elaborate(tmp_path: Path) -> None:
 
 
 def _design(folder: Path, name: str) -> Path:
-    """Write the example of a page into a design that has its signals, of the types that the entity's ports have."""
+    """Write the example of a page into a design that declares its signals, with the types of the entity's ports."""
     (example,) = _EXAMPLE.findall((PAGES / f"{name}.md").read_text())
     assert f" : entity {library_of(name)}.{name}\n" in example
     described = entity(name)

@@ -1,4 +1,4 @@
-"""Inside the simulator: says which piece of a simulation is a picture."""
+"""Marks the part of a simulation that a picture shows."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Picture:
-    """The time within a block is that of a picture, and a little before and behind it, in ns."""
+    """The time within a block, extended by `before` and `behind` ns, is shown in a picture."""
 
     def __init__(self, name: str, before: float = 0, behind: float = 0) -> None:
         self._name, self._before, self._behind = name, before, behind
@@ -25,7 +25,7 @@ class Picture:
         return self
 
     def zero(self) -> None:
-        """Count the cycles from the edge that is now."""
+        """Number the cycles from the present edge."""
         self._zero = _now()
 
     def __exit__(

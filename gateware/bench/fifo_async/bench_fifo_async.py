@@ -1,4 +1,4 @@
-"""Inside the simulator: the dual-clock FIFO keeps order and throughput whatever the two clocks are."""
+"""Bench: the dual-clock FIFO keeps order and throughput for any two clocks."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ async def _end_reset(dut: SimHandleBase) -> None:
     dut.out_rst.value = 0
     await RisingEdge(dut.in_clk)
     dut.in_rst.value = 0
-    # `runner` looks for this: undefined signals are no fault until then.
+    # `runner` searches for this message: undefined signals are no fault before it.
     cocotb.log.info("reset ended at %d ps", get_sim_time("ps"))
     await RisingEdge(dut.in_clk)
 
@@ -87,7 +87,7 @@ async def it_holds_its_depth_and_one_more(dut: SimHandleBase) -> None:
 async def the_slower_side_never_waits(dut: SimHandleBase) -> None:
     await _prepare(dut)
     if int(dut.depth.value) < 16:
-        return  # the pointers' way through both synchronisers is longer than a smaller FIFO
+        return  # too small: the pointers take longer through both synchronisers
     slower = dut.in_clk if _IN_PERIOD_PS >= _OUT_PERIOD_PS else dut.out_clk
     sink = _sink(dut)
     cocotb.start_soon(_source(dut).send(_entries(dut, 3000)))

@@ -1,4 +1,4 @@
-"""The dual-clock FIFO between equal, near, far and unrelated clocks."""
+"""The dual-clock FIFO between clocks of equal, similar, very different and unrelated frequencies."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Inside the simulator: the plain port passes bytes, the mark of a loss, and the flush behind the bytes."""
+"""Bench: the FIFO port passes bytes, the mark of lost bytes, and the flush after the bytes."""
 
 from __future__ import annotations
 

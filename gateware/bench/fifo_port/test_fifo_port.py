@@ -1,4 +1,4 @@
-"""The plain FIFO port."""
+"""The FIFO port."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Inside the simulator: the synchronous FIFO keeps order, throughput, capacity and level."""
+"""Bench: the synchronous FIFO keeps order, throughput, capacity and level."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ async def a_stream_moves_one_entry_in_every_cycle(dut: SimHandleBase) -> None:
         await _source(dut).send(entries[:filled])
         sink = _sink(dut)
         source = cocotb.start_soon(_source(dut).send(entries[filled:]))
-        # One cycle until the sink is ready, one of latency, one that a full FIFO needs to take an entry again.
+        # One cycle until the sink is ready, one of latency, and one until a full FIFO accepts an entry again.
         for _ in range(len(entries) + 3):
             await RisingEdge(dut.clk)
         assert sink.received == entries

@@ -1,4 +1,4 @@
-"""The synchronous FIFO in several shapes."""
+"""The synchronous FIFO in several widths and depths."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Inside the simulator: what an answer or a sample is made of becomes its body, character by character."""
+"""Bench: the parts of an answer or a sample become its body, character by character."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
 
 LETTERS = ("R", "RM", "RQ", "WK", "W", "WM", "WQ", "WS", "GS", "GN", "GX", "GP", "I", "H", "Q", "K", "X", "N", "P")
-"""In the order of their codes; the last three are of the gateway alone."""
+"""In the order of their codes; only the gateway sends the last three."""
 
 
 @dataclass(frozen=True)
 class Answer:
-    """An answer as the executor has it made, and the words that stand in the response ring for it."""
+    """An answer as the executor requests it, with its words for the response ring."""
 
     letters: str
     number: int | None = None
@@ -35,7 +35,7 @@ class Answer:
 
 @dataclass(frozen=True)
 class Sample:
-    """A sample as the subscription manager lays it out in the sample ring."""
+    """A sample in the layout of the sample ring."""
 
     group: int
     sequence: int
@@ -48,7 +48,7 @@ class Sample:
 
 @dataclass
 class Widths:
-    """Digits of the fields, from the generics."""
+    """Number of digits of the fields, from the generics."""
 
     dut: SimHandleBase
     data: int = field(init=False)
@@ -62,7 +62,7 @@ class Widths:
         self.number = int(self.dut.id_digits.value)
 
     def body(self, frame: Answer | Sample) -> bytes:
-        """Return the body that a frame has, from the protocol."""
+        """Return the body of a frame according to the protocol."""
         if isinstance(frame, Sample):
             stamp = "" if frame.stamp is None else f"{frame.stamp:08X}"
             text = f"P{frame.group:02X}{frame.sequence:02X}{stamp}"
@@ -80,7 +80,7 @@ class Widths:
 
 
 class Ring:
-    """A `ul_word_ring` as its reader sees it: after `pop` the next word stands there from the second cycle on."""
+    """Read port of a `ul_word_ring`: after `pop`, the next word is valid from the second cycle on."""
 
     def __init__(self, dut: SimHandleBase, word: str, pop: str, available: str | None = None) -> None:
         self.words: deque[int] = deque()
@@ -93,7 +93,7 @@ class Ring:
         while True:
             if at_port != shown:
                 shown = word.value = at_port
-            # What is in the ring is told of once it is complete, so some cycles after its first word.
+            # `available` reports a sample once it is complete, some cycles after its first word.
             filled = filled + 1 if self.words else 0
             if self._available:
                 getattr(dut, self._available).value = filled > 3
@@ -106,7 +106,7 @@ class Ring:
 
 
 class Writer:
-    """Returns frames to the entity and takes bodies from it."""
+    """Passes frames to the entity and receives bodies from it."""
 
     def __init__(self, dut: SimHandleBase) -> None:
         self.dut = dut
@@ -117,7 +117,7 @@ class Writer:
         self.sink = Sink(dut.clk, signals, dut.out_valid, dut.out_ready)
 
     def put_sample(self, sample: Sample) -> None:
-        """Lay a sample out in its ring."""
+        """Write a sample to its ring."""
         top = len(self.dut.sample_word)
         flags = (sample.stamp is not None) << 2 | sample.plain << 1 | sample.immediate
         words = 1 + (sample.stamp is not None) + len(sample.words)
@@ -128,7 +128,7 @@ class Writer:
         self.samples.words.extend(word << top - 4 * self.widths.data for word in sample.words)
 
     async def answer(self, answer: Answer) -> None:
-        """Offer an answer until it is taken, then something else in its place."""
+        """Offer an answer until it is accepted, then change its fields."""
         dut, rng = self.dut, random.Random(3)
         self.responses.words.extend(answer.words)
         dut.answer_message.value = LETTERS.index(answer.letters)
@@ -151,7 +151,7 @@ class Writer:
             signal.value = rng.getrandbits(len(signal))
 
     async def _send_tail(self, tail: str) -> None:
-        """Drive the digits of a tail as they are asked for; the other inputs of the answer may change meanwhile."""
+        """Drive the digits of a tail as they are requested; the other inputs of the answer may change meanwhile."""
         dut, sent = self.dut, 0
         dut.tail.value, dut.tail_more.value = bool(tail), max(len(tail) - 1, 0)
         while sent < len(tail):
@@ -164,7 +164,7 @@ class Writer:
         dut.tail.value = 0
 
     async def bodies(self, count: int) -> list[tuple[bytes, int, int]]:
-        """Wait for so many bodies; gives each with plain and mark, which count beside its last character."""
+        """Wait for bodies; return each with plain and mark, which are valid with its last character."""
         whole = seen = 0
         for _ in range(30_000):
             whole += sum(entry[1] for entry in self.sink.received[seen:])
@@ -183,7 +183,7 @@ class Writer:
         return bodies
 
     def expected(self, frame: Answer | Sample) -> tuple[bytes, int, int]:
-        """Return what `bodies` has to give for a frame."""
+        """Return the expected result of `bodies` for a frame."""
         mark = frame.mark if isinstance(frame, Answer) else 2 * frame.immediate
         return self.widths.body(frame), frame.plain, mark
 
@@ -249,7 +249,7 @@ def _random_sample(widths: Widths, rng: random.Random) -> Sample:
 @cocotb.test
 async def every_message_has_its_letters_and_fields(dut: SimHandleBase) -> None:
     writer = await _begin(dut)
-    # WS has no answer, and P is of samples.
+    # WS has no answer, and P is for samples.
     for letters in (letters for letters in LETTERS if letters not in ("WS", "P")):
         for number in (None, 0x1F):
             answer = Answer(letters, number=number)

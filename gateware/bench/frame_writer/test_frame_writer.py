@@ -1,4 +1,4 @@
-"""The writer of bodies with words, addresses and IDs of several widths, multiples of a digit or not."""
+"""The frame writer with words, addresses and IDs of several widths, multiples of a digit or not."""
 
 from __future__ import annotations
 

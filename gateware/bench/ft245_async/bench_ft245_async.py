@@ -1,4 +1,4 @@
-"""Inside the simulator: the asynchronous FT245 layer at a chip that checks each of the datasheet's intervals."""
+"""Bench: the asynchronous FT245 layer with a chip model that checks each interval of the datasheet."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
 
 _PAUSES_NS = (0, 100, 1000)
-"""At most, of a flag of the chip."""
+"""Maximum pauses of a flag of the chip, in ns."""
 
 
 def _count(most_pause_ns: int) -> int:
-    """Return a number of bytes for pauses of this length: pauses take the time, and not bytes."""
+    """Return a number of bytes for pauses of this length, because pauses determine the run time."""
     return 60 if most_pause_ns >= 1000 else 200
 
 
@@ -87,7 +87,7 @@ async def both_directions_share_the_bus(dut: SimHandleBase) -> None:
             down, up = _data(count), _data(count, 12)
             chip.send(down)
             await _source(dut, core_pause).send(up)
-            # None of the two may have had to wait for the end of the other.
+            # Neither direction may have waited for the end of the other.
             assert len(sink.received) > count // 3
             assert await sink.wait_for(len(down)) == [(byte, 0) for byte in down]
             await Timer(2 + most_pause / 1000, unit="us")
@@ -122,7 +122,7 @@ async def nobody_drives_the_bus_of_a_chip_that_takes_nothing(dut: SimHandleBase)
     written = len(chip.from_gateware)
     assert written < 4
     assert int(dut.data_oe.value) == 0
-    # What waits goes when there is room again, and the bus is free again behind it.
+    # The waiting bytes are sent when the chip accepts them again, and the bus is released after them.
     chip.stop()
     chip = AsyncChip(dut)
     await source
@@ -147,7 +147,7 @@ async def from_50_mhz_on_it_writes_as_fast_as_the_chip_takes_bytes(dut: SimHandl
 
 
 async def _note_flushes(dut: SimHandleBase, flushes: list[int]) -> None:
-    """Note after how many accepted bytes each flush came."""
+    """Record the number of accepted bytes at each flush."""
     accepted = 0
     while True:
         await RisingEdge(dut.clk)
@@ -168,7 +168,7 @@ async def siwu_follows_the_last_byte_before_the_flush(dut: SimHandleBase) -> Non
             await ClockCycles(dut.clk, rng.choice((1, 2, 5, 20, 100)))
             await _flush(dut)
         await Timer(3 + most_pause / 1000, unit="us")
-        # A flush that comes while the one before it still waits, and one without a new byte, are one with that.
+        # A flush during a pending one, and a flush without a new byte, are merged with the pending or previous one.
         assert set(chip.flushed_after) <= set(flushes)
         assert chip.flushed_after == sorted(set(chip.flushed_after))
         assert chip.flushed_after[-1] == 150

@@ -1,4 +1,4 @@
-"""The asynchronous FT245 layer at clocks whose cycle is longer and shorter than the datasheet's intervals."""
+"""The asynchronous FT245 layer with clock periods longer and shorter than the datasheet's intervals."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Inside the simulator: the synchronous FT245 layer at a chip whose flags go away in any cycle."""
+"""Bench: the synchronous FT245 layer with a chip whose flags become inactive in any cycle."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ if TYPE_CHECKING:
 _CLK_NS = float(os.environ["CLK_NS"])
 _KIND = os.environ["CHIP"]
 _SILENCE_NS = 80 * _CLK_NS
-"""After which the pins rest where CLKOUT stands: 64 cycles of clk, and those in which a question is on its way."""
+"""Time in ns after which the pins are idle if CLKOUT stops: 64 cycles of clk, and the duration of a poll."""
 _FLAGS = ((0.0, 0.0), (0.5, 0.5), (0.1, 0.7), (0.8, 0.1), (0.03, 0.03))
 _CORE_PAUSES = ((0.0, 150), (0.5, 150), (0.95, 40))
-"""Pauses of the core, and bytes that show their effect: pauses take the time, and not bytes."""
+"""Pauses of the core, and numbers of bytes that show their effect, because pauses determine the run time."""
 
 
 async def _prepare(dut: SimHandleBase, no_rxf: float = 0.0, no_txe: float = 0.0, txe_high: int = 2) -> SyncChip:
@@ -95,7 +95,7 @@ async def both_directions_share_the_bus(dut: SimHandleBase) -> None:
         for core_pause in (0.0, 0.5):
             chip = await _prepare(dut, no_rxf, no_txe)
             sink = _sink(dut, core_pause)
-            # More than a turn, where that takes no time.
+            # More bytes than one turn, if that is quick to simulate.
             count = 300 if no_txe < 0.1 else 120
             down, up = _data(count), _data(count, 12)
             chip.to_gateware.extend(down)
@@ -117,7 +117,7 @@ async def no_direction_waits_for_the_end_of_the_other(dut: SimHandleBase) -> Non
         await Timer(1, unit="us")
         if len(chip.read_cycles) > 1000 or len(chip.write_cycles) > 1000:
             break
-    # Turns of 256 bytes, where the core is fast enough to ask for them.
+    # Turns of 256 bytes, if the core is fast enough to request them.
     fewest = 500 if _CLK_NS < PERIOD_PS / 1000 else 200
     assert min(len(chip.read_cycles), len(chip.write_cycles)) > fewest
     chip.stop()
@@ -135,13 +135,13 @@ async def a_burst_moves_one_byte_in_every_cycle_of_clkout(dut: SimHandleBase) ->
     assert chip.read_cycles[-1] - chip.read_cycles[0] == len(data) - 1
     await _source(dut).send(data)
     await _until_written(chip, len(data))
-    # A byte every 10 ns into a FIFO that empties one in 16.7 ns: it never runs dry once it holds two.
+    # A byte every 10 ns into a FIFO that outputs one in 16.7 ns: it never runs empty once it contains two.
     assert chip.write_cycles[-1] - chip.write_cycles[0] <= len(data) + 1
     chip.stop()
 
 
 async def _note_flushes(dut: SimHandleBase, flushes: list[int]) -> None:
-    """Note after how many accepted bytes each flush came."""
+    """Record the number of accepted bytes at each flush."""
     accepted = 0
     while True:
         await RisingEdge(dut.clk)
@@ -163,7 +163,7 @@ async def siwu_follows_the_last_byte_before_the_flush(dut: SimHandleBase) -> Non
             await _flush(dut)
         await RisingEdge(dut.clk)
         await _until_written(chip, 150)
-        # The pulse behind the last byte may have to wait for the end of another.
+        # The pulse after the last byte may have to wait for the end of another pulse.
         await Timer(1, unit="us")
         assert set(chip.flushed_after) <= set(flushes)
         assert chip.flushed_after == sorted(set(chip.flushed_after))
@@ -247,7 +247,7 @@ async def nobody_drives_an_idle_bus(dut: SimHandleBase) -> None:
         chip.to_gateware.extend(b"B")
         await Timer(2, unit="us")
         assert chip.at_rest
-    # Bytes wait, and the chip takes none.
+    # Bytes are waiting, and the chip accepts none.
     chip.no_txe = 1.0
     await RisingEdge(dut.clk)
     await _source(dut).send(b"CD")
@@ -286,7 +286,7 @@ async def it_begins_when_clkout_starts_late(dut: SimHandleBase) -> None:
 @cocotb.test
 async def a_txe_that_is_high_for_one_cycle_costs_one_byte_twice_and_then_half_the_rate(dut: SimHandleBase) -> None:
     if _CLK_NS > PERIOD_PS / 1000:
-        return  # no byte is at the pins behind one that is refused
+        return  # no byte is at the pins when one is refused
     chip = await _prepare(dut, 0.0, 0.05, txe_high=1)
     data = _data(600)
     await _source(dut).send(data)
@@ -318,7 +318,7 @@ async def nothing_from_before_a_reset_comes_after_it(dut: SimHandleBase) -> None
         dut.rst.value = 0
         sender = cocotb.start_soon(_source(dut).send(b"CD"))
         sink = _sink(dut)
-        # The chip forgets with us: what the PC sent before is gone, and what we wrote is looked at anew.
+        # The chip starts anew too: earlier bytes from the PC are gone, and earlier bytes from the gateware are ignored.
         chip.to_gateware.clear()
         chip.stop()
         if clkout_stands:

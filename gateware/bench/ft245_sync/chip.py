@@ -1,11 +1,11 @@
-"""The synchronous FT245 FIFO as its datasheets draw it, and the pads of an FPGA before it.
+"""Model of the synchronous FT245 FIFO according to its datasheets, and of the pads of an FPGA in front of it.
 
-The chip makes CLKOUT. At each rising edge it looks at its pins, checks that they were stable for the setup time, and
-moves a byte where both halves of a handshake are low; then all that it drives is undefined, from the end of its hold
-time to a random instant within the longest time that it may take. RXF# and TXE# go away in any cycle with the
-probabilities asked for; once away, TXE# stays so for `txe_high` cycles.
+The chip generates CLKOUT. At each rising edge it samples its pins, checks that they were stable for the setup time, and
+transfers a byte if both halves of a handshake are low. Then all its outputs are undefined, from the end of their hold
+time to a random time within their maximum delay. RXF# and TXE# become inactive in any cycle with the given
+probabilities; TXE# then stays inactive for `txe_high` cycles.
 
-What leaves the gateware is at the chip's pins later by the slowest pads that a budget was worked out for.
+Outputs of the gateware reach the chip's pins with the delay of the slowest pads for which a budget was calculated.
 """
 
 from __future__ import annotations
@@ -28,13 +28,13 @@ SIWU_PS = 250_000
 PADS_PS = 6_800
 """Clock to output of an ECP5 of speed grade 6 (docs/gateware.md, "What the pins leave")."""
 MOST_IDLE = 24
-"""Cycles of CLKOUT for which somebody may drive the bus and nothing moves: `patience`, and both ways to turn it."""
+"""Maximum number of cycles of CLKOUT with an enabled driver and no transfer: `patience`, and both turnarounds."""
 _UNDEFINED = LogicArray("XXXXXXXX")
 
 
 @dataclasses.dataclass(frozen=True)
 class Timing:
-    """Times that a chip needs and takes, in ps: table 4.1 of FT_000288, and the one of FT_000061 that is like it."""
+    """Setup time, hold time and output delay of a chip, in ps: table 4.1 of FT_000288 and that of FT_000061."""
 
     setup: int
     hold: int
@@ -42,11 +42,11 @@ class Timing:
 
 
 CHIPS = {"ft232h": Timing(7_500, 1, 9_000), "ft2232h": Timing(8_000, 1_000, 7_150)}
-"""A hold time of 0 is the least that a simulation knows."""
+"""A hold time of 0 is replaced by the smallest time of a simulation."""
 
 
 class SyncChip:
-    """One chip at the pins of `ul_ft245_sync`; everything it found wrong has raised in the simulation."""
+    """A chip at the pins of `ul_ft245_sync`; a violated rule raises an AssertionError in the simulation."""
 
     def __init__(
         self,
@@ -59,7 +59,7 @@ class SyncChip:
         running: bool = True,
         seed: int = 1,
     ) -> None:
-        """Take the entity, and the probabilities that a flag goes away in a cycle."""
+        """Store the entity, and the probabilities (0 to 1) that a flag becomes inactive in a cycle."""
         self._dut = dut
         self._timing = CHIPS[kind]
         self._pins = {name: getattr(dut, name) for name in ("rd_n", "wr_n", "oe_n", "siwu_n")}
@@ -84,7 +84,7 @@ class SyncChip:
 
     @property
     def at_rest(self) -> bool:
-        """Return whether the gateware asks for nothing and drives nothing."""
+        """Whether the gateware neither asserts a strobe nor drives the data pins."""
         return not self._ours() and all(self._bit(name) for name in self._pins)
 
     def stop(self) -> None:
@@ -96,7 +96,7 @@ class SyncChip:
         pin, reset = getattr(self._dut, name), self._dut.rst
         while True:
             await pin.value_change
-            # A reset, and a CLKOUT that stands, take the strobes away at once; the chip then knows nothing of a cycle.
+            # A reset, and a stopped CLKOUT, deassert the strobes asynchronously; the chip has no clock edge then.
             if reset.value == 0 and self.running:
                 self._changed[name] = get_sim_time("ps")
 
@@ -134,7 +134,7 @@ class SyncChip:
         return int(self._txe_away > 0)
 
     async def _cycle(self, rxf_n: int, txe_n: int) -> None:
-        """Make one period of CLKOUT, with what the chip drives in it."""
+        """Generate one period of CLKOUT, with the chip's outputs in it."""
         dut, hold = self._dut, self._timing.hold
         dut.clkout.value = 1
         await Timer(hold, unit="ps")
@@ -143,7 +143,7 @@ class SyncChip:
         delay = self._rng.choice((hold + 1, self._rng.randrange(hold + 1, self._timing.output), self._timing.output))
         await Timer(delay - hold, unit="ps")
         dut.rxf_n.value, dut.txe_n.value = rxf_n, txe_n
-        # The time after OE# fell (t6) is over at the next edge, as is that after CLKOUT (t5).
+        # The times after the falling edge of OE# (t6) and after CLKOUT (t5) end before the next edge.
         if self._bit("oe_n") == 0 and not rxf_n:
             dut.data_in.value = self.to_gateware[0]
         if delay < PERIOD_PS // 2:
@@ -175,7 +175,7 @@ class SyncChip:
 
     def _bit(self, name: str) -> int:
         value = self._pins[name].value
-        # Before the first reset has reached the chip's side nothing is defined.
+        # Before the first reset has reached the chip's side, all levels are undefined.
         return int(value) if value.is_resolvable else 1
 
     def _ours(self) -> int:

@@ -1,4 +1,4 @@
-"""The synchronous FT245 layer with a core of about CLKOUT; faster and much slower ones are for the campaign."""
+"""The synchronous FT245 layer with a core clock near CLKOUT; faster and much slower ones are for the campaign."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Inside the simulator: groups are due when their divisors say, at the same place of each tick, and losses count."""
+"""Bench: groups become due according to their divisors, at a fixed delay after each tick, and losses are counted."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ async def _set(dut: SimHandleBase, number: int, divisor: int) -> None:
 
 
 async def _tick(dut: SimHandleBase) -> int:
-    """Let one base tick pass; gives the groups that are due after it."""
+    """Simulate one base tick; return the groups that are due after it."""
     dut.tick.value = 1
     await RisingEdge(dut.clk)
     dut.tick.value = 0

@@ -1,4 +1,4 @@
-"""The timer of periodic groups, for few groups and for as many as there may be."""
+"""The timer of periodic groups, for few groups and for the maximum number."""
 
 from __future__ import annotations
 

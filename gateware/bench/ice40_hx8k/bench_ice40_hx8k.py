@@ -1,4 +1,4 @@
-"""Inside the simulator: the iCE40 board at its pins, from power-up on, without any reset from outside."""
+"""Bench: the iCE40 board at its pins, from power-up on, without an external reset."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ async def its_leds_memory_and_counter_are_reached_over_the_uart(dut: SimHandleBa
             await RisingEdge(dut.clk_12mhz)
         return bytes(line.received)
 
-    # As its header says, by hand.
+    # The example in the header of its file.
     assert await answer(b"W000000005A\r", len(b"W00\r\n")) == b"W00\r\n"
     assert int(dut.leds.value) == 0x5A
     for request, expected in (

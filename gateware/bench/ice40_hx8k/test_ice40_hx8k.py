@@ -1,4 +1,4 @@
-"""The example design of the iCE40 board does what its header says."""
+"""The example design of the iCE40 board works as its header describes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Inside the simulator: what is right on the line comes out with a good verdict, and nothing else does."""
+"""Bench: valid frames on the line are output with a good status, and no others."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ _PERIOD_NS = float(os.environ["PERIOD_NS"])
 
 
 class Bench:
-    """The MAC between a PHY and a core that takes all at once."""
+    """The MAC between a PHY and a core that accepts all bytes at once."""
 
     def __init__(self, dut: SimHandleBase) -> None:
         self.frames: list[tuple[bytes, bool]] = []
-        """Frames that came out, and the verdict on each."""
+        """Frames received, each with its status."""
         self._dut = dut
         self._phy: Phy | None = None
 
@@ -35,12 +35,12 @@ class Bench:
         self._dut.rx_ready.value = 1
         self._dut.tx_valid.value = self._dut.tx_last.value = self._dut.tx_data.value = 0
         phy = Phy(self._dut, _INTERFACE, timed=True)
-        # The PHY's clocks are slower, and are to be reset as well before anything counts.
+        # The PHY's clocks are slower, and their domains must be reset, too, before the checks begin.
         self._dut.rst.value = 1
         cocotb.start_soon(Clock(self._dut.clk, round(_PERIOD_NS * 1000), unit="ps").start())
         await ClockCycles(self._dut.clk, 40)
         self._dut.rst.value = 0
-        # `runner` looks for this.
+        # `runner` searches for this message.
         cocotb.log.info("reset ended at %d ps", get_sim_time("ps"))
         await ClockCycles(self._dut.clk, 60)
         cocotb.start_soon(self._collect())
@@ -58,7 +58,7 @@ class Bench:
                     data.append(int(self._dut.rx_data.value))
 
     async def settle(self) -> list[tuple[bytes, bool]]:
-        """Return what came out since, when all has."""
+        """Return the frames received since the last call, when all have arrived."""
         await ClockCycles(self._dut.clk, 200)
         found, self.frames[:] = list(self.frames), []
         return found
@@ -116,7 +116,7 @@ async def what_is_wrong_is_told_so_and_the_next_frame_comes(dut: SimHandleBase) 
         await phy.send(*wrong[:3], body, *wrong[3:], body)
         found = await bench.settle()
         assert [data for data, right in found if right] == [good, good]
-        # Data that no delimiter stands before may have one in it.
+        # Data without a delimiter in front of it may contain a delimiter.
         assert len(found) >= 6
 
 

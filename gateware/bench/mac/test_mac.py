@@ -1,4 +1,4 @@
-"""The MAC at each of its interfaces, under several clocks."""
+"""The MAC with each of its interfaces, with several clocks."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Inside the simulator: the VHDL, with the clock, the medium and the bus of `unity_link/virtual/rtl/shim.cc`."""
+"""Bench: the VHDL, with the clock, the medium and the bus of `unity_link/virtual/rtl/shim.cc`."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ async def it_sends_what_the_compiled_gateware_sent(dut: SimHandleBase) -> None:
 
 
 def _access(dut: SimHandleBase, memory: dict[int, int], plan: dict[str, int]) -> tuple[int, int, int]:
-    """Answer one access as the shim does; returns ack, err and the word."""
+    """Answer one access as the shim does; return ack, err and the word."""
     address, write = int(dut.wb_adr.value), dut.wb_we.value == 1
     value = int(dut.wb_dat_o.value) if write else 0
     if address == plan["error_at"]:

@@ -1,7 +1,7 @@
-"""The compiled gateware of `unity_link.virtual.rtl` does what the VHDL does: every byte, in the same cycle.
+"""The compiled gateware of `unity_link.virtual.rtl` sends the same bytes as the VHDL, each in the same cycle.
 
-A conversion can go wrong without a word. So the same traffic goes through the VHDL in GHDL and through the library that
-users run: requests of every kind, damaged and cut ones, errors of the bus, groups and triggers.
+A conversion can go wrong without a message. So the same traffic is sent to the VHDL in GHDL and to the library that
+users run: requests of every kind, damaged and truncated ones, errors of the bus, groups and triggers.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ _ERROR_AT, _SILENCE_AT = 0x21, 0x22
 
 
 def _frames(gateway: RtlGateway) -> list[bytes]:
-    """Return requests of every kind with the parameters of a gateway, in a random order, and worse."""
+    """Return requests of every kind with the parameters of a gateway, some of them damaged, in a random order."""
     info, rng = gateway.info, random.Random(21)
     crc = Crc(info.crc_bits, info.crc_polynomial)
 
@@ -63,7 +63,7 @@ def _frames(gateway: RtlGateway) -> list[bytes]:
         )
 
     number = "0" * info.id_digits
-    # The first one is in no session.
+    # The first request is outside of a session.
     frames, expected = [f"h{number}\r".encode(), f"K{number}\r".encode()], 0
     for _ in range(120):
         text = body()
@@ -81,7 +81,7 @@ def _frames(gateway: RtlGateway) -> list[bytes]:
     return frames
 
 
-# GHDL 2 can't be given a vector as a generic, which "wide" needs for its polynomial.
+# GHDL 2 does not accept a vector as a generic, which "wide" needs for its polynomial.
 @pytest.mark.parametrize("configuration", build_params(["default", "minimal"]))
 def test_compiled_gateware_and_vhdl_send_the_same_bytes_in_the_same_cycles(configuration: str, tmp_path: Path) -> None:
     assert is_current(configuration), "the VHDL has changed since the C++ was made: make rtl"

@@ -1,6 +1,6 @@
-"""Fixtures of tests at the kernel's own network stack, for modules that name this one in `pytest_plugins`.
+"""Fixtures for tests with the kernel's own network stack, for modules that name this one in `pytest_plugins`.
 
-The names of their tests have the line that this machine gives: "tap", or "veth" where it has no TAP devices.
+The test IDs contain the kind of line on this machine: "tap", or "veth" if it has no TAP devices.
 """
 
 from __future__ import annotations
@@ -26,6 +26,6 @@ def network() -> Iterator[None]:
 
 @pytest.fixture(params=[LINE])
 def gateway() -> Iterator[Plugged]:
-    """Return a gateway with RMII at the stack of the kernel, in whose namespace this thread is."""
+    """Return a gateway with RMII that is connected to the kernel's stack in this thread's namespace."""
     with own_network(), plugged() as gateway:
         yield gateway

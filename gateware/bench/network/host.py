@@ -21,12 +21,12 @@ HOST_IP = bytes((192, 168, 1, 5))
 EVERYBODY = b"\xff" * 6
 ALL_STATIONS = bytes((255, 255, 255, 255))
 HEADERS = 42
-"""Bytes before what UDP carries, and before the data of a ping."""
+"""Bytes before the payload of UDP, and before the data of a ping."""
 _FRAMING = Framing(Crc())
 
 
 def sum_of(data: bytes) -> int:
-    """Return the check of IP and ICMP over bytes: 0 over those that have a right one."""
+    """Return the checksum of IP and ICMP over bytes; it is 0 for bytes that include a right one."""
     total = sum(struct.unpack(f"!{(len(data) + 1) // 2}H", data + bytes(len(data) % 2)))
     while total >> 16:
         total = (total & 0xFFFF) + (total >> 16)
@@ -34,7 +34,7 @@ def sum_of(data: bytes) -> int:
 
 
 def ethernet(kind: int, payload: bytes, to: bytes = GATEWAY_MAC) -> bytes:
-    """Return a frame without padding and check."""
+    """Return a frame without padding and frame check sequence."""
     return to + HOST_MAC + struct.pack("!H", kind) + payload
 
 
@@ -49,7 +49,7 @@ def ip(
     options: bytes = b"",
     wrong: int = 0,
 ) -> bytes:
-    """Return a datagram of IP in a frame."""
+    """Return an IP datagram in a frame."""
     size = 20 + len(options) + len(payload)
     head = struct.pack(
         "!BBHHHBBH4s4s",
@@ -62,13 +62,13 @@ def ip(
 
 
 def udp(data: bytes, *, port: int = 4000, to_port: int = GATEWAY_PORT, length: int | None = None) -> bytes:
-    """Return a datagram of UDP in a frame."""
+    """Return a UDP datagram in a frame."""
     size = 8 + len(data) if length is None else length
     return ip(17, struct.pack("!HHHH", port, to_port, size, 0) + data)
 
 
 def to_all(data: bytes, *, to: bytes = ALL_STATIONS, to_port: int = GATEWAY_PORT, station: bytes = EVERYBODY) -> bytes:
-    """Return a datagram of UDP to all stations, in a frame."""
+    """Return a broadcast UDP datagram in a frame."""
     return station + ip(17, struct.pack("!HHHH", 4000, to_port, 8 + len(data), 0) + data, to=to)[6:]
 
 
@@ -86,7 +86,7 @@ def question(address: bytes = GATEWAY_IP, *, to: bytes = EVERYBODY, operation: i
 
 
 def checked(*bodies: bytes, number: int = 0, answers: bool = False) -> bytes:
-    """Return checked frames that the host sends in the session of a number, or the gateway if it answers."""
+    """Return checked frames as the host sends them in a session, or as the gateway sends them if `answers` is true."""
     seed = seed_of(number, from_gateway=answers)
     return b"".join(_FRAMING.checked(body, seed if in_session(body[0]) else 0) for body in bodies)
 
@@ -95,8 +95,8 @@ class Host:
     """A host with a session, or without one yet.
 
     Args:
-        wire: leads to the gateway.
-        port: its own.
+        wire: connected to the gateway.
+        port: UDP port of the host.
     """
 
     def __init__(self, wire: Wire, port: int = 4000) -> None:
@@ -104,21 +104,21 @@ class Host:
         self.session = b""
         self.count = 0
         self.number = port
-        """That of the session in the checks of its frames."""
+        """Number of the session, for the CRC of its frames."""
 
     def datagram(self, frames: bytes, count: int | None = None, session: bytes | None = None) -> bytes:
-        """Return a frame with a datagram of the session, by default the next one."""
+        """Return a frame with a datagram of the session, by default with the next count."""
         if count is None:
             self.count = count = self.count + 1
         header = b"U%s%08X" % (self.session if session is None else session, count)
         return udp(checked(header) + frames, port=self.port)
 
     def ask(self, frame: bytes, cycles: int = 20_000) -> bytes:
-        """Send a frame; returns what the datagram that answers carries, nothing without one."""
+        """Send a frame; return the payload of the answer, empty without an answer."""
         return b"".join(carried(taken) for taken in self.wire.ask(frame, cycles))
 
     def open(self, first: int = 0x5A0, *, plain: bool = False) -> None:
-        """Ask what is on offer, and open it: as a program does, or plain, as a person."""
+        """Request an offer and open it with a checked frame, as a program does, or a plain one, as a person does."""
         offer = self.ask(udp(b"Q\r", port=self.port))
         self.session, self.count = offer[1:9], 0
         body = b"K%03X%04X" % (first, self.number)
@@ -127,7 +127,7 @@ class Host:
         assert answer == checked(b"U%s00000001" % self.session) + (body + b"\r\n" if plain else checked(body))
 
     def checked(self, *bodies: bytes) -> bytes:
-        """Return checked frames of its session."""
+        """Return checked frames of the host's session."""
         return checked(*bodies, number=self.number)
 
     def answered(self, *bodies: bytes) -> bytes:
@@ -136,10 +136,10 @@ class Host:
 
 
 def carried(taken: Taken) -> bytes:
-    """Return what a frame of the gateway carries in UDP; its heads are right.
+    """Return the UDP payload of a frame of the gateway, after checking its headers.
 
     Raises:
-        AssertionError: where they are not.
+        AssertionError: if a header is wrong.
     """
     body = taken.body
     assert taken.sound
@@ -162,22 +162,22 @@ def write_over_a_bad_line(
     foreign: Sequence[bytes],
     patience: int,
 ) -> collections.Counter[str]:
-    """Write numbers from 0 on in a session, each again until it is answered, while frames are lost, late and doubled.
+    """Write numbers from 0 on in a session, each until it is answered, while frames are lost, delayed and duplicated.
 
     Args:
-        wire: leads to the gateway.
-        frames: how many there are to be on the line, those that are lost among them.
-        rng: decides what becomes of each.
-        put: puts a frame on the line as it should be.
-        spoilt: what puts one on the line that the gateway must not take, by names.
-        foreign: frames that are not for it.
-        patience: cycles without an answer behind which the host sends again.
+        wire: connected to the gateway.
+        frames: number of frames to send, with those that are lost.
+        rng: decides the outcome of each frame.
+        put: puts an intact frame on the line.
+        spoilt: functions that put a frame on the line which the gateway must not accept, by name.
+        foreign: frames that are not for the gateway.
+        patience: cycles without an answer after which the host retransmits.
 
     Returns:
-        How many frames there were of each kind.
+        The number of frames of each kind.
 
     Raises:
-        AssertionError: if a number was not written exactly once and in order, or the gateway does not answer any more.
+        AssertionError: if a number was not written exactly once and in order, or the gateway stops answering.
     """
     host = Host(wire)
     host.open(0)
@@ -210,7 +210,7 @@ def write_over_a_bad_line(
         answers = b"".join(carried(taken)[22:] for taken in wire.take())
         if host.answered(b"w%03X" % (done & 0xFFF)) in answers:
             done += 1
-    # The last one may be under way.
+    # The last write may still be in progress.
     wire.run(10 * patience)
     wire.take()
     writes = [word for _, word in wire.writes()]

