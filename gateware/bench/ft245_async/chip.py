@@ -1,8 +1,8 @@
-"""The asynchronous FT245 FIFO as its datasheet draws it (FT232H, FT_000288, section 4.5, table 4.2).
+"""Model of the asynchronous FT245 FIFO according to its datasheet (FT232H, FT_000288, section 4.5, table 4.2).
 
-The chip checks every interval that it may demand, at our pins and longer by the skew that the gateware was built for,
-and uses every freedom that it has: its own delays are random between the limits of the datasheet, its data bus is
-undefined whenever it is not defined to be valid, and its flags come back after the least time or any longer one.
+The chip checks every required interval at our pins, lengthened by the skew for which the gateware was built. It uses
+every freedom that the datasheet permits: its own delays are random within the limits, its data bus is undefined except
+while it must be valid, and its flags return after the minimum time or any longer one.
 """
 
 from __future__ import annotations
@@ -26,10 +26,10 @@ _UNDEFINED = LogicArray("XXXXXXXX")
 
 
 class AsyncChip:
-    """One FT232H at the pins of `ul_ft245_async`; everything it found wrong has raised in the simulation."""
+    """An FT232H at the pins of `ul_ft245_async`; a violated interval raises an AssertionError in the simulation."""
 
     def __init__(self, dut: SimHandleBase, *, most_pause_ns: int = 0, seed: int = 1) -> None:
-        """Take the entity, and the longest that a flag stays away beyond the datasheet's least."""
+        """Store the entity, and the maximum time in ns for which a flag stays inactive above the datasheet's limit."""
         self._dut = dut
         self._rng = random.Random(seed)
         self._skew = int(dut.skew_ns.value)
@@ -58,12 +58,12 @@ class AsyncChip:
         ]
 
     def stop(self) -> None:
-        """Leave the pins as they are and check nothing more."""
+        """Leave the pins as they are and stop checking."""
         for task in self._tasks:
             task.cancel()
 
     def send(self, data: bytes) -> None:
-        """Pass the chip bytes for the gateware, as if they had come from the PC."""
+        """Pass the chip bytes for the gateware, as if they came from the PC."""
         self.to_gateware.extend(data)
         self._more.set()
 

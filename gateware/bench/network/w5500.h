@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A W5500 at an SPI, as its datasheet has it (version 1.0.9) as far as raw frames go: registers, buffers, commands, and
-// what is wrong with its pins. A byte takes 80 ns on its cable.
+// Model of a W5500 on SPI, according to its datasheet (version 1.0.9), for raw frames: registers, buffers, commands,
+// and checks of its pins. A byte takes 80 ns on its cable.
 //
-// It is wrong on purpose where a test says so: it does not say that a frame was sent, gives a length that cannot be, or
-// loses its power.
+// Tests can put faults into it: it does not report that a frame was sent, reports an impossible length, or loses its
+// power.
 
 #include <cstdint>
 #include <deque>
@@ -30,9 +30,9 @@ struct Pins {
 
 class Chip {
 public:
-	// The first thing that was not as the datasheet has it.
+	// The first violation of the datasheet.
 	std::string complaint;
-	// Frames on the cable towards the host, and the cycles between which each was there.
+	// Frames on the cable towards the host, with the cycles of their begin and end.
 	struct Sent {
 		Bytes frame;
 		uint64_t began, ended;
@@ -40,8 +40,8 @@ public:
 	std::deque<Sent> sent;
 	std::deque<Bytes> towards;
 	unsigned resets = 0, dropped = 0;
-	// Faults: frames that are sent without saying so; the length before the next frame, if it is not -1; where the pointers
-	// stand when the socket is opened; how often a command is looked at before it is accepted.
+	// Faults: number of frames sent without a report; length of the next frame if not -1; value of the pointers when the
+	// socket is opened; number of polls before a command is accepted.
 	unsigned unsaid = 0, busy = 0;
 	int length = -1;
 	uint16_t first = 0;
@@ -65,7 +65,7 @@ public:
 		return sockets[0][SN_SR] == MACRAW;
 	}
 
-	// What is at the pins in a cycle; returns MISO of the next.
+	// Simulates a cycle with these pins; returns MISO for the next cycle.
 	bool tick(const Pins &pins) {
 		cycle++;
 		the_cable();
@@ -74,13 +74,13 @@ public:
 			lose_power();
 			reset_at = cycle;
 		}
-		// RSTn is low for 500 us.
+		// The datasheet requires RSTn to be low for 500 us.
 		if (pins.rst_n && !was.rst_n && was_up && (cycle - reset_at) * 1000 < 500 * cycles_of_ms())
 			complain("RSTn is low for too short a time");
 		was_up = was_up || pins.rst_n;
 		if (!pins.cs_n && was.cs_n)
 			begin(pins);
-		// A reset of the gateway ends an access anywhere.
+		// A reset of the gateway may end an access at any point.
 		if (pins.cs_n && !was.cs_n && pins.rst_n)
 			end();
 		if (!pins.cs_n && !was.cs_n && pins.sck != was.sck)
@@ -196,7 +196,7 @@ private:
 		}
 	}
 
-	// Take a byte, and give the one that goes out while the next comes in.
+	// Receives a byte, and returns the byte to send while the next one is received.
 	uint8_t exchange(uint8_t byte) {
 		if (head.size() < 3) {
 			head.push_back(byte);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A gateway with RMII or a W5500, compiled, at a cable: frames go in and come out symbol by symbol, or byte by byte where the
-// chip has them, and its bus is a memory. One clock of 50 MHz is that of the core and of the PHY.
+// A compiled gateway with RMII or a W5500 at a cable: frames are transferred symbol by symbol, or byte by byte with the
+// chip, and its bus is a memory. Core and PHY have the same clock of 50 MHz.
 //
-// UL_MODEL names the C++ of `unity_link` with physical = "rmii" or "w5500"; UL_HAS_PHY is there for the first.
+// UL_MODEL is the C++ of `unity_link` with physical = "rmii" or "w5500"; UL_HAS_PHY is defined for the first.
 
 #include <cstdint>
 #include <cstring>
@@ -28,7 +28,7 @@ struct Frame {
 	std::vector<uint8_t> symbols;
 };
 
-// What the bus does at an address.
+// Answer of the bus at an address.
 enum class Answer : uint8_t { Word, Error, None };
 
 struct Wire {
@@ -42,7 +42,7 @@ struct Wire {
 	uint32_t memory[256] = {};
 	Answer answers[256] = {};
 	std::vector<uint64_t> log;
-	// Bytes at 80 ns each.
+	// A byte takes 80 ns.
 	w5500::Chip chip{4};
 
 	Wire() {
@@ -76,7 +76,7 @@ struct Wire {
 			back.push_back({chip.sent.front().began, chip.sent.front().ended, chip.sent.front().frame});
 			chip.sent.pop_front();
 		}
-		// As a memory with a register before `ack`: what is asked for in one cycle is there in the next.
+		// Like a memory with a register for `ack`: an access is answered in the next cycle.
 		bool asked = top.p_wb__cyc.get<bool>() && top.p_wb__stb.get<bool>() && !acknowledged;
 		uint32_t address = top.p_wb__adr.get<uint32_t>() & 255;
 		top.p_wb__ack.set<bool>(asked && answers[address] == Answer::Word);
@@ -87,7 +87,7 @@ struct Wire {
 			log.push_back(uint64_t(address) << 32 | memory[address]);
 		}
 		acknowledged = asked && answers[address] != Answer::None;
-		// One evaluation with rising clocks settles the logic and computes what the registers will hold.
+		// One evaluation with rising clocks settles the logic and computes the next values of the registers.
 		top.prev_p_clk.set<bool>(false);
 #ifdef UL_HAS_PHY
 		top.prev_p_phy__rx__clk.set<bool>(false);
@@ -123,23 +123,23 @@ void ul_reset(Wire *wire) {
 	wire->reset();
 }
 
-// Symbols for the PHY: bits 0 and 1, valid in bit 2, error in bit 3.
+// Adds symbols for the PHY: data in bits 0 and 1, valid in bit 2, error in bit 3.
 void ul_put(Wire *wire, const uint8_t *symbols, size_t count) {
 	for (size_t i = 0; i < count; i++)
 		wire->towards.push_back({uint8_t(symbols[i] & 3), bool(symbols[i] & 4), bool(symbols[i] & 8)});
 }
 
-// A frame for the chip, without its check.
+// Adds a frame for the chip, without its frame check sequence.
 void ul_put_frame(Wire *wire, const uint8_t *bytes, size_t count) {
 	wire->chip.towards.emplace_back(bytes, bytes + count);
 }
 
-// Symbols, and frames for the chip, that have not gone in.
+// Returns the number of symbols, and of frames for the chip, that were not sent to the gateway yet.
 uint64_t ul_waiting(Wire *wire) {
 	return wire->towards.size() + wire->chip.towards.size();
 }
 
-// Have the chip go wrong, as w5500.h says.
+// Puts faults into the chip; w5500.h describes them.
 void ul_spoil(Wire *wire, unsigned unsaid, int length, uint16_t first, unsigned busy) {
 	wire->chip.unsaid = unsaid;
 	wire->chip.length = length;
@@ -163,14 +163,14 @@ const char *ul_complaint(Wire *wire) {
 	return wire->chip.complaint.c_str();
 }
 
-// Run until so many cycles have passed, or as many frames wait; returns the cycle.
+// Runs for a number of cycles, or until a number of frames are waiting; returns the cycle.
 uint64_t ul_run(Wire *wire, uint64_t cycles, uint64_t frames) {
 	for (uint64_t i = 0; i < cycles && wire->back.size() < frames; i++)
 		wire->tick();
 	return wire->cycle;
 }
 
-// The symbols, or from a chip the bytes, of the oldest frame that was sent, if there is one; when it began and had ended.
+// Reads the oldest frame of the gateway, if there is one, as symbols, or as bytes with a chip; and its begin and end.
 size_t ul_get(Wire *wire, uint8_t *symbols, size_t most, uint64_t *began, uint64_t *ended) {
 	if (wire->back.empty())
 		return 0;
@@ -187,7 +187,7 @@ uint64_t ul_writes(Wire *wire) {
 	return wire->log.size();
 }
 
-// A write to the bus by its number: the address in the upper half, the word in the lower.
+// Returns a write to the bus by its number: the address in the upper half, the word in the lower one.
 uint64_t ul_write(Wire *wire, uint64_t number) {
 	return wire->log[number];
 }
@@ -196,7 +196,7 @@ void ul_poke(Wire *wire, uint32_t address, uint32_t word) {
 	wire->memory[address & 255] = word;
 }
 
-// Have the bus do something else at an address: 0 is a word of the memory, 1 an error, 2 no answer.
+// Sets the answer of the bus at an address: 0 is a word of the memory, 1 an error, 2 no answer.
 void ul_answer(Wire *wire, uint32_t address, uint8_t answer) {
 	wire->answers[address & 255] = Answer(answer);
 }

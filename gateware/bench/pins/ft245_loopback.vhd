@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- What comes in from an FT245 goes back: the pins of gateware/boards/ecp5_ft2232h, and nothing behind its two layers.
+-- Sends the bytes from an FT245 back: the pins of gateware/boards/ecp5_ft2232h, with only the two FT245 layers.
 
 library ieee;
   use ieee.std_logic_1164.all;

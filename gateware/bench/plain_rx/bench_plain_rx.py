@@ -1,4 +1,4 @@
-"""Inside the simulator: every line is a frame, whichever way it ends, and a lost byte is told at its end."""
+"""Bench: every line is a frame, whichever line end it has, and a lost byte is reported at its end."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ LOST, OVERFLOW = 1 << 8, 9
 
 
 async def _frames(dut: SimHandleBase, data: bytes, lost: frozenset[int] = frozenset(), pause: float = 0.0) -> list:
-    """Send characters; gives body and error of each frame."""
+    """Send characters; return body and error of each frame."""
     dut.in_data.value = dut.in_lost.value = dut.out_ready.value = 0
     dut.in_valid.value = 0
     await start(dut.clk, dut.rst)
@@ -56,7 +56,7 @@ async def a_lost_byte_is_told_at_the_end_of_its_frame_alone(dut: SimHandleBase) 
     for index in range(4):
         bodies = [(b"R0A", OVERFLOW), (b"H", 0)]
         assert await _frames(dut, b"R0A\rH\r", frozenset({index})) == bodies, index
-    # All of it but the end was lost.
+    # All bytes of the line except its end were lost.
     assert await _frames(dut, b"\r\rH\r", frozenset({1})) == [(b"", OVERFLOW), (b"H", 0)]
 
 

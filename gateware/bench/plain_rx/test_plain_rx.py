@@ -1,4 +1,4 @@
-"""The bytes inwards without the datalink layer."""
+"""The receiver without a datalink layer."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Inside the simulator: CR LF stands behind each body, and its mark beside the LF."""
+"""Bench: CR LF follows each body, and the mark is output with the LF."""
 
 from __future__ import annotations
 

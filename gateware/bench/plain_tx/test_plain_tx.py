@@ -1,4 +1,4 @@
-"""The bytes outwards without the datalink layer."""
+"""The transmitter without a datalink layer."""
 
 from __future__ import annotations
 

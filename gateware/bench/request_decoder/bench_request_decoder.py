@@ -1,4 +1,4 @@
-"""Inside the simulator: bodies become requests with their fields, or the error that the protocol has for them."""
+"""Bench: bodies become requests with their fields, or with the errors that the protocol defines."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ COMMANDS = ("R", "RM", "RQ", "WK", "W", "WM", "WQ", "WS", "GS", "GN", "GX", "GP"
 
 
 class _Decoder:
-    """Returns bodies to the decoder and takes requests and stored words from it."""
+    """Passes bodies to the decoder, and reads requests and stored words from it."""
 
     def __init__(self, dut: SimHandleBase) -> None:
         self.dut = dut
@@ -32,14 +32,14 @@ class _Decoder:
                 self.stored[int(self.dut.store_index.value)] = int(self.dut.store_word.value)
 
     async def shift(self) -> None:
-        """Let a digit of the number leave."""
+        """Shift the number by a digit."""
         self.dut.number_shift.value = 1
         await RisingEdge(self.dut.clk)
         self.dut.number_shift.value = 0
         await RisingEdge(self.dut.clk)
 
     async def give(self, data: int, *, last: bool = False, plain: bool = False, error: int = 0, most: int = 20) -> bool:
-        """Send one character or end, and return whether it was taken."""
+        """Send one character or end, and return whether it was accepted."""
         dut = self.dut
         dut.in_data.value, dut.in_last.value, dut.in_plain.value, dut.in_error.value = data, last, plain, error
         dut.in_valid.value = 1
@@ -63,7 +63,7 @@ class _Decoder:
         await RisingEdge(self.dut.clk)
 
     async def accept(self) -> None:
-        """Take the request."""
+        """Accept the request."""
         self.dut.request_accept.value = 1
         await RisingEdge(self.dut.clk)
         self.dut.request_accept.value = 0
@@ -111,7 +111,7 @@ async def each_command_gives_its_fields(dut: SimHandleBase) -> None:
     ):
         await decoder.body(body)
         if body.startswith(b"gs"):
-            # Three addresses were promised and two came.
+            # The count is three addresses, but there are two.
             assert decoder.field("error") == MALFORMED
         else:
             assert decoder.field("error") == 0, body

@@ -1,6 +1,7 @@
 """The surroundings of the executor: the decoder's request, the bus master, the response ring, groups, and the answer.
 
-One task plays them all, a cycle at a time: what is combinational in the gateware is answered within the cycle.
+One task simulates them all, one cycle at a time; outputs that are combinational in the gateware change within the
+cycle.
 """
 
 from __future__ import annotations
@@ -19,13 +20,13 @@ if TYPE_CHECKING:
 
 COMMANDS = ("R", "RM", "RQ", "WK", "W", "WM", "WQ", "WS", "GS", "GN", "GX", "GP", "I", "H", "Q", "K")
 ERROR, OUT_OF_SEQUENCE = 16, 17
-"""Messages that no request has; the others are the numbers of the commands."""
+"""Messages that are no requests; the other messages have the numbers of their commands."""
 OPERATIONS = ("set", "start", "stop", "publish", "stop all", "nothing")
 
 
 @dataclass
 class Request:
-    """Decoder's description of a frame; `words` stand in the request memory."""
+    """A frame as the decoder outputs it; `words` are in the request memory."""
 
     command: str
     number: int | None = None
@@ -39,26 +40,26 @@ class Request:
     plain: bool = False
     silent: bool = False
     asks: bool = False
-    """A `K` without fields."""
+    """True for a `K` without fields."""
     field: int = 0x1234
-    """Number of the session of a `K`, or what the check of a request left without a session."""
+    """Number of the session of a `K`, or the CRC residue of a request outside of a session."""
 
 
 @dataclass(frozen=True)
 class Access:
-    """One access that was made on the bus."""
+    """One access on the bus."""
 
     write: bool
     address: int
     word: int | None
-    """Written, or None."""
+    """Word written; None for a read."""
     more: bool
     exclusive: bool
 
 
 @dataclass(frozen=True)
 class Answer:
-    """Answer that the frame writer was given."""
+    """An answer that the frame writer accepted."""
 
     message: int
     number: int | None
@@ -71,18 +72,18 @@ class Answer:
 
 
 class Around:
-    """Plays what stands around the executor, and notes what it asked for."""
+    """Simulates the surroundings of the executor, and records its requests to them."""
 
     def __init__(self, dut: SimHandleBase, *, seed: int = 1, slow: float = 0.0) -> None:
         self.dut = dut
         self.accesses: list[Access] = []
         self.operations: list[tuple[str, list[int]]] = []
-        """Operations on groups, with the addresses that were written to the list before."""
+        """Operations on groups, with the addresses that were written to the list before each."""
         self.answers: list[Answer] = []
         self.committed: list[int] = []
         """Words in the response ring that belong to answers."""
         self.failures: dict[int, int] = {}
-        """Addresses that fail, and their errors."""
+        """Errors of the addresses that fail."""
         self.memory: dict[int, int] = {}
         self.is_set: set[int] = set()
         self.room = 256
@@ -95,7 +96,7 @@ class Around:
         self._tail_left: int | None = None
 
     async def begin(self) -> None:
-        """Reset, and begin to play."""
+        """Reset, and start the simulation of the surroundings."""
         self.dut.access_last.value = 1
         for name in ("request_valid", "answer_taken", "access_granted", "access_done", "access_failure", "group_done"):
             getattr(self.dut, name).value = 0
@@ -123,7 +124,7 @@ class Around:
         """Send a request and wait until the executor is ready for the next one."""
         dut = self.dut
         self._show(request)
-        # The ID stood there for some cycles before the end of its frame.
+        # The ID is stable for some cycles before the end of its frame.
         for _ in range(2):
             await RisingEdge(dut.clk)
         dut.request_valid.value = 1
@@ -142,7 +143,7 @@ class Around:
         access: Access | None = None
         waits, told, index, busy = 0, False, 0, False
         while True:
-            # The request memory and `is_set` follow what was asked for one cycle later.
+            # The request memory and `is_set` follow their index one cycle later.
             dut.memory_word.value = self._request.words[index] if index < len(self._request.words) else 0xDEAD
             dut.group_is_set.value = self._request.group in self.is_set
             dut.ring_room.value = self.room - len(self._trial)
@@ -180,7 +181,7 @@ class Around:
                 dut.request_number.value = self._number
 
     def _note(self, *, told: bool, taken: bool, done: bool) -> None:
-        """Note what the executor does in this cycle, in which an access, an answer or an operation ends."""
+        """Record the executor's outputs in a cycle in which an access, an answer or an operation ends."""
         dut = self.dut
         if dut.list_write.value == 1:
             self._list[int(dut.list_index.value)] = int(dut.memory_word.value)
@@ -205,7 +206,7 @@ class Around:
         self._tail_left = self._tail_left - 1 if self._tail_left else None
 
     def _access(self) -> Access | None:
-        """Return the access that is granted, None for one that the bus does not see."""
+        """Return the access that is granted, or None if it does not reach the bus."""
         dut = self.dut
         if dut.access_kept.value == 1:
             return None
@@ -215,7 +216,7 @@ class Around:
         return Access(write, int(dut.access_address.value), word, more, exclusive)
 
     def _finish(self, access: Access | None) -> int:
-        """Make an access; returns its error."""
+        """Make an access and return its error."""
         if access is None:
             self.dut.access_read_data.value = int(self.dut.kept_word.value)
             return 0

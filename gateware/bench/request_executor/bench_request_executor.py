@@ -1,4 +1,4 @@
-"""Inside the simulator: requests become accesses, operations on groups and answers, exactly once and in order."""
+"""Bench: requests become accesses, operations on groups and answers, exactly once and in order."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ async def _begin(dut: SimHandleBase, **options: float) -> Around:
 
 
 async def _in_session(dut: SimHandleBase, number: int = 0, **options: float) -> Around:
-    """Return an executor in a session, of which nothing was noted."""
+    """Return an executor in a session, with empty records."""
     around = await _begin(dut, **options)
     await around.execute(Request("K", number, plain=True))
     around.take()
@@ -42,7 +42,7 @@ async def _in_session(dut: SimHandleBase, number: int = 0, **options: float) -> 
 
 
 def _ok(command: str, **fields: object) -> Answer:
-    """Return the answer of a command without ID, address or words unless told."""
+    """Return the answer of a command; by default without ID, address and words."""
     values = {"number": None, "address": False, "pair": None, "words": 0, "plain": False, "mark": WHEN_IDLE}
     return Answer(COMMANDS.index(command), **{**values, **fields})
 
@@ -139,7 +139,7 @@ async def ids_are_executed_once_and_in_order(dut: SimHandleBase) -> None:
         _ok("RQ", number=0x40, words=1),
         _ok("WK", number=0x41 + IDS // 2, words=1),
     ]
-    # Told once for the gap at 41, and again for the one at 42.
+    # One message for the gap at 41, and another one for the gap at 42.
     assert [(answer.message, answer.number) for answer in answers[5:]] == [
         (gap.message, 0x41),
         (gap.message, 0x42),
@@ -157,10 +157,10 @@ async def without_a_session_no_request_with_an_id_is_executed_and_each_is_answer
     assert accesses == []
     assert answers == [_error(NO_SESSION, 7, tail="A5C3")] * len(requests)
     assert {operation for operation, _ in around.operations} == {"nothing"}
-    # Nor is a broadcast, which is not answered; and the form is checked before the session.
+    # A broadcast is not executed either, and not answered; the form is checked before the session.
     await around.execute(Request("W", 7, address=1, word=5, silent=True))
     await around.execute(Request("W", 7, address=1, word=5, error=3))
-    # One without an ID is.
+    # A request without an ID is executed.
     await around.execute(Request("W", address=1, word=5))
     assert around.take() == ([_write(1, 5)], [_error(3), _ok("W", address=True)])
 
@@ -201,10 +201,10 @@ async def a_program_s_session_shuts_out_what_changes_something_outside_of_its_or
     for command in looking:
         await around.execute(Request(command, plain=True))
         assert len(around.take()[1]) == 1
-    # In plain form what has an ID takes no place in the order.
+    # A plain request with an ID is rejected and takes no place in the sequence.
     await around.execute(Request("W", 0, address=1, word=5, plain=True))
     assert around.take() == ([], [_error(UNDER_WAY, 0, plain=True)])
-    # Of what is sent to all a checked WS is executed.
+    # Of the requests to all nodes, only a checked WS is executed.
     await around.execute(Request("WS", address=1, word=5, silent=True, plain=True))
     await around.execute(Request("WS", 0, address=1, word=5, silent=True))
     await around.execute(Request("WS", address=1, word=6, silent=True))
@@ -230,7 +230,7 @@ async def the_end_of_a_request_is_told_again_and_failed_posts_are_counted(dut: S
     await around.execute(Request("WS", 3, address=1))
     await around.execute(Request("H", 3))
     assert around.take() == ([], [_ok("H", number=3, tail="003")])
-    # What failed half a ring ago counts no more once its place is taken, and a session begins to count anew.
+    # An outcome from half a sequence space ago is overwritten, and a session restarts the count of failures.
     await around.execute(Request("K", IDS // 2, field=0x77, plain=True))
     await around.execute(Request("W", IDS // 2, address=1))
     await around.execute(Request("W", IDS // 2, address=1))
@@ -255,7 +255,7 @@ async def destructive_reads_are_repeated_from_what_was_kept(dut: SimHandleBase) 
     await around.execute(Request("WK", 0x101, address=1, word=3, words=[1]))
     assert around.take() == ([], [_ok("RQ", number=0xFE, words=3), _ok("WK", number=0x101, words=1)])
     assert around.committed == [11, 11, 11, 12]
-    # Without an ID nothing is kept.
+    # Without an ID no word is kept.
     await around.execute(Request("RQ", address=1, count=3))
     around.committed.clear()
     await around.execute(Request("RQ", 0xFE, address=1, count=3))
@@ -284,7 +284,7 @@ async def what_is_about_groups_begins_an_epoch_between_two_samples(dut: SimHandl
             await around.execute(Request(command, group=3, count=2, words=[1, 2], silent=silent))
             epoch ^= command.startswith("G") and not silent
             assert dut.epoch.value == epoch, command
-    # What is refused as well, whatever is wrong with it.
+    # Rejected requests begin an epoch too, whatever their error.
     for request in (
         Request("GX", group=4),
         Request("GS", group=3, out_of_range=True),
@@ -294,8 +294,8 @@ async def what_is_about_groups_begins_an_epoch_between_two_samples(dut: SimHandl
         await around.execute(request)
         epoch ^= 1
         assert (dut.epoch.value, around.operations) == (epoch, [("nothing", [])])
-    # A session discards what waits, and needs none; the samples before one that was executed already stand before its
-    # first answer.
+    # A session discards the waiting samples and begins no epoch. A repetition begins one, so samples from before are
+    # sent before its answer.
     await around.execute(Request("K", 0, plain=True))
     await around.execute(Request("GX", IDS - 1, group=3))
     assert dut.epoch.value == epoch
@@ -329,7 +329,7 @@ async def a_read_waits_for_room_in_the_ring_before_it_begins(dut: SimHandleBase)
         (Request("R", 0, address=1), 1),
         (Request("RM", 1, address=1, count=9), 9),
     ]
-    # Those with an ID a second time: as repetitions.
+    # The requests with an ID a second time, as repetitions.
     for request, needed in requests + requests[2:]:
         around.room = needed - 1
         task = cocotb.start_soon(around.execute(request))
@@ -389,7 +389,7 @@ async def a_reset_in_any_state_begins_anew(dut: SimHandleBase) -> None:
         dut.rst.value = 0
         await ClockCycles(dut.clk, 12)
         around.take()
-        # The session before it is over.
+        # The session before has ended.
         await around.execute(Request("H", number=0))
         await around.execute(Request("K", number=0))
         await around.execute(Request("H", number=0))

@@ -1,4 +1,4 @@
-"""Inside the simulator: from the end of its reset on, no output of an entity is undefined."""
+"""Bench: no output of an entity is undefined after the end of its reset."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _CLOCKS = ("clk", "in_clk", "out_clk", "clkout", "ft_clkout", "phy_rx_clk", "phy
 _RESETS = ("rst", "in_rst", "out_rst")
 _CYCLES = 30
 _CROSSING = 4
-"""Cycles after which a pin has come through the registers that take it into the clock: these have no reset."""
+"""Cycles that a pin takes to pass the synchronising registers, which have no reset."""
 
 
 @cocotb.test
@@ -34,7 +34,7 @@ async def no_output_is_undefined_after_one_cycle_of_reset(dut: SimHandleBase) ->
     await ClockCycles(clocks[0], _CROSSING)
     for reset in resets:
         reset.value = 1
-    # One cycle is enough where there is one clock; a reset that crosses to another one takes a few.
+    # One cycle is enough with one clock; a reset that crosses to another clock takes more.
     await ClockCycles(clocks[0], 1 if len(clocks) == 1 else 8)
     for reset in resets:
         reset.value = 0

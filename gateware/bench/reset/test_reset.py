@@ -1,4 +1,4 @@
-"""Every entity that has a reset has defined outputs after it, read from its sources: a new one is tested unasked."""
+"""Every entity with a reset has defined outputs after it; new entities are found in the sources automatically."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from unity_link.gateware.cache import vhdl_sources
 if TYPE_CHECKING:
     from pathlib import Path
 
-# What a block RAM shows before anything was written into it: nobody looks, because nothing is valid.
+# Outputs of block RAMs before the first write. Their values are not used, because `valid` is '0'.
 MEMORY_OUTPUTS = {
     "ul_fifo_async": ["out_data"],
     "ul_answer_ring": ["out_data"],

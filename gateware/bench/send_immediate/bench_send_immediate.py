@@ -1,4 +1,4 @@
-"""Inside the simulator: a flush comes when the marks ask for it, and not otherwise."""
+"""Bench: a flush is pulsed when the marks request it, and only then."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ NONE, WHEN_IDLE, NOW = 0, 1, 2
 
 
 async def _flushes(dut: SimHandleBase, steps: list[tuple[int, int, int]]) -> list[int]:
-    """Return the steps (left, mark, active), one a cycle, after which a flush came; end at ten idle ones."""
+    """Return the steps (left, mark, active), one per cycle, after which a flush came; end with ten idle ones."""
     dut.left.value = dut.mark.value = dut.active.value = 0
     await start(dut.clk, dut.rst)
     flushed = []

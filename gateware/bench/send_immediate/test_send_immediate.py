@@ -1,4 +1,4 @@
-"""The logic behind SIWU#."""
+"""The logic for SIWU#."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Inside the simulator: a stream register loses and doubles nothing, and costs no throughput."""
+"""Bench: a stream register neither loses nor duplicates an entry, and keeps the full throughput."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The register in a stream."""
+"""The register stage of a stream."""
 
 from __future__ import annotations
 

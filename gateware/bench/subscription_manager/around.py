@@ -1,6 +1,7 @@
 """The surroundings of the subscription manager: operations, the bus master, the sample ring.
 
-One task plays them all, a cycle at a time: what is combinational in the gateware is answered within the cycle.
+One task simulates them all, one cycle at a time; outputs that are combinational in the gateware change within the
+cycle.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ OPERATIONS = {"set": 0, "start": 1, "stop": 2, "publish": 3, "stop all": 4}
 
 
 class Sample(NamedTuple):
-    """A sample as it was committed to the ring."""
+    """A sample that was committed to the ring."""
 
     group: int
     sequence: int
@@ -33,17 +34,17 @@ class Sample(NamedTuple):
     immediate: bool
     epoch: int
     cycle: int
-    """In which its first word was granted on the bus."""
+    """Cycle in which its first access was granted."""
 
 
 class Around:
-    """Plays what stands around the manager, and keeps the samples that were committed."""
+    """Simulates the surroundings of the manager, and stores the samples that were committed."""
 
     def __init__(self, dut: SimHandleBase, *, slow: float = 0.0) -> None:
         self.dut = dut
         self.samples: list[Sample] = []
         self.read: Callable[[int], int] = lambda address: address + 1
-        """Function that gives the word read at an address."""
+        """Function that returns the word read at an address."""
         self.failing: set[int] = set()
         self.waits = 0
         """Wait states of the bus."""
@@ -57,7 +58,7 @@ class Around:
         self._begun = 0
 
     async def begin(self) -> None:
-        """Reset, and begin to play."""
+        """Reset, and start the simulation of the surroundings."""
         dut = self.dut
         for name in ("trigger", "group_request", "group_operation", "group_number", "group_flags", "group_divisor"):
             getattr(dut, name).value = 0
@@ -69,7 +70,7 @@ class Around:
         cocotb.start_soon(self._run())
 
     async def operate(self, operation: str, group: int = 0) -> None:
-        """Ask for an operation until it is done."""
+        """Request an operation until it is done."""
         dut = self.dut
         dut.group_number.value, dut.group_operation.value = group, OPERATIONS[operation]
         dut.group_request.value = 1
@@ -84,7 +85,7 @@ class Around:
         raise AssertionError(f"{operation} of group {group} was not done")
 
     async def set(self, group: int, flags: int, addresses: list[int], divisor: int = 1) -> None:
-        """Do what GS does."""
+        """Do the operations of GS."""
         dut = self.dut
         await self.operate("stop", group)
         dut.list_write.value = 1
@@ -96,13 +97,13 @@ class Around:
         await self.operate("set", group)
 
     async def take(self, cycles: int) -> list[Sample]:
-        """Let cycles pass; gives the samples since the last call."""
+        """Simulate cycles, and return the samples since the last call."""
         await ClockCycles(self.dut.clk, cycles)
         samples, self.samples = self.samples, []
         return samples
 
     async def next_sample(self) -> Sample:
-        """Wait for a sample; gives it and forgets those before."""
+        """Wait for a sample and return it; discard those before."""
         self.samples = []
         while not self.samples:
             await RisingEdge(self.dut.clk)
@@ -126,7 +127,7 @@ class Around:
             self._note(granted=granted)
             if granted:
                 address = int(dut.access_address.value)
-                # Chosen and told take a cycle each, as the bus master does it.
+                # Grant and report take a cycle each, as in the bus master.
                 waits = 1 + self.waits + (rng.randrange(5) if self.slow else 0)
             elif told:
                 address = None
@@ -153,7 +154,7 @@ class Around:
             self._trial = []
 
     def _laid_out(self, ring: list[int]) -> Sample:
-        """Take a sample out of the words of the ring, as the frame writer does."""
+        """Return the sample that the words of the ring contain, read as by the frame writer."""
         top = len(self.dut.ring_data)
         header, rest = ring[0] >> top - 32, ring[1:]
         assert header >> 7 & 0x1FF == len(ring)

@@ -1,4 +1,4 @@
-"""Inside the simulator: samples are taken when they are due, in which order, and what is counted where they are not."""
+"""Bench: when samples are taken, in which order, and how the samples that are not taken are counted."""
 
 from __future__ import annotations
 
@@ -101,7 +101,7 @@ async def periodic_groups_are_sampled_every_divisor_th_tick(dut: SimHandleBase) 
         assert len(own) in (20 // divisor, 20 // divisor + 1)
         for before, after in pairwise(own):
             assert after.sequence == before.sequence + 1
-            # Where a group of lower number is due as well, that one goes first, for some cycles.
+            # A group with a lower number that is due at the same time goes first, for some cycles.
             assert abs(after.stamp - before.stamp - divisor * TICK) <= 30
             assert after.stamp - before.stamp == after.cycle - before.cycle
     assert {after.stamp - before.stamp for before, after in pairwise(s for s in samples if s.group == 0)} == {TICK}
@@ -138,7 +138,7 @@ async def a_trigger_is_for_its_own_group_while_that_runs_and_wants_it(dut: SimHa
 
 
 async def _toggle(dut: SimHandleBase, mask: int, half: int) -> None:
-    """Toggle the triggers of a mask every `half` cycles: a rising edge each `2 * half`."""
+    """Toggle the triggers of a mask every `half` cycles: a rising edge every `2 * half` cycles."""
     while True:
         dut.trigger.value = int(dut.trigger.value) ^ mask
         await ClockCycles(dut.clk, half)
@@ -160,7 +160,7 @@ async def edges_that_no_group_wants_delay_nothing_however_many_they_are(dut: Sim
         for operation in ("stop", "start", "publish"):
             begun = around.cycle
             await around.operate(operation, 0)
-            # That of the last group may go before it, and a start waits for the timer.
+            # One sample of the last group may go first, and a start waits for the timer.
             assert around.cycle - begun < 30 + last
         edges.cancel()
 
@@ -172,13 +172,13 @@ async def operations_take_their_turn_whatever_edges_ask_for(dut: SimHandleBase) 
     edges = cocotb.start_soon(_toggle(dut, (1 << groups) - 1, 2))
     for group in range(groups):
         await _set_and_start(around, group, TRIGGER, [group] * 5)
-    # What is due is served lowest number first, so the edges of group 0 leave no room for others.
+    # The lowest due number is served first, so the edges of group 0 leave no time for others.
     assert {sample.group for sample in await around.take(500)} == {0}
     for group in range(groups):
         for operation in ("start", "publish", "stop"):
             begun = around.cycle
             await around.operate(operation, group)
-            # One sample may go before it, and a start waits for the timer.
+            # One sample may go first, and a start waits for the timer.
             assert around.cycle - begun < 80 + int(dut.groups.value)
         assert group in {sample.group for sample in await around.take(2)}
     assert await around.take(500) == []
@@ -198,12 +198,12 @@ async def edges_count_by_the_flags_with_which_a_group_was_started(dut: SimHandle
 
     for flags in (0, TRIGGER, 0, TRIGGER, TRIGGER, 0):
         await around.set(last, flags, [7])
-        # Before the start none counts, neither at once nor later.
+        # An edge before the start has no effect, neither at once nor later.
         assert await edge() == []
         await around.operate("start", last)
         assert await around.take(60) == []
         assert len(await edge()) == bool(flags & TRIGGER)
-    # One that comes while the group is set up anew finds it stopped, in whichever cycle that is.
+    # An edge while the group is set again finds it stopped, in whichever cycle it comes.
     for late in range(40):
         await _set_and_start(around, last, TRIGGER, [7])
         await around.take(60)
@@ -232,7 +232,7 @@ async def on_change_compares_with_the_last_sample_that_was_accepted(dut: SimHand
     assert [sample.words for sample in await around.take(5 * TICK)] == [[10, 20]]
     values[2] = 21
     assert [sample.words for sample in await around.take(5 * TICK)] == [[10, 21]]
-    # What fails on its way is counted and changes nothing, not even half of it.
+    # A sample that fails half-way is counted and leaves the stored words unchanged.
     values[1], around.failing = 11, {2}
     assert await around.take(3 * TICK) == []
     values[1], around.failing = 10, set()
@@ -240,7 +240,7 @@ async def on_change_compares_with_the_last_sample_that_was_accepted(dut: SimHand
     values[1] = 12
     (sample,) = await around.take(3 * TICK)
     assert (sample.words, sample.sequence) == ([12, 21], 5)
-    # The first one after a start, and one that was asked for, always are.
+    # The first sample after a start, and one requested by GP, are always sent.
     await around.operate("publish")
     await around.operate("start")
     assert [sample.sequence for sample in await around.take(3 * TICK)] == [6, 7]
@@ -251,7 +251,7 @@ async def a_sample_without_room_counts_and_blocks_nothing(dut: SimHandleBase) ->
     around = await _begin(dut)
     await _set_and_start(around, 0, PERIODIC | STAMP, [1, 2, 3])
     await around.take(2 * TICK + TICK // 2)
-    # One word less than header, timestamp and words take.
+    # One word less than header, timestamp and words need.
     around.room = 4
     assert await around.take(3 * TICK) == []
     await around.operate("publish", 0)
@@ -362,5 +362,5 @@ async def samples_are_whole_and_their_sequences_true_whatever_the_bus_does(dut: 
         assert all(sample.words == [address + 1 for address in addresses] for sample in own)
         for before, after in pairwise(own):
             due = (after.sequence - before.sequence) % 256
-            # A sample waits for those of the other groups at most.
+            # A sample waits at most for those of the other groups.
             assert abs(after.stamp - before.stamp - due * TICK * (1 + group % 3)) < TICK

@@ -14,7 +14,7 @@ _CLOCK_HZ = 50_000_000
     ("groups", "group_words", "data_bits", "tick"),
     [
         pytest.param(16, 32, 32, 200, id="usual"),
-        # The whole gateway publishes as many and as long ones in its bench.
+        # The bench of the whole gateway has the maximum of both numbers.
         pytest.param(256, 255, 13, 400, id="most", marks=pytest.mark.campaign),
         pytest.param(5, 8, 64, 125, id="few"),
     ],

@@ -1,6 +1,6 @@
-"""Inside the simulator: the UART with a transceiver, on a pair of wires that it shares with the far end.
+"""Bench: the UART with a transceiver, on a pair of wires that it shares with the far end.
 
-The model of the line is that of `bench_uart`. Beside it one watches the driver in picoseconds: when it is enabled,
+The model of the line is that of `bench_uart`. In addition, this bench watches the driver in ps: when it is enabled,
 when it is disabled, and whether the far end was sending.
 """
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class Pair:
-    """Both ends on one pair of wires: the far end's line, and what the driver does.
+    """Both ends of a pair of wires: the far end's line, and the times of the driver.
 
     Args:
         pins: `rxd`, `txd` and `driver_enable`, and the generics `clock_hz` and `baud`.
@@ -34,17 +34,17 @@ class Pair:
         self.enabled_at: list[float] = []
         self.disabled_at: list[float] = []
         self.first_edge_at: list[float] = []
-        """Instants at which `txd` fell first after each enabling."""
+        """Times in ps at which `txd` fell first after each enabling."""
         self.line.drive(level=1)
 
     async def begin(self) -> None:
-        """Begin to watch, behind a reset, and wait until the receiver has seen the line idle."""
+        """Begin to watch, after a reset, and wait until the receiver has seen the line idle."""
         for watched in (self.line.listen(), self._watch_driver(), self._watch_line(), self._echo()):
             cocotb.start_soon(watched)
         await self.bits(2)
 
     async def far_end(self, data: bytes) -> None:
-        """Send from the far end, which has the line until the end of its last stop bit."""
+        """Send from the far end, which uses the line until the end of its last stop bit."""
         assert self.pins.driver_enable.value == 0, "the far end would begin while the driver is enabled"
         self.far_end_sends = True
         await self.line.send(data)
@@ -70,7 +70,7 @@ class Pair:
                 self.first_edge_at.append(get_sim_time("ps"))
 
     async def _echo(self) -> None:
-        """Feed the receiver with what the driver sends: a transceiver's receiver need not be switched off meanwhile."""
+        """Feed the transmitted bits to the receiver, like a transceiver whose receiver stays enabled meanwhile."""
         while True:
             await self.pins.txd.value_change
             await ReadOnly()
@@ -105,7 +105,7 @@ async def the_driver_is_enabled_from_its_lead_to_its_tail(dut: SimHandleBase) ->
     for count, enabled, first, disabled in zip(
         (1, 8), pair.enabled_at, pair.first_edge_at, pair.disabled_at, strict=True
     ):
-        # Without a lead the start bit comes one cycle later; a bit is a whole number of cycles only on average.
+        # Without a lead, the start bit begins one cycle later; a bit is a whole number of cycles only on average.
         assert abs(first - enabled - lead * ratio - pair.cycle_ps) <= 1.01 * pair.cycle_ps
         slack = 1.01 * pair.cycle_ps + 0.0005 * 10 * count * ratio
         assert abs(disabled - first - (10 * count + tail) * ratio) <= slack + (tail > 0) * pair.cycle_ps
@@ -125,23 +125,23 @@ async def what_is_sent_is_not_heard(dut: SimHandleBase) -> None:
 
 @cocotb.test
 async def nothing_is_driven_while_the_far_end_sends_whenever_there_is_something_to_send(dut: SimHandleBase) -> None:
-    """Bytes wait from any instant of the far end's frame on: they leave behind it."""
+    """Bytes that are offered at any time during the far end's frame are sent after it."""
     pair, sink, source = await _begin(dut)
     tail = int(dut.driver_tail.value)
     frame = b"\x00\xff\r\x55\n"
-    # To two bits before the end, so that the delay below does not reach beyond it.
+    # Up to two bits before the end, so that the delay below does not extend beyond it.
     for hundredth in range(0, 100 * (10 * len(frame) - 2), 170):
         await pair.line.some_time()
         sent, heard = len(pair.line.received), len(sink.received)
         far_end = cocotb.start_soon(pair.far_end(frame))
-        # Not before the first start bit has come through the receiver's synchroniser and filter.
+        # Not before the first start bit has passed the receiver's synchroniser and filter.
         await Timer(round((0.25 + hundredth / 100) * pair.line.bit_ps + 6 * pair.cycle_ps), unit="ps")
         sending = cocotb.start_soon(source.send(b"ok"))
         await far_end
         ended = get_sim_time("ps")
         await with_timeout(sending, round(40 * pair.line.bit_ps), "ps")
         await pair.bits(12 + tail)
-        # Half a bit behind the stop bit; the receiver looks two cycles and an eighth of a bit late at the most.
+        # Half a bit after the stop bit; the receiver samples at most two cycles and an eighth of a bit late.
         delay = pair.enabled_at[-1] - ended
         assert 0.4 * pair.line.bit_ps <= delay <= 0.65 * pair.line.bit_ps + 4 * pair.cycle_ps
         assert bytes(pair.line.received[sent:]) == b"ok"

@@ -1,7 +1,7 @@
-"""Inside the simulator: the UART against a line that is modelled bit by bit, in picoseconds.
+"""Bench: the UART with a line that is modelled bit by bit, in ps.
 
-The model knows nothing of the gateware's clock: its bits begin at any instant and last as long as the tested baud error
-says. What it decodes from the transmitter it samples in the middle of each bit of the nominal length.
+The model is independent of the gateware's clock: its bits begin at any time and have the length of the tested baud rate
+error. It samples the transmitter's output in the middle of each bit of nominal length.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ class Line:
         self._dut.rxd.value = self._level ^ self._inverted
 
     async def send(self, data: bytes, *, error: float = 0.0, stop: int = 1, pause_bits: float = 0.0) -> None:
-        """Send bytes with a baud rate that is off by `error` (0.02: bits are 2 % too long)."""
+        """Send bytes with a bit length that is off by the fraction `error` (0.02: bits are 2 % too long)."""
         begin = get_sim_time("ps")
         bits = 0.0
         for byte in data:
@@ -55,7 +55,7 @@ class Line:
         self.drive(level=1)
 
     async def listen(self) -> None:
-        """Decode what the transmitter sends, for ever; a wrong start or stop bit fails."""
+        """Decode the transmitter's output for ever; a wrong start or stop bit raises an AssertionError."""
         while True:
             await FallingEdge(self._dut.txd)
             begin = get_sim_time("ps")
@@ -72,7 +72,7 @@ class Line:
             self.received.append(byte)
 
     async def some_time(self) -> None:
-        """Wait for a random part of a clock cycle, so that edges come anywhere in it."""
+        """Wait for a random part of a clock cycle, so that edges come at any point of it."""
         await Timer(self.rng.randrange(1, round(1e12 / self.clock_hz)), unit="ps")
 
     @staticmethod
@@ -104,7 +104,7 @@ def _source(dut: SimHandleBase, pause: float = 0.0) -> Source:
 
 
 def _bytes(line: Line) -> bytes:
-    """As many bytes as a simulation of some 50,000 cycles allows, every value if possible."""
+    """Return as many bytes as fit into a simulation of some 50,000 cycles, with every value if possible."""
     count = max(6, min(256, round(50_000 / (10 * line.ratio))))
     values = list(range(256)) if count == 256 else [0x00, 0xFF, 0x55, 0xAA, 0x01, 0x80, *range(0x20, 0x20 + count - 6)]
     line.rng.shuffle(values)
@@ -118,7 +118,7 @@ def _expected(data: bytes) -> list[tuple[int, int]]:
 @cocotb.test
 async def bytes_arrive_at_any_baud_error_of_two_percent(dut: SimHandleBase) -> None:
     line = await _prepare(dut)
-    # All values where it is hardest, some between.
+    # All values at the critical errors, some in between.
     for error, count in ((0.0, 256), (-0.02, 256), (0.02, 256), (-0.01, 40), (0.01, 40)):
         sink = _sink(dut)
         data = _bytes(line)[:count]
@@ -240,7 +240,7 @@ async def a_byte_that_finds_no_room_is_dropped_and_the_next_one_says_so(dut: Sim
 async def a_glitch_shorter_than_the_filter_is_nothing(dut: SimHandleBase) -> None:
     line = await _prepare(dut)
     if line.ratio < 16:
-        return  # every cycle is a sample there, and the line's glitches are the board's to prevent
+        return  # every cycle is sampled, so glitches are not filtered
     sink = _sink(dut)
     glitch = round(0.95 * (line.ratio // 16) * 1e12 / line.clock_hz)
 
@@ -307,7 +307,7 @@ async def rts_stops_the_far_end_before_a_byte_is_lost(dut: SimHandleBase) -> Non
     sent = 0
     while sent < len(data):
         if dut.rts_n.value == 1:
-            # The far end notices late: it has a few more bytes on their way.
+            # The far end reacts late: it sends a few more bytes.
             late = line.rng.randrange(slack // 4)
             await line.send(data[sent : sent + late])
             sent += late

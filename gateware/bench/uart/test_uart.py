@@ -1,4 +1,4 @@
-"""The UART at ratios of clock to baud rate from 4 to 17, in a campaign to 434: filtered or not, whole and broken."""
+"""The UART at ratios of clock to baud rate from 4 to 17, in a campaign to 434: with and without the filter."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Inside the simulator: for how many cycles blocks and samples have the bus, where its slave has no wait states."""
+"""Bench: number of cycles for which blocks and samples occupy the bus, with a slave without wait states."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ async def _cycles_on_the_bus(dut: SimHandleBase, gateway: Gateway, body: bytes) 
 
     watching = cocotb.start_soon(watch())
     gateway.send(checked(body))
-    # A block of the most words answers nothing before its last one.
+    # The answer to the longest block begins only after its last word was read.
     await gateway.quiet(4 * WORDS[-1])
     gateway.take()
     watching.cancel()

@@ -1,4 +1,4 @@
-"""Inside the simulator: base tick and timestamp run on whatever the gateway does, and samples tell that timestamp."""
+"""Bench: base tick and timestamp run whatever the gateway does, and samples contain that timestamp."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ async def neither_base_tick_nor_timestamp_waits_for_anything(dut: SimHandleBase)
     gateway = Gateway(dut)
     await gateway.begin()
     if int(dut.groups.value):
-        # The group is due at each third tick, and each of its samples tells the time.
+        # The group is due at each third tick, and each of its samples has a timestamp.
         await gateway.ask(b"GS000900030120")
         await gateway.ask(b"GN00")
     dut.wait_states.value = 7

@@ -1,8 +1,8 @@
-"""Inside the simulator: random frames are answered byte for byte as the Python model answers them.
+"""Bench: random frames get the same answers, byte for byte, as from the Python model.
 
-Frames are good, damaged, cut, repeated, out of sequence, too long, in either case and form, and some lost bytes.
-Sessions begin anywhere, and resets end them. Samples stand in order with the responses about groups alone
-(docs/protocol.md, "Groups"), so these are compared, and all responses.
+Frames are good, damaged, truncated, repeated, out of sequence, or too long, in either case and form, and some have lost
+bytes. Sessions begin at any time, and resets end them. Only responses about groups have a defined order relative to
+samples (docs/protocol.md, "Groups"), so two comparisons are made: these responses with the samples, and all responses.
 """
 
 from __future__ import annotations
@@ -29,18 +29,18 @@ GROUPS, GROUP_WORDS = 16, 32
 COMMANDS = ("R", "RM", "RQ", "W", "WM", "WQ", "WK", "WS", "GS", "GN", "GX", "GP", "I", "H", "Q", "K")
 WEIGHTS = (8, 4, 2, 8, 4, 2, 3, 3, 3, 3, 2, 3, 1, 3, 0.3, 1)
 TIMED = 1 | 2 | 8
-"""Flags of groups whose samples depend on when it is: periodic, on trigger, with timestamp."""
+"""Flags of groups whose samples depend on time: periodic, triggered, with timestamp."""
 GARBAGE = bytes(range(256))
 
 
 def _sets_a_clock(frame: bytes) -> bool:
-    """Return whether a frame may set a group up with a timestamp, a period or a trigger, if only by what damaged it."""
+    """Return whether a frame may set a group with a timestamp, a period or a trigger, even as a result of damage."""
     flags = re.findall(rb"(?:GS|gs[0-9A-Fa-f]{3})[0-9A-Fa-f]{2}([0-9A-Fa-f]{2})", frame)
     return any(int(digits, 16) & TIMED for digits in flags)
 
 
 class Frames:
-    """Makes frames that a host in good and in bad health would send."""
+    """Generates frames that a working or faulty host might send."""
 
     def __init__(self, seed: int, model: VirtualGateway) -> None:
         self._rng = random.Random(seed)
@@ -87,7 +87,7 @@ class Frames:
     def _settings(self) -> bytes:
         rng = self._rng
         count = rng.choice((0, 1, 2, 3, GROUP_WORDS, GROUP_WORDS + 1))
-        # Never periodic or by trigger: those depend on time, and so do timestamps.
+        # Never periodic or triggered, because those depend on time, and so do timestamps.
         flags = rng.choice((0, 16, 32, 48, 4, 64)) if rng.random() < 0.95 else 0x80
         addresses = b"".join(self._address() for _ in range(count))
         return b"%02X%02X%04X%02X" % (rng.randrange(18), flags, rng.randrange(3), count) + addresses
@@ -121,7 +121,7 @@ class Frames:
         return bytes(data)
 
     def one(self) -> bytes:
-        """Return one frame, or what is left of it, which asks for nothing that depends on time."""
+        """Return one frame, or the rest of a damaged one, that requests no operation that depends on time."""
         while _sets_a_clock(frame := self._any()):
             pass
         return frame
@@ -129,7 +129,7 @@ class Frames:
     def _any(self) -> bytes:
         rng = self._rng
         body = self._body()
-        # Wrong before the check is made: the frame is whole, what it asks for is not.
+        # Damaged before the CRC is added: the frame is intact, but its request is wrong.
         if rng.random() < 0.1:
             body = self._spoilt(body)
         if rng.random() < 0.003:
@@ -139,11 +139,11 @@ class Frames:
                 body = body[: rng.randrange(4, 14)]
             frame = body + b"\r"
         else:
-            # Of the session, of one that is over, or of none, as the gateway would send it.
+            # CRC for the session, for one that has ended, or for none; sometimes with the gateway's direction.
             session = self._model.session if rng.random() < 0.95 else rng.choice((0, 1, rng.randrange(1 << 15)))
             seed = seed_of(session, from_gateway=rng.random() < 0.01) if body[:1].islower() else 0
             frame = body + self._crc.text(body, seed) + b"\n"
-        # Damaged on its way.
+        # Damaged on the line.
         if rng.random() < 0.08:
             frame = self._spoilt(frame)
         if rng.random() < 0.01:
@@ -186,7 +186,7 @@ async def it_answers_random_frames_as_the_model_does(dut: SimHandleBase) -> None
                 frame = frame[lost_before:]
             expected += model.receive(frame, 0.0)
         done += len(sent)
-        # Longer than any request takes: the longest block with the slowest bus.
+        # Longer than any request takes: the longest block on the slowest bus.
         await gateway.quiet(4000 if pause else 1200)
         for is_in_order in (_all_responses, _what_is_about_groups):
             got, wanted = (

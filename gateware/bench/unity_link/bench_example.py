@@ -1,4 +1,4 @@
-"""Inside the simulator: the design that docs/gateware.md shows does what it says, at its pins."""
+"""Bench: the example design of docs/gateware.md works as described, at its pins."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ async def its_register_is_written_and_read_over_the_uart(dut: SimHandleBase) -> 
     line.drive(level=1)
     await start(dut.clk, dut.rst)
     cocotb.start_soon(line.listen())
-    # A receiver wants to see the line at rest before it believes in a start bit.
+    # A receiver must see an idle line before it accepts a start bit.
     await ClockCycles(dut.clk, 200)
     for request, answer, leds in (
         (checked(b"W0000C0FFEE"), checked(b"W00"), 0x00C0FFEE),

@@ -1,8 +1,8 @@
-"""Inside the simulator: how many cycles the gateway takes, from the last byte of a request in. Exact, so asserted.
+"""Bench: exact numbers of cycles that the gateway takes, counted from the last byte of a request.
 
-A byte goes in or out at a rising edge; the figures are edges after the one at which the last request byte went in. At
-50 MHz a cycle is 20 ns. The paper's Table I has 1.14 us for a read, 1.26 us for a write, 0.84 us to its effect on the
-bus, and answers to pipelined reads at 200 Mb/s.
+A byte is transferred at a rising edge; the figures count the edges after that of the last request byte. At 50 MHz a
+cycle is 20 ns. The paper's Table I has 1.14 us for a read, 1.26 us for a write, 0.84 us until its effect on the bus,
+and answers to pipelined reads at 200 Mb/s.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ LEAST_BYTES_PER_CYCLE = 0.975
 async def _gateway(dut: SimHandleBase) -> Gateway:
     gateway = Gateway(dut)
     await gateway.begin(session=True)
-    # A response that has gone out makes no difference.
+    # A response sent before makes no difference.
     await gateway.quiet()
     del gateway.sent_at[:], gateway.received_at[:]
     return gateway
@@ -56,7 +56,7 @@ async def a_write_is_answered_within_450_ns_and_takes_effect_within_160_ns(dut: 
     for _ in range(5):
         assert await gateway.ask(b"W0A00000012") == b"W0A"
         taken = gateway.received_at[-1] - gateway.sent_at[-1]
-        # Whether the watcher or the gateway's task saw the edge first is left open: one cycle more is counted.
+        # It is undefined whether the watcher or the gateway's task sees the edge first, so one cycle more is counted.
         effect = effects[-1] + 1 - gateway.sent_at[-1]
         note_figure("write", taken)
         note_figure("effect", effect)

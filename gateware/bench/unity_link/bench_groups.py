@@ -1,6 +1,7 @@
-"""Inside the simulator: groups, their instants, their order, and what is lost and counted.
+"""Bench: groups, the times and the order of their samples, and how lost samples are counted.
 
-A base tick is 200 cycles; address F0 reads the number of cycles since the reset: a sample says when it was read.
+A base tick is 200 cycles. Address F0 reads the number of cycles since the reset, so a sample contains the time of its
+read.
 """
 
 from __future__ import annotations
@@ -35,7 +36,7 @@ def _set(group: int, flags: int, divisor: int, addresses: list[int]) -> bytes:
 
 
 def _samples(data: bytes, *, stamped: bool = True, session: int = 0) -> list[Sample]:
-    """Take the samples out of what was received, and check the check of each."""
+    """Return the samples in received bytes, after checking the CRC of each."""
     samples = []
     for frame in data.splitlines(keepends=True):
         if not frame.startswith(b"P"):
@@ -234,7 +235,7 @@ async def an_on_change_group_is_published_when_a_word_has_changed(dut: SimHandle
         gateway.send(checked(b"W11%08X" % (2 + number)))
         await gateway.cycles(5 * TICK)
         assert _samples(gateway.take(), stamped=False) == [Sample(0, number, 0, [1, 2 + number])]
-    # The first after GN always is.
+    # The first sample after GN is always sent.
     gateway.send(checked(b"GN00"))
     await gateway.cycles(3 * TICK)
     assert _samples(gateway.take(), stamped=False) == [Sample(0, 5, 0, [1, 6])]
@@ -271,7 +272,7 @@ async def more_samples_than_the_bus_can_read_are_counted(dut: SimHandleBase) -> 
     await gateway.quiet()
     samples = _samples(gateway.take())
     lowest = [sample for sample in samples if sample.group == 0]
-    # The lowest number goes first and loses nothing.
+    # The lowest number goes first and loses no sample.
     assert set(_differences([sample.sequence for sample in lowest])) == {1}
     for group in (1, 2):
         own = [sample for sample in samples if sample.group == group]
@@ -310,7 +311,7 @@ async def no_sample_that_was_taken_before_a_group_was_stopped_or_set_comes_after
     for number, end in enumerate((b"GX00", b"K", settings_again, b"GX00", settings_again, b"K")):
         settings = _set(0, PERIODIC, 1, list(range(0x10, 0x14 + 4 * (number % 6))))
         gateway.send(checked(settings) + checked(b"GN09") + checked(b"GN00"))
-        # Too many for the line: they fill the ring.
+        # More samples than the line can transfer: they fill the ring.
         gateway.pause_out = 0.9
         await gateway.cycles((30 + number) * TICK)
         gateway.pause_out = 0.3
@@ -323,7 +324,7 @@ async def no_sample_that_was_taken_before_a_group_was_stopped_or_set_comes_after
         before, after = ([f for f in part if f.startswith(group_ends)] for part in (frames[:answer], frames[answer:]))
         assert len(before) > 10
         assert after == []
-        # The other group goes on, and so do requests.
+        # The other group continues, and so do requests.
         assert any(frame.startswith(b"P09") for frame in frames[answer:]) == (end != b"K")
         assert frames.count(checked(b"H")[:-1]) == 20
 
@@ -345,7 +346,7 @@ async def a_session_discards_the_samples_that_wait_but_for_one(dut: SimHandleBas
         await gateway.quiet()
         frames = gateway.take().splitlines()
         place = next(index for index, frame in enumerate(frames) if frame.startswith(body))
-        # Of more than fifty: those in the FIFO of the medium, the one that was being sent, and one more.
+        # Of more than fifty samples, only those in the FIFO of the medium, the one being sent, and one more.
         assert place <= TX_FIFO // (len(frames[0]) + 1) + 2
         assert len(frames) == place + 1
 
@@ -360,7 +361,7 @@ async def the_answer_to_what_is_about_groups_comes_behind_all_samples_from_befor
         *((b"GX0F", b"X06"), (_set(9, 0, 0, [0x20]), b"X06"), (b"GP000", b"X03")),
         (with_id(b"gx", 0, b"00"), with_id(b"x", 0, b"0A0000")),
     ):
-        # Too many samples for the line: they fill the ring.
+        # More samples than the line can transfer: they fill the ring.
         gateway.pause_out = 0.9
         await gateway.ask(b"H")
         gateway.send(checked(b"GN09"))
@@ -372,7 +373,7 @@ async def the_answer_to_what_is_about_groups_comes_behind_all_samples_from_befor
         gateway.pause_out = 0.3
         gateway.send(checked(b"GX09"))
         await gateway.quiet(TICK)
-        # A sample may have been begun before.
+        # A sample may have begun before.
         frames = gateway.take().split(b"\n", 1)[1].splitlines(keepends=True)
         place = frames.index(checked(answer))
         before, after = (_samples(b"".join(part), stamped=False) for part in (frames[:place], frames[place:]))

@@ -1,4 +1,4 @@
-"""Inside the simulator: a gateway on a half-duplex medium says so, and sends nothing that it was not asked for."""
+"""Bench: a gateway on a half-duplex medium reports this, and sends only when it was asked."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Inside the simulator: the cycles from the sampling strobe to the read of each word, beside blocks and without."""
+"""Bench: cycles from the sampling strobe to the read of each word, during block reads and without them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
 
 PERIOD = 375
-"""Cycles between two samples: odd, so that a strobe comes at any place of a block's words."""
+"""Cycles between two samples: odd, so that a strobe comes at any position within a block."""
 TICKS = 3
 """The same in base ticks."""
 WORDS = 8
@@ -21,13 +21,13 @@ WAIT_STATES = (0, 3)
 
 
 class _Samples:
-    """The samples that were taken: when the strobe came, and how much later the slave took each read."""
+    """Times of samples: the cycles of their strobes, and the delays after which the slave accepted each read."""
 
     def __init__(self, dut: SimHandleBase) -> None:
         self.strobes: list[int] = []
         self.reads: list[list[int]] = []
         self.into_blocks = 0
-        """Strobes in the middle of a block."""
+        """Number of strobes in the middle of a block."""
         self._watching = cocotb.start_soon(self._watch(dut))
 
     async def _watch(self, dut: SimHandleBase) -> None:
@@ -44,9 +44,9 @@ class _Samples:
                 self.reads[-1].append(cycle - self.strobes[-1])
 
     def end(self) -> tuple[set[int], set[tuple[int, ...]]]:
-        """Return the places of strobes in a tick, and when the words behind each were read."""
+        """Return the positions of strobes within a tick, and the delays of the words after each strobe."""
         self._watching.cancel()
-        # The first comes with its group, the last may not be over.
+        # Drop the first sample (taken when the group starts) and the last one (its reads may be incomplete).
         return {strobe % PERIOD for strobe in self.strobes[1:-1]}, set(map(tuple, self.reads[1:-1]))
 
 
@@ -62,7 +62,7 @@ async def each_word_of_a_sample_is_read_at_its_cycle_behind_the_strobe_also_besi
         await gateway.cycles(10 * PERIOD)
         (place,), (reads,) = alone.end()
         assert len(reads) == WORDS
-        # A response that goes out unevenly lets the words of its block be read at any time.
+        # A response that is sent irregularly makes the words of its block be read at any time.
         gateway.pause_out = 0.2
         gateway.send(checked(b"RM00FF") * 30)
         beside = _Samples(dut)

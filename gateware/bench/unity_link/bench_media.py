@@ -1,7 +1,7 @@
-"""Inside the simulator: the whole gateway at the pins of a medium, whose other end is the model of the medium's bench.
+"""Bench: the whole gateway at the pins of a medium, with the model of the medium's own bench at the other end.
 
-What the layers do, their own benches say; here is that `unity_link` joins them: bytes from pins to a bus and back, lost
-bytes, and the flush behind an answer.
+The layers have benches of their own. This one tests that `unity_link` connects them: bytes from the pins to the bus and
+back, lost bytes, and the flush after an answer.
 """
 
 from __future__ import annotations
@@ -31,17 +31,17 @@ class Medium(Protocol):
     """The other end of a medium."""
 
     flushed_after: list[int] | None
-    """Bytes that had come when each flush came; None where the medium has no flush."""
+    """Number of bytes received at each flush; None if the medium has no flush."""
 
     def send(self, data: bytes) -> None:
         """Send bytes."""
 
     def received(self) -> Sequence[int]:
-        """Return all bytes that came."""
+        """Return all bytes received."""
 
 
 class Uart:
-    """A line at the UART's pins."""
+    """A line at the pins of the UART."""
 
     flushed_after = None
 
@@ -59,7 +59,7 @@ class Uart:
 
 
 class Ft245:
-    """A chip at the FT245's pins, in asynchronous or synchronous mode."""
+    """A chip at the pins of the FT245, in asynchronous or synchronous mode."""
 
     def __init__(self, dut: SimHandleBase) -> None:
         pins = {name: getattr(dut, f"ft_{name}") for name in PINS}
@@ -82,7 +82,7 @@ class Ft245:
 
 
 async def memory(dut: SimHandleBase) -> None:
-    """Answer each access one cycle later; every address reads what was written there, or 0."""
+    """Answer each access one cycle later; every address returns the word written there, or 0."""
     words: dict[int, int] = {}
     dut.wb_ack.value = dut.wb_err.value = dut.wb_stall.value = dut.wb_dat_i.value = 0
     while True:
@@ -104,7 +104,7 @@ async def _begin(dut: SimHandleBase) -> Medium:
 
 
 async def _answers(dut: SimHandleBase, medium: Medium, data: bytes, expected: bytes) -> None:
-    """Send bytes and wait for so many as are expected, which they must be."""
+    """Send bytes, wait for as many as expected, and compare them."""
     before = len(medium.received())
     medium.send(data)
     for _ in range(20_000):

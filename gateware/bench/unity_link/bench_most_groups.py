@@ -1,4 +1,4 @@
-"""Inside the simulator: a gateway of 256 groups of 255 addresses sets, starts, samples and publishes its last one."""
+"""Bench: a gateway with 256 groups of 255 addresses sets, starts, samples and publishes its last group."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ async def all_groups_are_published_periodically(dut: SimHandleBase) -> None:
     await gateway.begin()
     for group in range(256):
         gateway.send(checked(b"GS%02X21000101%02X" % (group, group)) + checked(b"GN%02X" % group))
-    # Two base ticks at least after the last one was started.
+    # At least two base ticks after the last group was started.
     await gateway.quiet(300)
     await gateway.cycles(25_000)
     frames = gateway.take().splitlines(keepends=True)

@@ -1,4 +1,4 @@
-"""Inside the simulator: a gateway without a datalink layer, for a person at a terminal."""
+"""Bench: a gateway without a datalink layer, for a person at a terminal."""
 
 from __future__ import annotations
 

@@ -1,6 +1,7 @@
-"""Inside the simulator: requests, their errors, the bus, send-immediate and the reset, at the FIFO port.
+"""Bench: requests, their errors, the bus, send-immediate and the reset, at the FIFO port.
 
-What answers which request byte for byte is in the shared vectors; here is what they cannot say: the bus, time, loss.
+The shared vectors have the answers to requests byte for byte; this bench tests what they do not contain: bus, time,
+loss.
 """
 
 from __future__ import annotations
@@ -34,12 +35,12 @@ async def _in_session(dut: SimHandleBase) -> Gateway:
 
 
 class BusMonitor:
-    """Notes every access: cycle, whether it writes, address, word; and after which accesses `cyc` fell."""
+    """Records the accesses (whether each writes, its address and word), and their number while `cyc` was '1'."""
 
     def __init__(self, dut: SimHandleBase) -> None:
         self.accesses: list[tuple[bool, int, int]] = []
         self.transactions: list[int] = []
-        """Accesses in each time for which `cyc` stood."""
+        """Number of accesses in each period with `cyc` = '1'."""
         self.longest_strobe = 0
         self._dut = dut
         cocotb.start_soon(self._run())
@@ -118,11 +119,11 @@ async def a_frame_that_lost_bytes_is_answered_by_error_09(dut: SimHandleBase) ->
     gateway.send(b"R0A\r", lost_before=2)
     await gateway.quiet(100)
     assert gateway.take() == b"X09\r\n"
-    # Nothing but the end arrived.
+    # Only the end arrived.
     gateway.send(b"\n", lost_before=0)
     await gateway.quiet(100)
     assert gateway.take() == overflow
-    # Before all other checks: it is too long and damaged as well.
+    # With priority over all other errors: the frame is too long and damaged as well.
     gateway.send(b"Z" * 2500 + b"\n", lost_before=7)
     await gateway.quiet(100)
     assert gateway.take() == overflow
@@ -212,7 +213,8 @@ async def a_sample_that_fails_half_way_counts_and_changes_nothing(dut: SimHandle
     gateway = await _gateway(dut)
 
     async def fail_after_the_first_word() -> None:
-        # Without wait states the slave takes an access in the cycle of its strobe; in a pipeline the next is behind it.
+        # A slave without wait states accepts an access in the cycle of its strobe; a pipelined master then requests the
+        # next.
         while not (dut.wb_stb.value == 1 and int(dut.wb_adr.value) == 0x10 and dut.wb_we.value == 0):
             await RisingEdge(dut.clk)
         dut.wait_states.value = 2 * BUS_TIMEOUT
@@ -251,13 +253,13 @@ async def send_immediate_pulses_as_its_mode_says(dut: SimHandleBase) -> None:
         return list(gateway.flushed_after)
 
     read = checked(b"R0A")
-    # Adaptive after a reset: once, behind the last byte.
+    # Adaptive after a reset: one flush, after the last byte.
     assert await flushes_of(read) == [length]
     assert await flushes_of(read * 5) == [5 * length]
     assert await flushes_of(checked(b"I01")) == [len(checked(b"I01"))]
     always = await flushes_of(read * 3)
     assert len(always) == 3
-    # The next answer may have begun when the pulse comes, but not more than a few bytes of it.
+    # The next answer may have begun when the pulse comes, but only a few of its bytes.
     assert all(0 <= flushed - (index + 1) * length <= 3 for index, flushed in enumerate(always))
     assert await flushes_of(checked(b"I00")) == []
     assert await flushes_of(read * 3) == []
@@ -289,7 +291,7 @@ async def a_reset_in_any_state_recovers(dut: SimHandleBase) -> None:
         gateway.send(traffic)
         await gateway.cycles(rng.randrange(1, 520))
         await gateway.reset()
-        # An end cuts the byte that is still sent off.
+        # An end terminates the byte that was still sent.
         gateway.send(b"\n")
         await gateway.quiet(150)
         gateway.take()

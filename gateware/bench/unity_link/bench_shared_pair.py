@@ -1,6 +1,6 @@
-"""Inside the simulator: the whole gateway behind a transceiver, on a pair of wires that it shares with the host.
+"""Bench: the whole gateway with a transceiver, on a pair of wires that it shares with the host.
 
-`Pair` fails where the driver is enabled while the host sends, or where the host would begin while it is.
+`Pair` raises an AssertionError if both sides would drive the wires at once.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
 
 _QUIET_BITS = 40
-"""More than the gateway needs between a request and its answer, and between two frames that it sends."""
+"""Longer than the gateway takes from a request to its answer, and between two frames that it sends."""
 
 
 @cocotb.test
@@ -36,10 +36,10 @@ async def each_request_is_answered_behind_its_last_byte_and_the_pair_is_free_aga
         (checked(b"RM201E"), checked(b"RM201E" + words)),
         (checked(b"GS000000010122"), checked(b"GS00")),
         (checked(b"GP00"), checked(b"P0000" + words[16:24]) + checked(b"GP00")),
-        # A stateless write is answered by nothing, or by its error.
+        # A posted write has no answer, unless it fails.
         (checked(b"WS2000000012"), b""),
         (checked(b"r0000A"), checked(b"x0000A0000")),
-        # A frame ends in the midst of what the host sends: by the LF behind a CR, and by noise.
+        # A frame ends within the bytes that the host sends: by the LF after a CR, and by noise.
         (b"R20\r\n", b"R2000000012\r\n"),
         (checked(b"R20")[:2] + b"\r" + checked(b"R20")[3:], b"X03\r\n" + checked(b"X01")),
     ):

@@ -1,4 +1,4 @@
-"""Inside the simulator: the gateware answers a file of vectors (tests/vectors) byte for byte."""
+"""Bench: the gateware answers a file of vectors (tests/vectors) byte for byte."""
 
 from __future__ import annotations
 

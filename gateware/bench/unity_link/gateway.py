@@ -1,6 +1,6 @@
-"""Handles the gateway in a simulation: sends frames, takes bytes apart into frames, and knows which cycle it is.
+"""Operates the gateway in a simulation: sends frames, divides received bytes into frames, and counts cycles.
 
-One task does everything that happens at a clock edge, because the cost of a cycle is the cost of its tasks.
+One task does all work of a clock edge, because each task takes simulation time in every cycle.
 """
 
 from __future__ import annotations
@@ -23,11 +23,11 @@ if TYPE_CHECKING:
     from cocotb.handle import SimHandleBase
 
 QUIET_CYCLES = 400
-"""More than the gateway is ever silent while it works on a request of the benches, copying a list of 255 included."""
+"""Longer than the gateway is silent during any request of the benches, even while it copies a list of 255 addresses."""
 
 
 def note_figure(name: str, value: float) -> None:
-    """Keep a measured figure, the greatest of its name, in the file that the environment variable FIGURES names."""
+    """Store a measured figure, the maximum for its name, in the file that the environment variable FIGURES names."""
     path = Path(os.environ["FIGURES"])
     figures = json.loads(path.read_text()) if path.exists() else {}
     figures[name] = max(value, figures.get(name, value))
@@ -38,17 +38,17 @@ IDS = 16 ** GatewayInfo().id_digits
 
 
 SESSION = 0x1234
-"""Number of the sessions of benches that need only one."""
+"""Number of the session, for benches that need only one."""
 
 
 def checked(body: bytes, session: int = 0, *, answers: bool = False) -> bytes:
-    """Return the checked frame of a body that the host sends in a session, or the gateway if it answers."""
+    """Return the checked frame of a body as the host sends it in a session, or the gateway if `answers` is true."""
     seed = seed_of(session, from_gateway=answers) if in_session(body[0]) else 0
     return body + Crc().text(body, seed) + b"\n"
 
 
 def body_of(frame: bytes, session: int = 0) -> bytes:
-    """Return the body of a checked frame of the gateway, whose check must be right."""
+    """Return the body of a checked frame of the gateway, after checking its CRC."""
     body = frame[: -Crc().digits - 1]
     assert frame == checked(body, session, answers=True), frame
     return body
@@ -65,12 +65,12 @@ def with_id(letters: bytes, number: int, fields: bytes = b"") -> bytes:
 
 
 class Gateway:
-    """The gateway behind its FIFO port.
+    """The gateway with its FIFO port.
 
     Args:
         dut: `unity_link_bench`.
-        pause_in: probability of no byte in a cycle, where one waits to be sent.
-        pause_out: probability of a cycle in which no byte is taken.
+        pause_in: probability (0 to 1) that a waiting byte is not offered in a cycle.
+        pause_out: probability (0 to 1) that no byte is accepted in a cycle.
     """
 
     def __init__(self, dut: SimHandleBase, *, pause_in: float = 0.0, pause_out: float = 0.0, seed: int = 1) -> None:
@@ -82,11 +82,11 @@ class Gateway:
         """Number of the session that was begun last."""
         self.received = bytearray()
         self.sent_at: list[int] = []
-        """The cycle at whose end each byte was taken by the gateway."""
+        """Cycle at whose end the gateway accepted each byte."""
         self.received_at: list[int] = []
-        """The cycle at whose end each byte was taken from the gateway."""
+        """Cycle at whose end each byte of the gateway was accepted."""
         self.flushed_after: list[int] = []
-        """Bytes that had been received when each flush came."""
+        """Number of bytes received at each flush."""
         self.flushed_at: list[int] = []
         self._waiting: list[tuple[int, int]] = []
         self._next = 0
@@ -94,7 +94,7 @@ class Gateway:
         self._quiet = 0
 
     async def begin(self, *, session: bool = False) -> None:
-        """Reset, start to move bytes, and begin a session if that is wanted."""
+        """Reset, start to transfer bytes, and begin a session if requested."""
         dut = self.dut
         dut.in_valid.value = 0
         dut.in_data.value = 0
@@ -109,13 +109,13 @@ class Gateway:
             await self.open()
 
     async def open(self, first: int = 0, session: int = SESSION) -> None:
-        """Begin a session by a plain frame: a person's, which takes what has no ID as well."""
+        """Begin a session with a plain frame, like a person; it also accepts requests without an ID."""
         body, ended = opening(first, session), b"%04X" % self.session
         assert await self.answer(body + b"\r") == body + ended + b"\r\n"
         self.session = session
 
     def next_session(self) -> bytes:
-        """Return the plain frame that begins another session, and take that for the one under way from now on."""
+        """Return the plain frame that begins another session, and use that session from now on."""
         self.session += 1
         return opening(0, self.session) + b"\r"
 
@@ -164,11 +164,11 @@ class Gateway:
                 self.flushed_at.append(self.cycle)
 
     def send(self, data: bytes, *, lost_before: int | None = None) -> None:
-        """Send bytes after those that wait; `lost_before`: index of a byte before which others were lost."""
+        """Send bytes after the waiting ones; `lost_before` is the index of a byte before which others were lost."""
         self._waiting += [(byte, int(index == lost_before)) for index, byte in enumerate(data)]
 
     async def reset(self) -> None:
-        """Reset the gateway for one cycle. Of what waits to be sent, the byte that is being offered still is."""
+        """Reset the gateway for one cycle, and discard the waiting bytes except the one that is being offered."""
         self.session = 0
         self.dut.rst.value = 1
         await RisingEdge(self.dut.clk)
@@ -177,31 +177,31 @@ class Gateway:
         await RisingEdge(self.dut.clk)
 
     async def sent(self) -> None:
-        """Wait until everything was sent."""
+        """Wait until all bytes were sent."""
         while self._next < len(self._waiting):
             await ClockCycles(self.dut.clk, 1)
 
     async def quiet(self, cycles: int = QUIET_CYCLES) -> None:
-        """Wait until everything was sent and nothing has come for so many cycles."""
+        """Wait until all bytes were sent and none was received for `cycles` cycles."""
         self._quiet = 0
         while self._quiet < cycles or self._next < len(self._waiting):
             await ClockCycles(self.dut.clk, max(1, cycles - self._quiet, len(self._waiting) - self._next))
 
     async def cycles(self, count: int) -> None:
-        """Let clock cycles pass."""
+        """Wait for clock cycles."""
         await ClockCycles(self.dut.clk, count)
 
     def take(self) -> bytes:
-        """Return what was received since the last call."""
+        """Return the bytes received since the last call."""
         data = bytes(self.received)
         del self.received[:]
         return data
 
     async def answer(self, data: bytes, *, count: int = 1, most_cycles: int = 20_000) -> bytes:
-        """Send bytes and give the next `count` frames.
+        """Send bytes and return the next `count` frames.
 
         Raises:
-            AssertionError: if they do not come.
+            AssertionError: if they are not received within `most_cycles`.
         """
         self.send(data)
         for _ in range(most_cycles):

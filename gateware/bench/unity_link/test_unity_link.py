@@ -1,4 +1,4 @@
-"""The whole gateway at its FIFO port, in the configurations that the behaviours in question need."""
+"""The whole gateway at its FIFO port, in the configurations that the tests need."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def test_a_block_takes_a_cycle_a_word_in_a_pipeline_as_the_documentation_says(tm
         assert f"| {text} | {columns[0][name]} | {columns[1][name]} |" in stated
 
 
-# `make test-all` has the jitter of whole samples, below.
+# `make test-all` measures the jitter of whole samples, below.
 @pytest.mark.campaign
 @pytest.mark.parametrize("way", ["classic", "pipelined"])
 def test_the_words_of_a_sample_are_read_at_the_cycles_of_the_documentation_also_beside_blocks(

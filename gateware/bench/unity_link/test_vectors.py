@@ -1,4 +1,4 @@
-"""The shared vectors on the gateware under back-pressure; without it, and those of further widths, in a campaign."""
+"""The shared vectors on the gateware under back pressure; without it, and those of further widths, in a campaign."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ VECTORS = GATEWARE.parent / "tests" / "vectors"
 
 
 def generics_of(configuration: dict[str, Any], node: int | None) -> dict[str, object]:
-    """Return the generics that make a gateway of this configuration (the fields of `Q`)."""
+    """Return the generics of a gateway with this configuration (the fields of `Q`)."""
     features = Feature(configuration["features"])
     same = ("data_bits", "address_bits", "id_digits", "crc_bits", "crc_polynomial", "block_words", "groups")
     longest_sample = max(configuration["group_words"], 1) + 2
@@ -36,7 +36,7 @@ def generics_of(configuration: dict[str, Any], node: int | None) -> dict[str, ob
     }
 
 
-# Longest and shortest frames, addressed ones, and those without features; each word takes its time in GHDL.
+# Longest and shortest frames, addressed ones, and gateways without features; the others take too long in GHDL.
 QUICK = ("default", "short", "addressed", "bare", "compact", "compact_addressed")
 RUNS = [
     pytest.param(path, pause, marks=[] if path.stem in QUICK and pause else [pytest.mark.campaign])

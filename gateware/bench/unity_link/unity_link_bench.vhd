@@ -1,11 +1,11 @@
 -- SPDX-License-Identifier: BSD-3-Clause
 --
--- What the benches of the whole gateway run on: `unity_link_fifo` with a Wishbone memory behind it.
+-- Top for the benches of the whole gateway: `unity_link_fifo` with a Wishbone memory.
 --
--- The generics are integers, booleans and strings, because GHDL takes no others when a simulation starts. The memory has
--- every address there is, all 0 at first; one address answers with ERR, one never, and one is the count of clock cycles
--- since the reset. How many cycles an access waits is an input, so a test may change it at any time; the slave is a
--- classic one, or a pipelined one that stalls for that time and answers one cycle later.
+-- The generics are integers, booleans and strings, because GHDL accepts no others when a simulation starts. The memory
+-- has every address, with the initial value 0. One address answers with ERR, one never, and one returns the number of
+-- clock cycles since the reset. The number of wait states is an input, so that a test can change it at any time. The
+-- slave is classic, or pipelined; a pipelined slave stalls for the wait states and answers one cycle later.
 
 library ieee;
   use ieee.std_logic_1164.all;
@@ -126,7 +126,7 @@ entity unity_link_bench is
     fingerprint               : boolean  := false;
     description               : boolean  := false;
     wb_pipelined              : boolean  := false;
-    -- Addresses that are no memory, -1: none.
+    -- Addresses that are not memory; -1 for none.
     error_at  : integer := -1;
     silent_at : integer := -1;
     cycles_at : integer := -1
@@ -144,7 +144,7 @@ entity unity_link_bench is
     out_flush   : out   std_logic;
     trigger     : in    std_logic_vector(maximum(groups, 1) - 1 downto 0);
     wait_states : in    std_logic_vector(7 downto 0);
-    -- To look at.
+    -- Bus signals, for observation.
     wb_cyc   : out   std_logic;
     wb_stb   : out   std_logic;
     wb_we    : out   std_logic;
@@ -154,7 +154,7 @@ entity unity_link_bench is
     wb_ack   : out   std_logic;
     wb_err   : out   std_logic;
     wb_stall : out   std_logic;
-    -- An access is taken, and the samples that it may be of.
+    -- wb_taken: the slave accepts an access. The other signals are those of the gateway.
     wb_taken      : out   std_logic;
     sample_strobe : out   std_logic;
     sample_access : out   std_logic;
@@ -172,12 +172,12 @@ architecture bench of unity_link_bench is
   signal answers  : std_logic;
   signal answered : std_logic;
   signal is_error : std_logic;
-  -- A pipelined slave answers what it took in the cycle before.
+  -- A pipelined slave answers the access that it accepted in the cycle before.
   signal taken       : std_logic;
   signal taken_error : std_logic;
   signal taken_data  : std_logic_vector(data_bits - 1 downto 0);
   signal read_now    : std_logic_vector(data_bits - 1 downto 0);
-  -- Counts writes, so that what is read is looked up again.
+  -- Number of writes; its change makes the read data be looked up again.
   -- vsg_off signal_007
   signal version : natural := 0;
   -- vsg_on signal_007

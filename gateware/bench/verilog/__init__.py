@@ -1,1 +1,1 @@
-"""The Verilog release, in two simulators beside GHDL."""
+"""The Verilog release, in two simulators other than GHDL."""

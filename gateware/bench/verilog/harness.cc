@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A gateway that Verilator has compiled, with a Wishbone slave behind it, driven by commands on the standard input:
+// A gateway that Verilator has compiled, with a Wishbone slave, driven by commands on the standard input:
 //
 //   send N DATA     bytes for the gateway
-//   lose            some were lost before the next byte of `send`
+//   lose            mark the first byte of the next `send`: bytes before it were lost
 //   wait N          wait states of the slave from now on
-//   quiet N         run until nothing has passed for N cycles, and write how many bytes came (a line) and the bytes
+//   quiet N         run until no byte has passed for N cycles; write the number of bytes sent (a line), and the bytes
 //   reset           one cycle of reset
 //
-// As in unity_link_bench.vhd, every address is memory but two: one answers with err, one never.
+// As in unity_link_bench.vhd, every address is memory except two: one answers with err, one never.
 //
 //   harness ERROR_AT SILENT_AT PIPELINED PAUSE_IN PAUSE_OUT SEED      (pauses: in percent of all cycles)
 
@@ -69,7 +69,7 @@ class Bench {
   }
 
  private:
-  // Returns whether a byte has moved.
+  // Simulates a cycle; returns whether a byte was transferred.
   bool cycle() {
     const bool offers = !top_.rst && !waiting_.empty() && !pauses(pause_in_);
     top_.in_valid = offers;
@@ -92,7 +92,7 @@ class Bench {
 
   bool pauses(int percent) { return percent != 0 && static_cast<int>(random_() % 100) < percent; }
 
-  // What the slave says in this cycle; returns whether it takes the access.
+  // Sets the slave's outputs for this cycle; returns whether it accepts the access.
   bool answer() {
     const bool asked = top_.wb_cyc && top_.wb_stb && top_.wb_adr != silent_at_;
     const bool answered = asked && waited_ >= wait_states_;

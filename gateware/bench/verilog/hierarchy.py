@@ -1,4 +1,4 @@
-"""All registers of a released Verilog file by their place, as the tools of vendors name them."""
+"""All registers of a released Verilog file by their place, as the vendors' tools name them."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ class Place(NamedTuple):
     """A register."""
 
     entities: tuple[str, ...]
-    """The entities in which it stands, from the top on."""
+    """The entities that contain it, from the top on."""
     labels: tuple[str, ...]
-    """Their instances, without the top's."""
+    """The labels of their instances, without that of the top."""
     name: str
 
 

@@ -1,4 +1,4 @@
-"""Verilator and Icarus Verilog: two simulators that are not GHDL's, with a gateway in Verilog and a slave behind it."""
+"""Verilator and Icarus Verilog: two simulators other than GHDL, for a gateway in Verilog with a slave."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ HERE = Path(__file__).resolve().parent
 HARNESS = HERE / "harness.cc"
 TESTBENCH = HERE / "testbench.v"
 ENTITY = "unity_link_fifo"
-"""Entity that every design here was converted from."""
+"""Entity from which every design here was converted."""
 _LANGUAGE = ("--language", "1364-2005")
 _QUIET_CYCLES = 6_000
 _HOST_PINS = ("clk", "rst", "in_data", "in_valid", "in_ready", "out_data", "out_valid", "out_ready")
@@ -41,7 +41,7 @@ class Design(NamedTuple):
 
 
 def complaints(text: str, top: str) -> dict[str, str]:
-    """Return the complaints about a text in Verilog-2005 and in SystemVerilog, by reader; empty if it is right."""
+    """Return the complaints about a text in Verilog-2005 and in SystemVerilog, by reader; empty if there are none."""
     said = {f"verilator {language}": lint(text, top, language) for language in ("1364-2005", "1800-2017")}
     said |= {f"iverilog {language}": icarus_complains(text, language) for language in ("2005", "2012")}
     said |= {f"yosys {option}": yosys_complains(text, top, option) for option in ("", "-sv")}
@@ -49,7 +49,7 @@ def complaints(text: str, top: str) -> dict[str, str]:
 
 
 def yosys_complains(text: str, top: str, option: str = "") -> str:
-    """Return what Yosys says of a text that it reads with an option of `read_verilog`; nothing, if it is fine."""
+    """Return Yosys' complaint about a text, read with an option of `read_verilog`; empty if there is none."""
     with temporary_folder() as folder:
         (folder / "read.v").write_text(text)
         try:
@@ -60,7 +60,7 @@ def yosys_complains(text: str, top: str, option: str = "") -> str:
 
 
 def lint(text: str, top: str, language: str = "1364-2005") -> str:
-    """Return what Verilator complains of in a text of a language; nothing, if it is fine."""
+    """Return Verilator's complaints about a text in a language; empty if there are none."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, f"{top}.v")
         path.write_text(text)
@@ -70,7 +70,7 @@ def lint(text: str, top: str, language: str = "1364-2005") -> str:
 
 
 def icarus_complains(text: str, language: str = "2005") -> str:
-    """Return what Icarus Verilog says of a text of a language; nothing, if it is fine."""
+    """Return Icarus Verilog's complaints about a text in a language; empty if there are none."""
     command = ["iverilog", f"-g{language}", "-Wall", "-t", "null", "-"]
     with tempfile.NamedTemporaryFile("w", suffix=".v") as file:
         file.write(text)
@@ -80,7 +80,7 @@ def icarus_complains(text: str, language: str = "2005") -> str:
 
 
 class Verilated:
-    """A gateway that Verilator has compiled, as a process; use `running`."""
+    """A gateway that Verilator has compiled, as a process; use `verilated`."""
 
     def __init__(self, process: subprocess.Popen[bytes]) -> None:
         assert process.stdin is not None
@@ -89,7 +89,7 @@ class Verilated:
         self._out: IO[bytes] = process.stdout
 
     def send(self, data: bytes, *, lost_before: int | None = None) -> None:
-        """Send bytes; `lost_before` is the place before which the medium reports a loss, None where it reports none."""
+        """Send bytes; `lost_before` is the index of a byte before which the medium reports a loss, None for no loss."""
         parts = [data] if lost_before is None else [data[:lost_before], data[lost_before:]]
         for number, part in enumerate(parts):
             self._in.write(b"lose\n" if number else b"")
@@ -100,11 +100,11 @@ class Verilated:
         self._in.write(b"wait %d\n" % count)
 
     def reset(self) -> None:
-        """Reset it for one cycle."""
+        """Reset the gateway for one cycle."""
         self._in.write(b"reset\n")
 
     def take(self, quiet: int = _QUIET_CYCLES) -> bytes:
-        """Return what it has sent, when it has been quiet for so many cycles."""
+        """Return the bytes that the gateway has sent, when it has sent none for `quiet` cycles."""
         self._in.write(b"quiet %d\n" % quiet)
         self._in.flush()
         line = self._out.readline()
@@ -113,7 +113,7 @@ class Verilated:
 
 @contextlib.contextmanager
 def verilated(design: Design, *, pause: float = 0.0, seed: int = 1) -> Iterator[Verilated]:
-    """Run a gateway that Verilator compiles, unless that was done before."""
+    """Run a gateway, and compile it with Verilator unless that was done before."""
     settings = [design.error_at, design.silent_at, int(design.pipelined), *[round(100 * pause)] * 2, seed]
     process = subprocess.Popen(
         [str(_compiled(design)), *map(str, settings)], stdin=subprocess.PIPE, stdout=subprocess.PIPE
@@ -155,7 +155,7 @@ def _compiled(design: Design) -> Path:
 
 
 def in_icarus(design: Design, sent: bytes) -> bytes:
-    """Return what a gateway answers in Icarus Verilog to bytes that it takes as quickly as it can."""
+    """Return the answers of a gateway in Icarus Verilog to bytes that are sent without pauses."""
     found = ports(design.text, design.top, ENTITY, vhdl_sources())
     driven = {name: name for name in (*_HOST_PINS, *_BUS_PINS)} | {"out_ready": "1'b1"}
     inputs = {port.name: port.default for port in found if port.is_input}

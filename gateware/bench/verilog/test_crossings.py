@@ -1,4 +1,4 @@
-"""The Verilog keeps the crossings of the VHDL: their attributes, and the names by which constraints find them."""
+"""The Verilog has the crossings of the VHDL: their attributes, and the names by which constraints find them."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def placed(name: str) -> list[Place]:
 
 
 class Tool(NamedTuple):
-    """Names that a tool gives to a register, and to its reset without a clock."""
+    """Names that a tool gives to a register, and to its asynchronous reset."""
 
     files: str
     name: Callable[[Place], str]
@@ -75,13 +75,13 @@ TOOLS = {
 
 
 class _Rule(NamedTuple):
-    """Constraint on the ways between registers; patterns of their names, empty for any."""
+    """Constraint on the paths between registers; patterns of their names, empty for any."""
 
     command: str
     origin: str
     end: str
     scope: str
-    """The entity that it is read for, of Vivado; empty for a whole design."""
+    """In Vivado, the entity for which it is read; empty for a whole design."""
 
 
 def _exceptions(tool: str) -> Iterator[_Rule]:
@@ -99,7 +99,7 @@ def _of_lpf(path: Path) -> Iterator[_Rule]:
 
 
 def _of_tcl(path: Path, scope: str) -> list[_Rule]:
-    """Read a file with Tcl, and return the constraints that it asks for."""
+    """Read a file with Tcl, and return its constraints."""
     tcl, found = tk.Tcl(), list[_Rule]()
 
     def note(command: str, *words: str) -> str:
@@ -111,7 +111,7 @@ def _of_tcl(path: Path, scope: str) -> list[_Rule]:
     for command in _COMMANDS:
         tcl.createcommand(command, functools.partial(note, command))
     for command in _FINDERS:
-        # The last word is a pattern, or a filter with one.
+        # The last word is a pattern, or a filter with a pattern.
         tcl.createcommand(command, lambda *words: words[-1].rpartition("=~ ")[2])
     for command in _OTHERS:
         tcl.createcommand(command, lambda *_: "")
@@ -127,7 +127,7 @@ def _finds(tool: str, pattern: str, place: Place, scope: str) -> bool:
         depth = place.entities.index(scope)
         place = Place(place.entities[depth:], place.labels[depth:], place.name)
     name = TOOLS[tool].name(place)
-    # Brackets are names of bits here, not a choice of letters.
+    # Brackets are part of the names of bits here, not a choice of characters.
     wanted = pattern.replace("[*]", "*")
     return any(fnmatchcase(name.replace("[0]", end), wanted) for end in ("0", TOOLS[tool].reset))
 
@@ -137,7 +137,7 @@ def _label(place: Place) -> str:
 
 
 def _crosses(place: Place) -> bool:
-    """Return whether a register meets a bit, or a reset, that comes from another clock or from none."""
+    """Return whether a register samples a bit, or a reset, from another clock or from no clock."""
     if place.name == "meta":
         is_pointer = "ul_fifo_async" in place.entities
         return (_label(place).endswith("_crossing") and not is_pointer) or place.entities[-1] == "ul_reset_synchroniser"
@@ -174,9 +174,9 @@ def test_each_tool_is_told_of_every_crossing(name: str, tool: str) -> None:
 
 @functools.cache
 def of_core(entity: str) -> tuple[Place, ...]:
-    """Return the registers of the entity of a core, which no release has.
+    """Return the registers of the entity of a core, which no release contains.
 
-    GHDL has the values of generics behind the names of entities, and leaves out what they have of the name of the top.
+    GHDL appends the values of generics to the names of entities, and removes the name of the top from their beginning.
     """
     sources = vhdl_sources()
     known = sorted((source.stem for source in sources), key=len, reverse=True)

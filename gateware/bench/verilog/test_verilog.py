@@ -1,4 +1,4 @@
-"""The gateway in Verilog answers as the VHDL does, in two simulators that are not GHDL's: Verilator and Icarus."""
+"""The gateway in Verilog answers like the VHDL, in two simulators other than GHDL: Verilator and Icarus."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ begin
 {outputs}
 end architecture rtl;
 """
-"""An entity with a port of each word of one half, and a register of each word of the other."""
+"""An entity with a port for one half of the keywords, and a register for the other half."""
 
 
 def test_names_that_are_words_of_systemverilog_are_read_in_each_language(tmp_path: Path) -> None:
@@ -124,7 +124,7 @@ def test_the_simulators_complain_of_what_is_wrong() -> None:
 
 
 def answered(path: Path) -> tuple[Design, bytes, list[dict[str, Any]], bytes]:
-    """Return the gateway of a file of vectors, all that is sent to it, the steps, and what its samples begin with."""
+    """Return the gateway of a file of vectors, all bytes to send, the steps, and the first bytes of its samples."""
     header, *steps = map(json.loads, path.read_text().splitlines())
     generics = generics_of(header["configuration"], header["node"])
     for vector in ("crc_polynomial", "build_id"):

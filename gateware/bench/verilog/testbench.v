@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A gateway in Icarus Verilog: takes the bytes of the file that +stimulus names (hex, a byte a line), and writes those
-// that it answers, hex as well, to that of +answers. Every address is memory, but for one that answers with err and one
-// that never answers. What stands between $ is filled in by gateware/bench/verilog/simulators.py.
+// A gateway in Icarus Verilog: sends it the bytes of the file +stimulus (hex, one byte per line), and writes its answer
+// bytes, in hex too, to the file +answers. Every address is memory, except one that answers with err and one that never
+// answers. gateware/bench/verilog/simulators.py replaces the names between $.
 
 `timescale 1ns / 1ns
 
@@ -29,7 +29,7 @@ module testbench;
   wire [$address_bits$-1:0] wb_adr;
   wire [$data_bits$-1:0] wb_dat_o;
 
-  // Addresses of up to 32 bits share places: a test does not use two that share one.
+  // Addresses of up to 32 bits share entries of the memory: a test must not use two that share one.
   reg [$data_bits$-1:0] memory[0:places-1];
   reg [$address_bits$-1:0] keys[0:places-1];
   wire [31:0] wide = wb_adr;

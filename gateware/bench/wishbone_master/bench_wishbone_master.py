@@ -1,4 +1,4 @@
-"""Inside the simulator: the Wishbone wrapper in front of classic and pipelined slaves of any speed."""
+"""Bench: the Wishbone wrapper with classic and pipelined slaves of any speed."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class _Slave:
-    """Memory behind Wishbone; counts the accesses that it took, so that one taken twice is seen."""
+    """Wishbone memory that counts the accesses it accepted, so that an access made twice is found."""
 
     def __init__(self, dut: SimHandleBase, rng: random.Random, pause: float) -> None:
         self.dut = dut
@@ -24,11 +24,11 @@ class _Slave:
         self.taken = 0
         self.failing: set[int] = set()
         self.sends_away = 0
-        """So many accesses are answered by `rty`."""
+        """Number of next accesses that are answered with `rty`."""
         self.away = 0.0
-        """Share of the others that is answered so as well."""
+        """Share (0 to 1) of the other accesses that are answered with `rty`."""
         self.most_at_once = 0
-        """Accesses that were taken and not answered."""
+        """Maximum number of accesses that were accepted but not answered."""
         self.silent = False
         self._rng, self._pause = rng, pause
         self._pipelined = bool(dut.pipelined.value)
@@ -103,7 +103,7 @@ async def _access(
 
 
 async def _read_ahead(dut: SimHandleBase, addresses: list[int]) -> list[tuple[int, bool]]:
-    """Read words as the core does, up to four of them before the first answer; return each with whether it failed."""
+    """Read words as the core does, up to four before the first answer; return each, and whether it failed."""
     dut.bus_lock.value = dut.bus_ahead.value = 1
     dut.bus_write.value = 0
     waiting, results, under_way, stands = deque(addresses), [], 0, False

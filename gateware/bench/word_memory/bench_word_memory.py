@@ -1,4 +1,4 @@
-"""Inside the simulator: a word is read as it was last written, one cycle after it was asked for."""
+"""Bench: a read returns the word last written, one cycle after its index."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ async def words_are_read_as_they_were_written(dut: SimHandleBase) -> None:
     cocotb.log.info("reset ended at 0 ps")
     for _ in range(1000):
         at, asked, write, word = rng.randrange(depth), rng.randrange(depth), rng.random() < 0.5, rng.getrandbits(width)
-        # What is read where it is being written is left open.
+        # The result of a read during a write to the same address is undefined.
         asked ^= asked == at
         dut.write.value, dut.write_index.value, dut.write_data.value = write, at, word
         dut.read_index.value = asked

@@ -1,4 +1,4 @@
-"""Inside the simulator: the ring gives what was committed, in order, and forgets what was rolled back."""
+"""Bench: the ring returns committed words in order, and discards those that were rolled back."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ async def words_come_out_as_committed(dut: SimHandleBase) -> None:
                 assert int(dut.read_data.value) == committed.popleft()
                 taken += 1
                 await RisingEdge(dut.clk)
-                # Nothing was written in that cycle: the word is popped in the next one, where it still stands.
+                # No word was written in that cycle: the word is popped in the next one, in which it is still valid.
                 dut.pop.value = 1
                 since_pop = -1
         await RisingEdge(dut.clk)

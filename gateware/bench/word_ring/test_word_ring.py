@@ -1,4 +1,4 @@
-"""The ring of words in several shapes."""
+"""The ring of words in several widths and depths."""
 
 from __future__ import annotations
 
