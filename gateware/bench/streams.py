@@ -1,7 +1,7 @@
 """Drivers and monitors for the byte streams of the gateware (data, valid, ready), and the reset for all benches.
 
-All of them read signals at the rising edge, where cocotb still returns the values before it, and change them after it,
-as registers do.
+All of them read signals at the rising edge (cocotb still returns the values before it) and change them after it, as
+registers do.
 """
 
 from __future__ import annotations
@@ -125,7 +125,7 @@ class Sink:
         offered = None
         while True:
             offers = not self.pause or self._rng.random() >= self.pause
-            # Write ready only if it changes, and sleep while nothing is offered, because each access takes time in the
+            # Write ready only if it changes, and sleep while no entry is offered, because each access takes time in the
             # simulator.
             if offers is not offered:
                 offered = offers

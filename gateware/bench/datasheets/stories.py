@@ -107,10 +107,10 @@ SIMULATIONS = (
         "unity_link_bench",
         "bench_gateway",
         {
-            "read": Picture("A read: request, access of the bus, answer", _rows("clk", *_STREAM, *_BUS)),
-            "write": Picture("A write: request, access of the bus, answer", _rows("clk", *_STREAM, *_WRITTEN)),
+            "read": Picture("A read: request, bus access, answer", _rows("clk", *_STREAM, *_BUS)),
+            "write": Picture("A write: request, bus access, answer", _rows("clk", *_STREAM, *_WRITTEN)),
             "sample": Picture(
-                "A trigger, the instant of the sample, and the three reads that take it",
+                "A trigger, the sample strobe, and the three reads of the sample",
                 _rows(
                     "clk",
                     "trigger",
@@ -121,7 +121,7 @@ SIMULATIONS = (
                 ),
             ),
             "timeout": Picture(
-                "A read that is not answered, error 05, the rest of the bus, and the read behind it",
+                "A read without an answer, error 05, the released bus, and the next read",
                 _rows("clk", *_STREAM, *_BUS[:2], _BUS[3], "wb_ack"),
             ),
         },
@@ -144,8 +144,8 @@ SIMULATIONS = (
         "ul_uart",
         "bench_uart",
         {
-            "uart_in": Picture("A byte comes in", _rows("clk", "rxd", *_CORE[:3])),
-            "uart_out": Picture("A byte goes out", _rows("clk", *_CORE[3:], "txd")),
+            "uart_in": Picture("A byte is received", _rows("clk", "rxd", *_CORE[:3])),
+            "uart_out": Picture("A byte is transmitted", _rows("clk", *_CORE[3:], "txd")),
         },
         {"clock_hz": 48_000_000, "baud": 8_000_000},
     ),
@@ -154,7 +154,7 @@ SIMULATIONS = (
         "bench_uart",
         {
             "rs485": Picture(
-                "Behind the far end's byte the driver is enabled for two bytes, one bit before and one behind them",
+                "After the far end's byte the driver is enabled for two bytes, with one bit before and one after them",
                 _rows("rxd", "driver_enable", "txd", *_CORE[3:]),
             )
         },
@@ -194,7 +194,7 @@ SIMULATIONS = (
         "bench_masters",
         {
             "wishbone_classic": Picture(
-                "A read with two wait states, and a write that the slave sends away once",
+                "A read with two wait states, and a write that the slave answers with rty once",
                 _rows(
                     "clk",
                     "bus_request",
@@ -242,7 +242,7 @@ SIMULATIONS = (
     Simulation(
         "ul_fifo_sync",
         "bench_cores",
-        {"fifo_sync": Picture("Three entries go in, and out again", _rows("clk", *_STREAM_OF_ENTRIES, "level"))},
+        {"fifo_sync": Picture("Three entries are written and read", _rows("clk", *_STREAM_OF_ENTRIES, "level"))},
         {"depth": 4},
     ),
     Simulation(
@@ -259,7 +259,7 @@ SIMULATIONS = (
     Simulation(
         "ul_stream_register",
         "bench_cores",
-        {"stream_register": Picture("Three entries pass, one of which waits", _rows("clk", *_STREAM_OF_ENTRIES))},
+        {"stream_register": Picture("Three entries pass, and one of them waits", _rows("clk", *_STREAM_OF_ENTRIES))},
     ),
     Simulation(
         "ul_synchroniser",
@@ -300,7 +300,7 @@ SIMULATIONS = (
         "bench_bank",
         {
             "bank_accesses": Picture(
-                "A write, a read of what was written, a read of what hardware gives, and a read of nothing",
+                "A write, a read of the same register, a read of a value from hardware, and a read of an unused address",
                 _rows(
                     *_READ[:3],
                     "wb_we",
@@ -313,11 +313,11 @@ SIMULATIONS = (
                 ),
             ),
             "bank_fifo": Picture(
-                "A read of a FIFO port that has no word yet, and the read behind it",
+                "A read of a FIFO port that has no word yet, and the next read",
                 _rows(*_READ, "wb_stall", "log", "log_valid", "log_ready"),
             ),
             "bank_sample": Picture(
-                "A read within a sample gets what was at its instant, a read behind it what is now",
+                "A read during a sample returns the value at its strobe, a later read returns the present value",
                 _rows(*_READ, "sample_access", "hits"),
             ),
         },

@@ -116,7 +116,7 @@ def test_find_lists_the_board_and_gives_it_another_address_until_its_reset(gatew
     assert [word for address, word in gateway.written() if address == 0x10] == [7, 42]
 
 
-# What others see
+# Captures by other programs
 
 
 @contextlib.contextmanager

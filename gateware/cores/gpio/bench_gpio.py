@@ -32,7 +32,7 @@ class Axis:
     """One axis of the model: its state after each clock edge."""
 
     def __init__(self, stands: int) -> None:
-        """Store the number of cycles for which a new level must be stable; before the first reset, nothing is known."""
+        """Store the number of cycles for which a new level must be stable; a reset must come first."""
         self._stands = stands
         self._pins = [0, 0]
         self._differed_for = 0

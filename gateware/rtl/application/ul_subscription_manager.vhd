@@ -5,8 +5,8 @@
 --
 -- A group becomes due by the base tick (`ul_group_timer`), by an edge of its trigger, or by GP. Due groups are served
 -- at once, lowest number first. The words of a sample are read by accesses of their own, which have priority in the bus
--- master, and written to the sample ring, where they wait for the frame writer. If the ring has no space, or a read
--- fails, the sample is not sent; only its sequence number is used up.
+-- master. The words are stored in the sample ring until the frame writer sends them. If the ring has no space, or a
+-- read fails, the sample is not sent; only its sequence number is used up.
 --
 -- To detect changed words, a memory stores the last accepted sample of each group. It has two halves for each group:
 -- the new sample is written to the invalid half, which becomes the valid one only if the sample is accepted. So a

@@ -5,8 +5,8 @@
 --
 -- The reader reads the bytes of a record as soon as they are available, even before the record is committed. While
 -- `trial` is '1', the record may still be discarded, so the reader must not do anything that it cannot undo. `undone`
--- is '1' for one cycle if the record is rolled back: the reader drops what it has read of it. The reader asserts `done`
--- when it has read all bytes of a committed record. A record must be shorter than the ring.
+-- is '1' for one cycle if the record is rolled back: the reader drops the bytes of that record. It asserts `done` when
+-- it has read all bytes of a committed record. A record must be shorter than the ring.
 
 library ieee;
   use ieee.std_logic_1164.all;
