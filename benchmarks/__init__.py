@@ -1,1 +1,1 @@
-"""Measurements, one module for each question that a user asks; `python -m benchmarks` writes RESULTS.md."""
+"""Measurements, one module for each question of a user; `python -m benchmarks` writes RESULTS.md."""

@@ -1,6 +1,6 @@
-"""Runs all benchmarks and writes their figures, with the machine they were seen on, to RESULTS.md: `make bench`.
+"""Runs all benchmarks and writes their figures to RESULTS.md, with a description of the machine: `make bench`.
 
-Those that are named are run alone, as in `python -m benchmarks posts`, and nothing is written.
+With names, as in `python -m benchmarks posts`, only these benchmarks run, and no file is written.
 """
 
 from __future__ import annotations
@@ -78,7 +78,7 @@ _COLUMNS = ("Question", "Unity-Link", "Bare loop", "Time, ours to bare", "Proces
 
 
 def machine() -> str:
-    """Describe the machine."""
+    """Return a description of the machine."""
     model = platform.processor() or platform.machine()
     for line in Path("/proc/cpuinfo").read_text().splitlines() if Path("/proc/cpuinfo").exists() else ():
         if line.startswith("model name"):
@@ -114,13 +114,13 @@ def document(rows: list[Row]) -> str:
 
 
 def missing_tools(name: str) -> str:
-    """Return what a benchmark needs and this machine lacks; empty where it can be run."""
+    """Return the requirement of a benchmark that this machine lacks; empty if the benchmark can run."""
     needs: Callable[[], str] | None = getattr(NAMED[name], "missing_tools", None)
     return "" if needs is None else needs()
 
 
 async def run(console: Console, names: list[str]) -> list[Row]:
-    """Run those that are named, and show each as it ends; those that cannot be run are told first."""
+    """Run the named benchmarks, and show each result; those that cannot run are listed first."""
     rows: list[Row] = []
     missing = {name: text for name in names if (text := missing_tools(name))}
     for name, text in missing.items():
@@ -136,7 +136,7 @@ async def run(console: Console, names: list[str]) -> list[Row]:
 
 
 def add_names(parser: argparse.ArgumentParser) -> None:
-    """Add the argument that names benchmarks."""
+    """Add the command-line argument for names of benchmarks."""
     parser.add_argument(
         "names", nargs="*", type=_named, metavar="NAME", help=f"all by default; there are {', '.join(NAMED)}"
     )
@@ -149,7 +149,7 @@ def _named(name: str) -> str:
 
 
 def main() -> int:
-    """Run, show and write; 1 where a target was missed."""
+    """Run the benchmarks, show and write their results, and return 1 if a target was missed."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks", description=__doc__)
     add_names(parser)
     arguments = parser.parse_args()

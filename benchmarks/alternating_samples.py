@@ -1,4 +1,4 @@
-"""How many samples a second reach callbacks, where those of many groups alternate on the line?"""
+"""How many samples a second reach callbacks if the samples of many groups alternate on the line?"""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _PUBLISH = len(_CODEC.framing.checked(_CODEC.publish(0, 0, None, [0])))
 
 
 async def measure() -> Row:
-    """Compare callbacks, to which a gateway publishes as fast as the wire takes it, with counting the same bytes."""
+    """Compare callbacks with counting the same bytes; the gateway publishes as fast as the line transfers."""
     with responder() as path:
 
         async def ours() -> float:
@@ -36,7 +36,7 @@ async def measure() -> Row:
                 for address in range(GROUPS):
                     samples = link.subscribe([address], divisor=1, timestamps=False, callback=take)
                     await stack.enter_async_context(samples)
-                # Those that came while the other groups were set up do not count.
+                # Samples that arrived while the other groups were set up are not counted.
                 done = asyncio.get_running_loop().create_future()
                 received, start = 0, time.perf_counter()
                 await done

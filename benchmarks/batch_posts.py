@@ -1,4 +1,4 @@
-"""How many writes a second does one `post_many` get?"""
+"""How many writes a second does one `post_many` reach?"""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ LEAST = 1_500_000
 
 
 async def measure() -> Row:
-    """Compare a batch of posted writes and `fence` with as many reads through a bare loop, 128 of them under way."""
+    """Compare a batch of posted writes and `fence` with as many reads through a bare loop, 128 of them in flight."""
     values = np.arange(POSTS)
     addresses = np.full(POSTS, ADDRESS)
 

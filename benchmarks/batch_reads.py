@@ -1,4 +1,4 @@
-"""How many reads a second does one `read_many` get?"""
+"""How many reads a second does one `read_many` reach?"""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ LEAST = 400_000
 
 
 async def measure() -> Row:
-    """Compare one batch with the same bytes through a bare loop, 128 of them under way."""
+    """Compare one batch with the same bytes through a bare loop, 128 reads in flight."""
     addresses = np.arange(READS) % 256
     with responder() as path:
 

@@ -1,9 +1,9 @@
-"""Runs the benchmarks of this tree and of an earlier revision in turn: what became slower? `make bench-beside`.
+"""Compares the benchmarks of this tree with those of an earlier revision, run in turn: `make bench-beside`.
 
-Each benchmark runs in a process of its own, here and there alternately, so that both meet the same machine. What is
-compared is the time of ours to that of the bare loop, which every run measures anew. How many times as quick as then
-it is by the clock alone stands beside it. A benchmark that the revision has not is lent to it, where all that it needs
-of the package and of the other benchmarks is there; what more it needs is in `revisions`, as a patch.
+Each benchmark runs in a process of its own, alternately from both trees, so that both meet the same machine. The
+comparison uses the ratio of our time to that of the bare loop, which every run measures anew. The speed by the clock
+alone is shown, too. If the revision lacks a benchmark, it is copied to the revision's tree, provided that the revision
+has everything that it needs of the package and of the other benchmarks. Patches in `revisions` add the rest.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ HERE = Path(__file__).parents[1]
 PATCHES = Path(__file__).with_name("revisions")
 ROUNDS = 3
 SLOWER = 1.05
-"""Bound from which on a row counts as slower: more than the noise of the medians."""
+"""Ratio above which a row counts as slower: more than the noise of the medians."""
 _MEASURE = (
     "import asyncio, msgspec; from benchmarks import {name}; "
     "print(msgspec.json.encode(asyncio.run({name}.measure())).decode())"
@@ -42,26 +42,26 @@ _MEASURE = (
 
 
 class Comparison(msgspec.Struct, frozen=True):
-    """One question, with its answers there and here."""
+    """One question, with its results in the revision and here."""
 
     question: str
     before: str
     now: str
     ratio: float
-    """Time to the bare loop's, here to there, median over the rounds; above 1 is slower."""
+    """Ratio of our time to the bare loop's, divided by that of the revision (median of rounds); above 1 is slower."""
     times_as_quick: float
-    """By the clock alone, here to there, median over the rounds; above 1 is quicker."""
+    """Speed by the clock alone, divided by that of the revision, median over the rounds; above 1 is quicker."""
 
 
 @contextlib.contextmanager
 def checked_out(revision: str) -> Iterator[Path]:
-    """Check a revision out into a folder for as long as the context lasts."""
+    """Check a revision out into a folder for the duration of the context."""
     commit = commit_of(revision)
     with tempfile.TemporaryDirectory() as folder:
         tree = Path(folder) / "tree"
         _git("worktree", "add", "--detach", "--force", str(tree), commit)
         try:
-            # What the revision could not be asked then, it is asked now.
+            # Add the benchmarks that the revision lacks.
             for patch in PATCHES.glob("*.patch"):
                 if commit.startswith(patch.stem):
                     _git("-C", str(tree), "apply", str(patch))
@@ -74,7 +74,7 @@ def checked_out(revision: str) -> Iterator[Path]:
 
 
 def commit_of(revision: str) -> str:
-    """Return the hash of the commit that a branch, a tag or a part of a hash names."""
+    """Return the hash of the commit with this branch, tag or abbreviated hash."""
     found = _run_git("rev-parse", "--verify", "--quiet", f"{revision}^{{commit}}")
     if found.returncode:
         raise SystemExit(f"{revision!r} is no revision of this repository: give a branch, a tag or a hash")
@@ -102,7 +102,7 @@ def measure(tree: Path, name: str) -> Row:
 
 
 def why_not(tree: Path, name: str) -> str:
-    """Return what a benchmark needs and a tree lacks; empty where it can run there."""
+    """Return the reason for which a benchmark cannot run in a tree; empty if it can."""
     environment = os.environ | {"PYTHONPATH": str(tree)}
     command = [sys.executable, "-c", f"from benchmarks import {name}"]
     done = subprocess.run(command, cwd=tree, env=environment, capture_output=True, text=True, check=False)
@@ -110,7 +110,7 @@ def why_not(tree: Path, name: str) -> str:
 
 
 def compare(there: Path, name: str, rounds: int = ROUNDS) -> Comparison | None:
-    """Run one benchmark here and there in turn; None where it has no ratio to a bare loop."""
+    """Run one benchmark in both trees in turn; return None if it has no ratio to a bare loop."""
     pairs = [(measure(there, name), measure(HERE, name)) for _ in range(rounds)]
     before, now = pairs[-1]
     if not now.ratio:
@@ -121,7 +121,7 @@ def compare(there: Path, name: str, rounds: int = ROUNDS) -> Comparison | None:
 
 
 def _times_as_quick(old: str, new: str) -> float:
-    """Compare two rates, or two times."""
+    """Return the quotient of two rates, or the inverse quotient of two times."""
     quotient = _number(new) / _number(old)
     return quotient if "/s" in new else 1 / quotient
 
@@ -133,7 +133,7 @@ def _number(text: str) -> float:
 
 
 def main() -> int:
-    """Compare all benchmarks, and show a table; 1 where one became slower."""
+    """Compare the benchmarks, show a table, and return 1 if one became slower."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks.beside", description=__doc__)
     parser.add_argument("revision", help="of this repository")
     add_names(parser)

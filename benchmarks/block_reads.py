@@ -1,4 +1,4 @@
-"""How many words a second does `read_block` get?"""
+"""How many words a second does `read_block` reach?"""
 
 from __future__ import annotations
 

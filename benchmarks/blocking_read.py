@@ -1,4 +1,4 @@
-"""How fast is a blocking read, one after the other, beside what one writes by hand with pyserial and a lock?"""
+"""How fast are blocking reads, one after the other, compared with a program written with pyserial and a lock?"""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ MOST = 1.1
 
 
 async def measure() -> Row:
-    """Compare `link.read(...)` with the same bytes by hand, median of the round trips: the race of `bench-peers`."""
+    """Compare `link.read(...)` with the same bytes by pyserial, median of the round trips, as in `bench-peers`."""
     with responder() as path:
 
         def ours() -> float:
@@ -25,7 +25,7 @@ async def measure() -> Row:
                 return median_of(lambda: link.read(ADDRESS), READS)
 
         by_hand = ByHand(path)
-        # Blocking code has a thread without an event loop, where it usually is.
+        # Blocking code usually runs in a thread without an event loop.
         pair = await compare(
             lambda: asyncio.to_thread(ours), lambda: asyncio.to_thread(by_hand.seconds_of_a_read, READS)
         )

@@ -1,7 +1,7 @@
 """The other end of a bridge, in a process of its own: `bridge_peer.py ros1|ros2|zenoh listen|talk SECONDS RATE`.
 
-A listener prints a line when it is ready, counts the messages of one signal until none has come for `QUIET` seconds,
-and prints the number, and in how many seconds. A talker sends values of another at a steady rate, and prints the same.
+A listener prints a line when it is ready, counts the messages of one signal until none has arrived for `QUIET` seconds,
+and prints the number and the seconds. A talker sends values of another signal at a steady rate, and prints the same.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ PIECES_PER_SECOND = 200
 
 
 Count = tuple[int, float]
-"""Number of messages, and their seconds."""
+"""Number of messages, and the seconds that they took."""
 
 
 def listen(count: Callable[[], int]) -> Count:
-    """Wait until messages have come and come no more; give their number, and the seconds from the first to the last."""
+    """Wait until messages have arrived and stopped; return their number, and the seconds from the first to the last."""
     seen, at, began = 0, time.monotonic(), 0.0
     while not seen or time.monotonic() - at < QUIET:
         time.sleep(0.01)
@@ -35,7 +35,7 @@ def listen(count: Callable[[], int]) -> Count:
 
 
 def talk(send: Callable[[float], Any], seconds: float, rate: float, flush: Callable[[], Any] = lambda: None) -> Count:
-    """Send values at a rate, in pieces; give their number, and the seconds that took."""
+    """Send values at a rate, in bursts; return their number, and the seconds that this took."""
     sent, began = 0, time.monotonic()
     while (elapsed := time.monotonic() - began) < seconds:
         while sent < elapsed * rate:
@@ -47,7 +47,7 @@ def talk(send: Callable[[float], Any], seconds: float, rate: float, flush: Calla
 
 
 def ros1(what: str, seconds: float, rate: float) -> Count:
-    """Be a node of rospy."""
+    """Run as a node of rospy."""
     import rospy
     from std_msgs.msg import Float64
 
@@ -69,7 +69,7 @@ def ros1(what: str, seconds: float, rate: float) -> Count:
 
 
 def ros2(what: str, seconds: float, rate: float) -> Count:
-    """Be a participant of DDS."""
+    """Run as a participant of DDS."""
     from cyclonedds.core import Policy, Qos
     from cyclonedds.pub import DataWriter
     from cyclonedds.sub import DataReader
@@ -89,7 +89,7 @@ def ros2(what: str, seconds: float, rate: float) -> Count:
 
         def count() -> int:
             nonlocal seen
-            # That the writer went is a sample, too, but has no value.
+            # A sample without a value reports that the writer has left.
             seen += sum(hasattr(one, "data") for one in reader.take(N=10_000))
             return seen
 
@@ -106,7 +106,7 @@ def ros2(what: str, seconds: float, rate: float) -> Count:
 
 
 def zenoh(what: str, seconds: float, rate: float) -> Count:
-    """Be a peer of Zenoh."""
+    """Run as a peer of Zenoh."""
     import msgspec
     from zenoh import CongestionControl
 
@@ -150,7 +150,7 @@ def zenoh(what: str, seconds: float, rate: float) -> Count:
 
 
 def ready() -> None:
-    """Report that messages can come."""
+    """Report that messages can be sent."""
     print("ready", flush=True)
 
 

@@ -1,8 +1,8 @@
-"""How many samples and values a second do the bridges carry, with none lost? Written to BRIDGES.md by `make bench-ros`.
+"""How many samples and values a second do the bridges transfer without loss? `make bench-ros` writes BRIDGES.md.
 
-A virtual gateway in the bridge's own process publishes at the rate; a peer in another process counts what arrives, or
-sends values, which the bridge counts as it writes them. The paper carries 1,800 samples a second to ROS, and 300 values
-a second from it.
+A virtual gateway in the bridge's own process publishes at the target rate. A peer in another process counts the
+messages that arrive, or sends values, which the bridge counts as it writes them. The paper has 1,800 samples a second
+to ROS, and 300 values a second from it.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 SECONDS = 30.0
 MARGIN = 1.02
-"""Factor above the target that is asked for, so that the figure seen is not a little less."""
+"""Ratio of the requested rate to the target, so that the measured rate is not slightly below the target."""
 RESULTS = Path(__file__).with_name("BRIDGES.md")
 PEER = str(Path(__file__).with_name("bridge_peer.py"))
 PROGRAM = str(Path(sys.executable).parent / "unity-link")
@@ -49,35 +49,35 @@ class Row(NamedTuple):
 
     what: str
     rate: float
-    """A second, between the first and the last that was seen or sent."""
+    """Messages per second, between the first and the last that was received or sent."""
     carried: int
     expected: int
     target: int
     bridge_load: float | None = None
-    """CPU seconds a second, the gateway's own among them, that the bridge took."""
+    """CPU seconds per second of the bridge, with those of the gateway in its process."""
     peer_load: float | None = None
 
     @property
     def met(self) -> bool:
-        """Return whether the target was reached with none lost."""
+        """Whether the target was reached without loss."""
         return self.rate >= self.target and self.carried == self.expected
 
 
 def to_peer(kind: str, folder: Path, target: int) -> Row:
-    """Carry samples to a peer."""
+    """Measure samples from a bridge to a peer."""
     with peering(kind, "listen") as peer, bridging(kind, folder, round(MARGIN * target)) as bridge:
         with measuring(bridge, peer) as loads:
             time.sleep(SECONDS)
-        # It hands over all that came before it ends.
+        # The bridge passes all its samples on before it ends.
         published, lost, sent, _ = end(bridge)
         received, seconds = answer(peer).split()
-    # A publication of Zenoh has many samples.
+    # A publication of Zenoh contains many samples.
     expected = (published if kind == "zenoh" else sent) + lost
     return Row(f"{kind}: gateway to topic", int(received) / float(seconds), int(received), expected, target, *loads)
 
 
 def from_peer(kind: str, folder: Path, target: int) -> Row:
-    """Write values of a peer."""
+    """Measure values from a peer to a bridge."""
     with bridging(kind, folder, 100) as bridge, peering(kind, "talk", MARGIN * target) as peer:
         with measuring(bridge, peer) as loads:
             sent, seconds = answer(peer).split()
@@ -88,7 +88,7 @@ def from_peer(kind: str, folder: Path, target: int) -> Row:
 
 @contextmanager
 def measuring(*processes: subprocess.Popen[str]) -> Iterator[list[float]]:
-    """Measure CPU seconds a second of processes."""
+    """Measure the CPU seconds per second of processes during the context."""
     loads: list[float] = []
     before, began = [cpu_seconds(process) for process in processes], time.monotonic()
     yield loads
@@ -103,7 +103,7 @@ def cpu_seconds(process: subprocess.Popen[str]) -> float:
 
 
 def recording(folder: Path, target: int) -> Row:
-    """Record samples."""
+    """Measure samples that are recorded to a file."""
     result = subprocess.run(
         [
             *command("record", round(MARGIN * target), folder),
@@ -133,7 +133,7 @@ def command(kind: str, rate: int, folder: Path) -> list[str]:
 
 @contextmanager
 def bridging(kind: str, folder: Path, rate: int) -> Iterator[subprocess.Popen[str]]:
-    """Run a bridge."""
+    """Run a bridge for the duration of the context."""
     with subprocess.Popen(command(kind, rate, folder), stderr=subprocess.PIPE, text=True) as bridge:
         assert bridge.stderr is not None
         for line in bridge.stderr:
@@ -147,7 +147,7 @@ def bridging(kind: str, folder: Path, rate: int) -> Iterator[subprocess.Popen[st
 
 @contextmanager
 def peering(kind: str, what: str, rate: float = 0.0) -> Iterator[subprocess.Popen[str]]:
-    """Run a peer."""
+    """Run a peer for the duration of the context."""
     python = "/usr/bin/python3" if kind == "ros1" else sys.executable
     environment = {**os.environ, "PYTHONPATH": "" if kind == "ros1" else str(Path(__file__).parents[1])}
     with subprocess.Popen(
@@ -170,7 +170,7 @@ def answer(peer: subprocess.Popen[str]) -> str:
 
 
 def end(bridge: subprocess.Popen[str]) -> tuple[int, ...]:
-    """End a bridge; return how many samples it published and lost, messages it sent, and values it wrote."""
+    """End a bridge; return the numbers of samples published and lost, of messages sent, and of values written."""
     bridge.send_signal(signal.SIGINT)
     assert bridge.stderr is not None
     pattern = r"([\d,]+) samples published, ([\d,]+) lost; ([\d,]+) messages sent, ([\d,]+) values written"
@@ -178,7 +178,7 @@ def end(bridge: subprocess.Popen[str]) -> tuple[int, ...]:
 
 
 def numbers(pattern: str, text: str) -> tuple[int, ...]:
-    """Find numbers in what a program said."""
+    """Return the numbers in the output of a program."""
     found = re.search(pattern, text)
     assert found is not None, text
     return tuple(int(number.replace(",", "")) for number in found.groups())
@@ -186,7 +186,7 @@ def numbers(pattern: str, text: str) -> tuple[int, ...]:
 
 @contextmanager
 def ros_master(folder: Path) -> Iterator[None]:
-    """Run a master of ROS 1."""
+    """Run a ROS 1 master for the duration of the context."""
     with socket.create_server(("127.0.0.1", 0)) as free:
         port = free.getsockname()[1]
     os.environ.update(ROS_MASTER_URI=f"http://127.0.0.1:{port}", ROS_IP="127.0.0.1", ROS_HOME=str(folder))
@@ -227,7 +227,7 @@ def document(rows: list[Row]) -> str:
 
 
 def main() -> None:
-    """Measure all that this machine has the peers of."""
+    """Measure all bridges whose peers are installed on this machine."""
     rows = []
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)

@@ -1,4 +1,4 @@
-"""How fast is a read by the client in C, one after the other, beside a bare program on the same pseudo-terminal?"""
+"""How fast are reads by the client in C, one after the other, compared with a bare program on a pseudo-terminal?"""
 
 from __future__ import annotations
 

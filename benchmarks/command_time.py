@@ -1,4 +1,4 @@
-"""How long does a command take? `make bench-beside REVISION=a3abcb1` says what part of its time there."""
+"""How long does a command take? `make bench-beside REVISION=a3abcb1` compares with its time at that revision."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from benchmarks.measure import Row, compare
 from benchmarks.starting import ASYNCIO, programs
 
 MOST = 3.3
-"""About 60 % of what it was at a3abcb1."""
+"""About 60 % of the ratio at a3abcb1."""
 _COMMAND = ("from unity_link.cli import main; main()", "read", "sim:", "0x10")
 
 

@@ -1,4 +1,4 @@
-"""How many reads a second do 256 tasks get out of one link?"""
+"""How many reads a second do 256 tasks on one link reach?"""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ LEAST = 150_000
 
 
 async def measure() -> Row:
-    """Compare 256 tasks, each reading in a loop, with the same bytes through a bare loop, 128 of them under way."""
+    """Compare 256 tasks, each reading in a loop, with the same bytes through a bare loop, 128 reads in flight."""
     total = TASKS * READS_A_TASK
     with responder() as path:
 
@@ -36,7 +36,7 @@ async def measure() -> Row:
 
 
 async def transfer(path: str, request: bytes, response: bytes, in_flight: int, total: int) -> None:
-    """Move requests and responses through a bare loop, so many of them under way."""
+    """Transfer requests and responses through a bare loop, with a number of requests in flight."""
     loop = BareLoop(path)
     half = in_flight // 2
     loop.send(request * half)

@@ -1,4 +1,4 @@
-"""What a benchmark reads, and the check that it did: one that is quick and wrong has not finished."""
+"""The word that benchmarks read, and its check: a benchmark that is quick but wrong must fail."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ WORD = 0x0A0A0A0A
 
 
 def expect(value: object, expected: object = WORD) -> None:
-    """Check what was read.
+    """Check a value that was read.
 
     Raises:
-        RuntimeError: where it is something else.
+        RuntimeError: if it differs from the expected one.
     """
     if value != expected:
         raise RuntimeError(f"{value!r} was read where {expected!r} stands")

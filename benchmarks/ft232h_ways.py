@@ -1,10 +1,10 @@
-"""Which way between an FT232H and the event loop is quickest? `python -m benchmarks.ft232h_ways` asks a virtual chip.
+"""Which way between an FT232H and the event loop is quickest? `python -m benchmarks.ft232h_ways` uses a virtual chip.
 
-Three ways move the same 8 bytes out and 16 back: one hop to a thread for each transaction, which writes and reads; the
-reading and writing threads of ``ftdi://``; the posted transfers of ``ftdi-async://``. Runs of them alternate. The chip
-without time (microframes of 1 us) shows what the way itself costs, the one with USB's microframes what a user sees. A
-stream of answers then compares how fast both drivers take what comes, and a batch of reads on a UART of 12 Mbaud, which
-nothing can stop, how often they come too late for it.
+Three ways transfer the same 8 bytes to the chip and 16 back: a call in a thread for each transaction, which writes and
+reads; the reading and writing threads of ``ftdi://``; the posted transfers of ``ftdi-async://``. Their runs alternate.
+The chip without delays (microframes of 1 us) shows the cost of the way itself, the chip with USB's microframes the time
+that a user sees. A stream of answers then compares the throughput of both drivers. A batch of reads on a UART of 12
+Mbaud without flow control shows how often they are too late for it.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ URL = parse_url("ftdi://ftdi:232h/1")
 
 
 class Waiting(asyncio.Protocol):
-    """Lets a coroutine wait for so many bytes."""
+    """Lets a coroutine wait for a number of bytes."""
 
     def __init__(self) -> None:
         self._loop = asyncio.get_running_loop()
@@ -50,32 +50,32 @@ class Waiting(asyncio.Protocol):
         self.ended: asyncio.Future[None] = self._loop.create_future()
 
     def expect(self, size: int) -> asyncio.Future[None]:
-        """Return a future of the next `size` bytes."""
+        """Return a future that ends after the next `size` bytes."""
         self._missing = size
         self._waiter = self._loop.create_future()
         return self._waiter
 
     def data_received(self, data: bytes) -> None:
-        """Count."""
+        """Count the bytes."""
         self._missing -= len(data)
         if self._missing <= 0 and not self._waiter.done():
             self._waiter.set_result(None)
 
     def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002  (none is expected)
-        """End."""
+        """End the connection."""
         self.ended.set_result(None)
 
 
 @contextmanager
 def chip(microframe: float) -> Iterator[None]:
-    """Connect a chip, in the block."""
+    """Connect a virtual chip for the duration of the context."""
     device = VirtualFt232h(GatewayBoard(VirtualGateway()), timing=Timing(microframe=microframe))
     with installed(VirtualBus(device)):
         yield
 
 
 async def hop() -> float:
-    """Measure a hop for each transaction; gives seconds a round trip."""
+    """Measure a call in a thread for each transaction; return the seconds of a round trip."""
     loop = asyncio.get_running_loop()
     opened = open_chip(URL)
     strip = StatusStripper().strip
@@ -97,7 +97,7 @@ async def hop() -> float:
 
 
 async def driver(module: Any) -> float:
-    """Measure a driver; gives seconds a round trip."""
+    """Measure a driver; return the seconds of a round trip."""
     protocol = Waiting()
     transport = await module.connect(URL, protocol)
     times = []
@@ -113,7 +113,7 @@ async def driver(module: Any) -> float:
 
 
 async def stream(module: Any) -> float:
-    """Measure how fast blocks of 255 words come; gives bytes a second."""
+    """Measure the throughput of blocks of 255 words; return bytes per second."""
     protocol = Waiting()
     transport = await module.connect(URL, protocol)
     requests, size = b"RM00FF\r" * 50, 50 * (6 + 255 * 8 + 2)
@@ -130,7 +130,7 @@ async def stream(module: Any) -> float:
 
 
 async def overruns(scheme: str) -> int:
-    """Read a batch on a UART; gives 1 if bytes were lost, so that the link had to repeat."""
+    """Read a batch on a UART; return 1 if bytes were lost, so that the link had to retransmit."""
     logging.getLogger("unity_link.ft232h").setLevel(logging.ERROR)
     url = f"{scheme}://virtual?mode=uart&baud=12000000&receive_fifo_bytes=4096"
     async with unity_link.connect(url) as link:

@@ -1,4 +1,4 @@
-"""What does a read cost by `gather` of fresh coroutines, beside the least that it can cost?"""
+"""How much does a read by `gather` of new coroutines cost, compared with the least possible?"""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ MOST = 1.2
 
 
 async def measure() -> Row:
-    """Compare it with the same `gather` of coroutines that wait for what is done, plus a read by a task that goes on.
+    """Compare it with the same `gather` of coroutines that await a finished future, plus a read by a running task.
 
-    What asyncio takes to make a task and to end it is so in both.
+    The time in which asyncio creates and ends a task is included in both.
     """
     total = AT_ONCE * ROUNDS
     with responder() as path:

@@ -38,21 +38,21 @@ link.close();
 
 @contextmanager
 def c_program() -> Iterator[Path]:
-    """Compile the program that reads by the generated client or without one.
+    """Compile the program that reads with the generated client or without one.
 
     Raises:
-        FileNotFoundError: where there is no C compiler.
+        FileNotFoundError: if there is no C compiler.
     """
     with tempfile.TemporaryDirectory() as folder:
         write(generate("c", compile_file(SPEC)), Path(folder))
         sources = [SOURCE, *sorted(Path(folder).glob("*.c"))]
-        # Which warnings the generated code has is its tests' to say.
+        # Warnings are off, because the tests of the generated code check them.
         with compiled(sources, "-std=c99", "-w", f"-I{folder}") as program:
             yield program
 
 
 def missing_octave() -> str:
-    """Return the sentence for a machine without Octave; empty where there is one."""
+    """Return an error text if the machine has no Octave; empty otherwise."""
     if shutil.which("octave-cli") and shutil.which("mkoctfile"):
         return ""
     return "it needs GNU Octave and its headers: apt install octave liboctave-dev"
@@ -63,7 +63,7 @@ def octave_package() -> Iterator[Path]:
     """Build the package for Octave, and return its folder.
 
     Raises:
-        FileNotFoundError: where there is no Octave.
+        FileNotFoundError: if there is no Octave.
     """
     if text := missing_octave():
         raise FileNotFoundError(text)
@@ -74,18 +74,18 @@ def octave_package() -> Iterator[Path]:
 
 
 async def seconds_bare(program: Path, path: str, count: int) -> float:
-    """Return the median of so many round trips without a client."""
+    """Return the median of `count` round trips without a client, in seconds."""
     request = REQUEST.decode().removesuffix("\n")
     return await _printed([str(program), "bare", path, str(count), request, str(len(RESPONSE))])
 
 
 async def seconds_in_c(program: Path, path: str, count: int) -> float:
-    """Return the median of so many reads by the client in C."""
+    """Return the median of `count` reads by the client in C, in seconds."""
     return await _printed([str(program), "client", path, str(count)])
 
 
 async def seconds_in_octave(package: Path, path: str, count: int) -> float:
-    """Return the median of so many reads in Octave."""
+    """Return the median of `count` reads in Octave, in seconds."""
     return await _printed([*_OCTAVE, _SCRIPT.format(path=path, count=count)], package)
 
 
@@ -101,7 +101,7 @@ def _output(command: list[str], folder: Path | None) -> str:
 
 
 def row(question: str, pair: Pair, most: float) -> Row:
-    """Return the row of a read that may take so many times as long as a bare program's."""
+    """Return the row of a read that may take at most `most` times as long as that of a bare program."""
     return Row(
         question,
         f"{pair.ours * 1e6:.1f} us",

@@ -1,4 +1,4 @@
-"""What does a group of a spec cost: 72 values of the walker, against a bare `read_many` of their words?"""
+"""How much does a group of a spec cost: 72 values of the walker, compared with a bare `read_many` of their words?"""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ MOST = 1.5
 
 
 async def best(work: Callable[[], Awaitable[object]]) -> float:
-    """Return the seconds of the quickest of many runs: whatever else the machine does, that is what it costs."""
+    """Return the seconds of the quickest of many runs, to exclude other work of the machine."""
     times = []
     for _ in range(READS):
         start = time.perf_counter()

@@ -1,4 +1,4 @@
-"""What does decoding cost, of samples of a whole robot as bridges and recorders take them?"""
+"""How much does decoding cost for samples of a whole robot, as in bridges and recorders?"""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _OPTIONS = {"divisor": 1, "timestamps": False, "overflow": "fail", "buffer": 100
 
 
 async def measure() -> Row:
-    """Compare batches with a column for each of 36 values with the words alone, as fast as the wire takes them."""
+    """Compare batches with a column for each of 36 values with batches of words, as fast as the line transfers them."""
     walker = unity_link.load(WALKER)
     with responder() as path:
 

@@ -1,8 +1,8 @@
-"""What does a picture of the live page cost, and how many a second are seen? Written to LIVE.md by `make bench-live`.
+"""How much does a frame of the live page cost, and how many a second are drawn? `make bench-live` writes LIVE.md.
 
-The page is opened in headless Chromium, which draws in software: a screen with a graphics card is easier. Time is the
-processor's, of the page's main thread as Chromium counts it, so that it is the same beside other work; pictures a
-second are only what the page can do where nothing else runs.
+The page is opened in headless Chromium, which draws in software: with a graphics card, drawing is cheaper. Times are
+processor times of the page's main thread, as Chromium counts them, and so independent of other work on the machine. The
+number of frames per second shows only how many the page can draw if nothing else runs.
 """
 
 from __future__ import annotations
@@ -32,39 +32,39 @@ RESULTS = Path(__file__).with_name("LIVE.md")
 
 
 class Screen(NamedTuple):
-    """Size and form of the screen that the page is shown on."""
+    """Size and kind of the screen on which the page is shown."""
 
     name: str
     width: int
     height: int
     ratio: float
-    """Points of the screen for one of the page."""
+    """Pixels of the screen for one pixel of the page."""
 
 
 SCREENS = (Screen("desktop", 1280, 900, 1), Screen("phone", 390, 844, 3))
 
 
 class Row(NamedTuple):
-    """Figures of one robot on one screen; times are of one picture, in ms."""
+    """Figures of one robot on one screen; times are for one frame, in ms."""
 
     robot: str
     screen: str
     plots: float
-    """Drawn for each picture."""
+    """Plots drawn in each frame."""
     script: float
     thread: float
-    """All of the page's main thread: script, layout, and drawing of the curves."""
+    """Time of the page's main thread: script, layout, and drawing of the curves."""
     beside: float
-    """All other threads of Chromium."""
+    """Time of all other threads of Chromium."""
     slowest: float
-    """Slowest of a hundred pictures: how long after the one before."""
+    """Time from frame to frame that 99 % of the frames do not exceed."""
     pictures: float
-    """A second."""
+    """Frames per second."""
 
 
 @contextmanager
 def showing(robot: str) -> Iterator[str]:
-    """Run `unity-link live` on a virtual robot; return the page's address."""
+    """Run `unity-link live` on a virtual robot, and return the page's address."""
     command = [PROGRAM, "live", f"sim:{robot}", str(EXAMPLES / f"{robot}.ul"), "--allow-writes"]
     with subprocess.Popen(
         [*command, "--no-browser", "--port", "0"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
@@ -77,7 +77,7 @@ def showing(robot: str) -> Iterator[str]:
 
 
 def look(browser: Browser, robot: str, screen: Screen, seconds: float) -> Row:
-    """Look at a robot for some seconds, while it moves."""
+    """Show a robot for some seconds while it moves, and measure."""
     context = browser.new_context(
         viewport={"width": screen.width, "height": screen.height}, device_scale_factor=screen.ratio
     )
@@ -85,7 +85,7 @@ def look(browser: Browser, robot: str, screen: Screen, seconds: float) -> Row:
     with showing(robot) as url:
         page.goto(url)
         move(page)
-        # The plots are full of points then: a window of ten seconds has gone by.
+        # After 11 s the plots have all their points: their window is ten seconds.
         page.wait_for_timeout(11_000)
         row = measure(browser, page, robot, screen, seconds)
         context.close()
@@ -93,7 +93,7 @@ def look(browser: Browser, robot: str, screen: Screen, seconds: float) -> Row:
 
 
 def move(page: Page) -> None:
-    """Move all set points of positions to and fro."""
+    """Move all position set points back and forth."""
     page.locator("input[type=range]:enabled").first.wait_for()
     page.evaluate(
         """() => {
@@ -153,7 +153,7 @@ def measure(browser: Browser, page: Page, robot: str, screen: Screen, seconds: f
 
 
 def rows(seconds: float) -> list[Row]:
-    """Look at each robot on each screen."""
+    """Measure each robot on each screen."""
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
         found = [look(browser, robot, screen, seconds) for robot in ROBOTS for screen in SCREENS]

@@ -1,4 +1,4 @@
-"""How many reads a second does a program get that holds 64 links, a gateway behind each?"""
+"""How many reads a second does a program with 64 links reach, each to a gateway of its own?"""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from benchmarks.responder import BareLoop, responders
 
 LINKS = 64
 READS = 6400
-"""In all."""
+"""Total number of reads."""
 LEAST = 0.6
 
 
 async def over_links(paths: list[str]) -> float:
-    """Read each pseudo-terminal over a link of its own, in tasks; return the seconds of a read."""
+    """Read from each pseudo-terminal over a link of its own, in tasks; return the seconds of a read."""
     reads = READS // len(paths)
     async with AsyncExitStack() as stack:
         links = [await stack.enter_async_context(unity_link.connect(f"serial:{path}", timeout=60)) for path in paths]
@@ -36,7 +36,7 @@ async def over_links(paths: list[str]) -> float:
 
 
 async def over_loops(paths: list[str]) -> float:
-    """Move the same bytes over each pseudo-terminal, in tasks with nothing around them."""
+    """Transfer the same bytes over each pseudo-terminal, in bare tasks; return the seconds of a read."""
     reads = READS // len(paths)
     loops = [BareLoop(path) for path in paths]
 
@@ -54,7 +54,7 @@ async def over_loops(paths: list[str]) -> float:
 
 
 async def measure() -> Row:
-    """Compare 64 links, and a task that reads on each, with a bare loop; and both with what they get of one."""
+    """Compare 64 links, with a reading task on each, with bare loops; and both with their results for one."""
     with responders(LINKS) as paths:
         pair = await compare(lambda: over_links(paths), lambda: over_loops(paths))
         one = await compare(lambda: over_links(paths[:1]), lambda: over_loops(paths[:1]))

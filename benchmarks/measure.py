@@ -1,7 +1,7 @@
-"""What all benchmarks share: a question, runs that alternate with the bare loop, and a row of the results.
+"""Shared by all benchmarks: a question, runs that alternate with the bare loop, and a row of the results.
 
-This machine is shared and noisy. So each run of ours is followed by one of the bare loop with the same bytes, and what
-counts is the median of their ratios; the rates beside it are medians of the same runs.
+The machine is shared and noisy. So each run of ours is followed by one of the bare loop with the same bytes, and the
+result is the median of their ratios; the rates shown with it are medians of the same runs.
 """
 
 from __future__ import annotations
@@ -28,9 +28,9 @@ class Row(msgspec.Struct, frozen=True):
     ratio: str
     target: str
     met: bool | None
-    """None where it was not measured."""
+    """None if the benchmark was not measured."""
     processor: str = ""
-    """Shares of a processor that ours and the bare loop took, without the responder; empty where not told."""
+    """Processor shares of ours and of the bare loop, without the responder; empty if they were not measured."""
 
 
 class Pair(msgspec.Struct, frozen=True):
@@ -40,7 +40,7 @@ class Pair(msgspec.Struct, frozen=True):
     bare: float
     ratio: float
     ours_load: float
-    """Share of a processor that ours took while it ran."""
+    """Share of a processor that ours used while it ran."""
     bare_load: float
 
     @property
@@ -50,7 +50,7 @@ class Pair(msgspec.Struct, frozen=True):
 
 
 async def compare(ours: Callable[[], Awaitable[float]], bare: Callable[[], Awaitable[float]]) -> Pair:
-    """Run both in turn; each gives its seconds for one unit of work."""
+    """Run both in turn; each returns its seconds for one unit of work."""
     await ours(), await bare()
     pairs = [(await _loaded(ours), await _loaded(bare)) for _ in range(RUNS)]
     times, loads = zip(*(zip(*pair, strict=True) for pair in pairs), strict=True)
@@ -62,27 +62,27 @@ async def compare(ours: Callable[[], Awaitable[float]], bare: Callable[[], Await
 
 
 async def _loaded(work: Callable[[], Awaitable[float]]) -> tuple[float, float]:
-    """Return what work gives, and the share of a processor that it took."""
+    """Return the result of a function, and the share of a processor that it used."""
     began, used = time.perf_counter(), processor_seconds()
     given = await work()
     return given, (processor_seconds() - used) / (time.perf_counter() - began)
 
 
 def processor_seconds() -> float:
-    """Return the processor time of this process, and of those that it has waited for."""
+    """Return the processor seconds of this process, and of the child processes for which it has waited."""
     usages = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
     return sum(usage.ru_utime + usage.ru_stime for usage in usages)
 
 
 async def seconds(work: Awaitable[object]) -> float:
-    """Return how long something takes."""
+    """Return the seconds that an awaitable takes."""
     start = time.perf_counter()
     await work
     return time.perf_counter() - start
 
 
 def rate_row(question: str, unit: str, pair: Pair, least: float) -> Row:
-    """Return the row of a rate that has a least value, in units a second."""
+    """Return the row of a rate with a minimum, in units per second."""
     return Row(
         question,
         f"{1 / pair.ours:,.0f} {unit}/s",

@@ -1,4 +1,4 @@
-"""Does a link that has done a million requests need more memory than before?"""
+"""Does a link need more memory after a million requests than before?"""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ MOST_GROWTH = 64 * 1024
 
 
 async def measure() -> Row:
-    """Compare what Python has allocated after a tenth of the requests with what it has after all of them."""
+    """Compare the memory allocated by Python after a tenth of the requests with that after all of them."""
     with responder() as path:
         async with unity_link.connect(f"serial:{path}") as link:
             await _work(link, REQUESTS // 10)
@@ -41,7 +41,7 @@ async def measure() -> Row:
 
 
 async def _work(link: unity_link.Link, requests: int) -> None:
-    """Do requests of all frequent kinds; a third each by batches, by tasks, and posted."""
+    """Make requests of all frequent kinds; one third each in batches, in tasks, and posted."""
     addresses = np.arange(requests // 3) % 256
     await link.read_many(addresses)
 

@@ -1,7 +1,7 @@
-"""What is left of a link's rate on a line that damages bytes, and does `connect` succeed? `make bench-noise`.
+"""How much of a link's rate remains on a line that damages bytes, and does `connect` succeed? `make bench-noise`.
 
-Each rate stands beside that of the undisturbed line in the same run: the model behind `NoisyLine`, in this process, so
-that nothing but the recovery makes the difference.
+Each rate is compared with that of the undisturbed line in the same run. The gateway is the model behind `NoisyLine`, in
+this process, so that only error recovery makes a difference.
 """
 
 from __future__ import annotations
@@ -61,9 +61,9 @@ class Question(NamedTuple):
     text: str
     work: Callable[[Link], Awaitable[None]]
     damaged: float
-    """Share of the bytes, in both directions."""
+    """Share of the bytes that are damaged, in each direction."""
     least: float
-    """Share of the undisturbed rate that must be left."""
+    """Share of the undisturbed rate that must remain."""
 
 
 QUESTIONS = (
@@ -81,7 +81,7 @@ async def share_left(question: Question) -> tuple[float, float, float]:
         pair = []
         for damaged in (0.0, question.damaged):
             line = NoisyLine(VirtualGateway(), Noise(2 * run, flip=damaged), Noise(2 * run + 1, flip=damaged))
-            # A connection may take several tries; what is asked for is the rate after it.
+            # A long timeout, because only the rate after the connection is measured.
             async with unity_link.connect(line, timeout=60) as link:
                 pair.append(await seconds(question.work(link)))
         pairs.append((pair[0], pair[1], pair[0] / pair[1]))
@@ -90,7 +90,7 @@ async def share_left(question: Question) -> tuple[float, float, float]:
 
 
 async def connects(seed: int) -> bool:
-    """Return whether `connect` succeeds in its usual time."""
+    """Return whether `connect` succeeds within its default timeout."""
     line = NoisyLine(VirtualGateway(), Noise(2 * seed, flip=WORST), Noise(2 * seed + 1, flip=WORST))
     try:
         link = await unity_link.connect(line)
@@ -101,7 +101,7 @@ async def connects(seed: int) -> bool:
 
 
 async def connections() -> int:
-    """Return how many of the seeds `connect` succeeds with; it waits most of the time, so some are tried at once."""
+    """Return the number of seeds for which `connect` succeeds. It mostly waits, so several run at once."""
     successes = 0
     for first in range(0, CONNECTIONS, TOGETHER):
         successes += sum(await asyncio.gather(*map(connects, range(first, min(first + TOGETHER, CONNECTIONS)))))

@@ -1,4 +1,4 @@
-"""How fast is a read in Octave, one after the other, beside a bare program in C on the same pseudo-terminal?"""
+"""How fast are reads in Octave, one after the other, compared with a bare C program on the same pseudo-terminal?"""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from benchmarks.responder import responder
 
 READS = 2000
 MOST = 40e-6
-"""Seconds more than a bare program takes: 0.1 ms where that takes 0.06."""
+"""Seconds above the time of a bare program: 0.1 ms if that takes 0.06 ms."""
 missing_tools = missing_octave
 
 

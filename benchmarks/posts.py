@@ -20,7 +20,7 @@ LEAST = 300_000
 
 
 async def measure() -> Row:
-    """Compare posted writes and their `fence` with as many reads through a bare loop, 128 of them under way."""
+    """Compare posted writes and their `fence` with as many reads through a bare loop, 128 of them in flight."""
 
     async def post(link: Link) -> None:
         for value in range(POSTS):
@@ -30,13 +30,13 @@ async def measure() -> Row:
 
 
 async def measure_posts(method: str, count: int, least: float, post: Callable[[Link], Awaitable[None]]) -> Row:
-    """Compare writes that are posted in some way, and their `fence`, with as many reads through a bare loop.
+    """Compare posted writes and their `fence` with as many reads through a bare loop.
 
     Args:
         method: of the link, for the row.
-        count: of the writes; the last is of one less.
-        least: writes a second that are wanted.
-        post: posts them.
+        count: number of writes; the last one writes this number less one.
+        least: minimum number of writes per second.
+        post: posts the writes.
     """
     with responder() as path:
 

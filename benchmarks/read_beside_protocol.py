@@ -1,4 +1,4 @@
-"""How much does a lone read add to what an `asyncio.Protocol` makes of the same bytes on the same pseudo-terminal?"""
+"""How much does a single read add to an `asyncio.Protocol` that transfers the same bytes on a pseudo-terminal?"""
 
 from __future__ import annotations
 
@@ -18,39 +18,39 @@ MOST = 1.15
 
 
 class RoundTrips(asyncio.Protocol):
-    """Writes a fixed request, and gives its answer by a future: bytes are counted, and nothing is checked."""
+    """Writes a fixed request and returns a future of its answer: bytes are counted, and not checked."""
 
     def __init__(self) -> None:
         self._received = b""
         self._answer: asyncio.Future[bytes] = asyncio.get_running_loop().create_future()
 
     async def open(self, path: str) -> None:
-        """Open a pseudo-terminal: asyncio has pipes for it, one to read and one to write."""
+        """Open a pseudo-terminal as two asyncio pipes, one to read and one to write."""
         loop = asyncio.get_running_loop()
         self._reader, _ = await loop.connect_read_pipe(lambda: self, FileIO(path, "r"))
         self._writer, _ = await loop.connect_write_pipe(asyncio.BaseProtocol, FileIO(path, "w"))
 
     def data_received(self, data: bytes) -> None:
-        """Set the result of the future when the answer is whole."""
+        """Set the result of the future when the answer is complete."""
         self._received += data
         if len(self._received) >= len(RESPONSE):
             self._answer.set_result(self._received)
             self._received = b""
 
     def ask(self) -> asyncio.Future[bytes]:
-        """Send the request."""
+        """Send the request, and return the future of its answer."""
         self._answer = asyncio.get_running_loop().create_future()
         self._writer.write(REQUEST)
         return self._answer
 
     def close(self) -> None:
-        """Let the pseudo-terminal go."""
+        """Close the pseudo-terminal."""
         self._reader.close()
         self._writer.close()
 
 
 async def seconds_of_a_read(path: str, count: int) -> float:
-    """Return the median of so many lone reads over a link to a pseudo-terminal."""
+    """Return the median of `count` single reads over a link to a pseudo-terminal, in seconds."""
     async with unity_link.connect(f"serial:{path}") as link:
         expect(await link.read(ADDRESS))
         times = []

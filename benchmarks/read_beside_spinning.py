@@ -1,4 +1,4 @@
-"""How fast is a lone read beside the least there can be: a loop that looks for the answer again and never sleeps?"""
+"""How fast is a single read compared with the quickest possible: a loop that polls for the answer and never sleeps?"""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ MOST = 1.5
 
 
 async def measure() -> Row:
-    """Compare `await link.read(...)`, which spins as well, with the same bytes, median of the round trips."""
+    """Compare `await link.read(...)`, which polls as well, with the same bytes, median of the round trips."""
     with responder() as path:
 
         async def bare() -> float:

@@ -1,15 +1,15 @@
-/* The other end of the benchmarks: a gateway that costs next to nothing, so that what is measured is the host.
+/* The other end of the benchmarks: a gateway that uses very little processor time, so that the host is measured.
  *
- * It speaks the wire protocol in checked form (words of 32 bits, addresses of up to 16) and executes r, rm, w, wm, ws, h
- * and the group commands on plain memory. It trusts its wire: the session is in the checks of what it sends, and it
- * looks at no check, no ID and no error.
- * Groups that run publish in turn, as fast as the wire takes it, without timestamps. Where the session asks for it, its
- * frames are in the compact form.
+ * It implements the wire protocol in checked form (words of 32 bits, addresses of at most 16): r, rm, w, wm, ws, h and
+ * the group commands on plain memory. It trusts the line: its own frames have the session in their CRC, but it checks
+ * neither CRCs nor IDs, and reports no errors.
+ * Active groups publish in turn, as fast as the line transfers, without timestamps. If the session requests it, frames
+ * are in the compact form.
  *
- * usage: responder FD CONFIGURATION     (the answer to Q, by which it sends)
+ * usage: responder FD CONFIGURATION     (the answer to Q, which also sets the widths)
  *
- * FD is an open pseudo-terminal or stream socket, a listening one, which serves one host after the other, or one of
- * datagrams. Of these it trusts that none is late.
+ * FD is an open pseudo-terminal or stream socket, a listening socket, which serves one host after the other, or a
+ * datagram socket. It relies on datagrams not being late.
  */
 #define _GNU_SOURCE
 #include <errno.h>
@@ -38,22 +38,22 @@ static struct group {
 } groups[GROUPS];
 static int running, turn;
 static uint8_t runs[GROUPS];
-static int compact; /* of the session under way */
+static int compact; /* of the current session */
 static int datagrams, asked, asked_plainly;
-static uint32_t number; /* of the session under way, 0 for none */
+static uint32_t number; /* of the current session, 0 if there is none */
 static uint32_t session, offer = 1, sent_datagrams;
-static uint32_t offered; /* in the header of the datagram under way */
+static uint32_t offered; /* in the header of the present datagram */
 static struct sockaddr_storage host;
 static socklen_t host_length;
 
 static const char digit[] = "0123456789ABCDEF";
 
-/* The compact form: its bytes, and the commands that have it, each at its number. */
+/* The compact form: its special bytes, and the commands that have it, in the order of their numbers. */
 enum { START = 0xB5, END = 0xCA, ESCAPE = 0xD3, STUFFED = 0x40 };
 static const char *const commands[] = {"r", "rm", "rq", "w",  "wm", "wq", "wk", "ws",
                                        "h", "gn", "gx", "gp", "i",  "n",  "x",  "P"};
 
-/* A CRC of any width stands at the upper end of 32 bits, so that one table does. */
+/* A CRC of any width is stored in the upper bits of a word of 32 bits, so that one table is enough. */
 static void make_table(uint32_t polynomial)
 {
     for (uint32_t byte = 0; byte < 256; byte++) {
@@ -84,8 +84,8 @@ static uint32_t get_hex(const char *text, int digits)
     return value;
 }
 
-/* Put the frame that begins at `start` into the compact form, if it has one. Where there is an odd number of digits, one
- * fills up. */
+/* Convert the frame that begins at `start` to the compact form, if it has one. An odd number of digits is padded with
+ * one digit. */
 static void pack(size_t start)
 {
     static char text[MOST];
@@ -113,7 +113,7 @@ static void pack(size_t start)
     out[out_length++] = (char)END;
 }
 
-/* Return the text of a compact frame, from its start on and without its end, and its length. */
+/* Return the text of a compact frame (from its start byte, without its end byte), and its length. */
 static const char *unpack(const char *frame, size_t *length)
 {
     static char text[MOST * 2];
@@ -142,7 +142,7 @@ static const char *unpack(const char *frame, size_t *length)
     return text;
 }
 
-/* Requests with an ID and samples have the session in their check. */
+/* The CRC of samples and of answers with an ID includes the session. */
 static void end_frame(size_t start)
 {
     int seeded = number && (out[start] > 'Z' || out[start] == 'P');
@@ -155,7 +155,7 @@ static void end_frame(size_t start)
         pack(start);
 }
 
-/* The header of a datagram is made behind the frames. What answers a question is outside the count. */
+/* The header is built in the buffer after the frames, but sent before them. Answers outside of a session have count 0. */
 static void send_datagram(const char *frames, size_t length)
 {
     size_t start = out_length;
@@ -190,7 +190,7 @@ static void send_datagrams(void)
         send_datagram(from, (size_t)(to - from));
 }
 
-/* Where the other end has gone, reading finds the end. */
+/* Write errors are ignored: if the other end has gone, the next read reports it. */
 static void flush(void)
 {
     size_t sent = 0;
@@ -206,7 +206,7 @@ static void flush(void)
     out_length = 0;
 }
 
-/* Its fields are those of the wire protocol: version, data bits, address bits, ID digits, CRC bits, polynomial, ... */
+/* Read the fields of the answer to Q: version, data bits, address bits, ID digits, CRC bits, polynomial, ... */
 static void configure(const char *text)
 {
     configuration = text;
@@ -216,7 +216,7 @@ static void configure(const char *text)
     make_table(get_hex(text + 10, 8) << (32 - crc_bits));
 }
 
-/* Start a group, or stop it. */
+/* Start or stop a group. */
 static void run(uint8_t group, int on)
 {
     int others = 0;
@@ -291,7 +291,7 @@ static void answer(const char *frame, size_t length)
     end_frame(start);
 }
 
-/* The groups that run take turns. */
+/* Publish samples of the active groups in turn. */
 static void publish(void)
 {
     for (int n = 0; n < PUBLISHES && out_length < AT_ONCE; n++) {
@@ -307,7 +307,7 @@ static void publish(void)
     }
 }
 
-/* Read; of a datagram the frames behind its header. */
+/* Read bytes; from a datagram, only the frames after its header. */
 static ssize_t receive(char *in, size_t room)
 {
     if (!datagrams)
@@ -326,7 +326,7 @@ static ssize_t receive(char *in, size_t room)
     return n;
 }
 
-/* Answer until the other end goes. */
+/* Answer requests until the other end closes. */
 static void serve(void)
 {
     static char in[MOST];

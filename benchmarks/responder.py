@@ -1,4 +1,4 @@
-"""Starts the responder, and gives what benchmarks send to it: frames, through a link or through a bare event loop."""
+"""Starts the responder, and has the frames that benchmarks send to it, through a link or a bare event loop."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 SOURCE = Path(__file__).with_name("responder.c")
 LOOPBACK = "127.0.0.1"
 GATEWAY = GatewayInfo(features=Feature.GROUPS | Feature.FLOW_CONTROL, receive_fifo_bytes=4096, transmit_fifo_bytes=4096)
-"""Description of the responder."""
+"""Configuration of the responder."""
 
 
 def exchange(info: GatewayInfo, command: str, *values: Any, reads: Any = None) -> tuple[bytes, bytes]:
@@ -38,11 +38,11 @@ def serving(source: Path, medium: str, *arguments: str) -> Iterator[str]:
 
     Args:
         source: of a program in C, whose first argument is the descriptor of its end.
-        medium: ``pty``, the other end is the path of a pseudo-terminal; or ``tcp`` or ``udp``, it is a port.
-        arguments: further ones.
+        medium: ``pty``: the other end is the path of a pseudo-terminal; ``tcp`` or ``udp``: it is a port.
+        arguments: further arguments of the program.
 
     Raises:
-        FileNotFoundError: where there is no C compiler.
+        FileNotFoundError: if there is no C compiler.
     """
     with compiled([source]) as program, ExitStack() as stack:
         yield _run(program, stack, medium, *arguments)
@@ -50,10 +50,10 @@ def serving(source: Path, medium: str, *arguments: str) -> Iterator[str]:
 
 @contextmanager
 def compiled(sources: Sequence[Path], *options: str) -> Iterator[Path]:
-    """Compile a program of some sources in C, and return where it is, for as long as the context lasts.
+    """Compile a program from C sources, and return its path for the duration of the context.
 
     Raises:
-        FileNotFoundError: where there is no C compiler.
+        FileNotFoundError: if there is no C compiler.
     """
     compiler = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
     if compiler is None:
@@ -75,7 +75,7 @@ def _run(program: Path, stack: ExitStack, medium: str, *arguments: str) -> str:
 
 def _terminal(stack: ExitStack) -> tuple[int, str]:
     theirs, ours = os.openpty()
-    # Their end stays open here as well, so that a host may come before the program.
+    # The program's end stays open in this process too, so that a host may connect before the program runs.
     stack.callback(os.close, theirs)
     stack.callback(os.close, ours)
     tty.setraw(ours)
@@ -101,11 +101,11 @@ def responder(info: GatewayInfo = GATEWAY, medium: str = "pty") -> Iterator[str]
     """Run the responder in another process, and return the other end of its medium, as `serving` does.
 
     Args:
-        info: what it answers to ``Q``, of words of 32 bits and addresses of at most 16.
+        info: its answer to ``Q``, with words of 32 bits and addresses of at most 16.
         medium: ``pty``, ``tcp`` or ``udp``.
 
     Raises:
-        FileNotFoundError: where there is no C compiler.
+        FileNotFoundError: if there is no C compiler.
     """
     with serving(SOURCE, medium, info.to_hex().decode()) as end:
         yield end
@@ -113,17 +113,17 @@ def responder(info: GatewayInfo = GATEWAY, medium: str = "pty") -> Iterator[str]
 
 @contextmanager
 def responders(count: int, info: GatewayInfo = GATEWAY) -> Iterator[list[str]]:
-    """Run many responders, each behind a pseudo-terminal of its own, and return these.
+    """Run many responders, each at a pseudo-terminal of its own, and return the paths of these.
 
     Raises:
-        FileNotFoundError: where there is no C compiler.
+        FileNotFoundError: if there is no C compiler.
     """
     with compiled([SOURCE]) as program, ExitStack() as stack:
         yield [_run(program, stack, "pty", info.to_hex().decode()) for _ in range(count)]
 
 
 class BareLoop:
-    """The least that a program on an asyncio loop can do with a pseudo-terminal: no protocol, no checks, bytes counted.
+    """The minimum that an asyncio program does with a pseudo-terminal: it counts bytes, without protocol or checks.
 
     Args:
         path: of the pseudo-terminal.
@@ -137,17 +137,17 @@ class BareLoop:
         self._loop.add_reader(self._port, self._read)
 
     def close(self) -> None:
-        """Let the pseudo-terminal go."""
+        """Close the pseudo-terminal."""
         self._loop.remove_reader(self._port)
         os.close(self._port)
 
     def send(self, data: bytes) -> None:
-        """Write what the pseudo-terminal takes at once: all of it, with so little under way."""
+        """Write all bytes at once; the buffer of the pseudo-terminal is large enough for the few bytes in flight."""
         if os.write(self._port, data) != len(data):
             raise BlockingIOError(f"the pseudo-terminal did not take {len(data)} bytes")
 
     async def receive(self, size: int) -> None:
-        """Wait until `size` more bytes have come."""
+        """Wait until `size` more bytes have arrived."""
         self._missing += size
         if self._missing > 0:
             self._done = self._loop.create_future()

@@ -1,6 +1,6 @@
-/* Reads from C over a pseudo-terminal, one after the other; prints the median of their seconds.
+/* Reads in C over a pseudo-terminal, one after the other; prints the median time of a read in seconds.
  *
- * usage: round_trips bare PATH COUNT REQUEST LENGTH     a fixed request, and an answer of so many bytes, unchecked
+ * usage: round_trips bare PATH COUNT REQUEST LENGTH     a fixed request, and an answer of LENGTH bytes, unchecked
  *        round_trips client PATH COUNT                  `ul_read` of the generated client
  */
 #define _POSIX_C_SOURCE 200809L
@@ -76,7 +76,7 @@ int main(int argc, char **argv)
     if (count < 1 || count > MOST)
         return 2;
     if (argc == 6 && strcmp(argv[1], "bare") == 0) {
-        /* An argument cannot hold a line end without a shell's help; the request is without its own. */
+        /* REQUEST has no line end, which is difficult to pass in an argument. */
         request_length = (size_t)snprintf(request, sizeof request, "%s\n", argv[4]);
         response_length = (size_t)atoi(argv[5]);
         if ((port = open(argv[2], O_RDWR | O_NOCTTY)) < 0)

@@ -1,7 +1,7 @@
-"""How fast is the gateware in a process? Cycles and reads a second: `python -m benchmarks.rtl`.
+"""How fast does the gateware run in a process? Cycles and reads per second: `python -m benchmarks.rtl`.
 
-What is measured is the machine's compiler and processor, and no part of a board: there, pipelined reads fill every
-cycle of the transmitter.
+The results depend on the machine's compiler and processor, not on a board: there, pipelined reads keep the transmitter
+busy in every cycle.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ def quickest(work: Callable[[], object]) -> float:
 
 
 def cycles_of_reads(gateway: RtlGateway) -> tuple[float, float]:
-    """Return cycles a second while reads are streamed in, and the cycles that each takes."""
+    """Return the cycles per second while reads are streamed, and the cycles that each read takes."""
     checked = Codec(gateway.info).framing.checked
     requests = b"".join(checked(b"R%02X" % (number % 256)) for number in range(READS))
     before = gateway.cycles
@@ -47,7 +47,7 @@ def cycles_of_reads(gateway: RtlGateway) -> tuple[float, float]:
 
 
 async def link_rate() -> float:
-    """Return the reads a second of `read_many` on ``rtl:``."""
+    """Return the reads per second of `read_many` on ``rtl:``."""
     addresses = np.arange(READS) % 256
     async with unity_link.connect("rtl:") as link:
         return READS / min([await seconds(link.read_many(addresses)) for _ in range(RUNS)])

@@ -16,7 +16,7 @@ _PUBLISH = len(_CODEC.framing.checked(_CODEC.publish(0, 0, None, [0])))
 
 
 async def measure() -> Row:
-    """Compare a subscription, whose gateway publishes as fast as the wire takes it, with counting the same bytes."""
+    """Compare a subscription with counting the same bytes; the gateway publishes as fast as the line transfers."""
     with responder() as path:
 
         async def ours() -> float:

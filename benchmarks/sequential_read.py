@@ -1,4 +1,4 @@
-"""How fast is a read, one after the other?"""
+"""How fast are reads, one after the other?"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How much of a link's rate is left when eight programs share it, each of which reads in batches?"""
+"""How much of a link's rate remains if eight programs share it, each of which reads in batches?"""
 
 from __future__ import annotations
 

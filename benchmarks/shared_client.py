@@ -1,7 +1,8 @@
 """One of the programs that share a link: ``shared_client.py URL SECONDS WAY``.
 
-Says when it is connected, waits for a line on its standard input, reads for so long, and prints how many words a second
-it got. WAY is ``tasks`` (64 tasks, each reading in a loop), ``batch`` (`read_many`) or ``lone`` (one read at a time).
+Prints a line when it is connected, waits for a line on its standard input, reads for SECONDS, and prints the number of
+words per second. WAY is ``tasks`` (64 tasks, each reading in a loop), ``batch`` (`read_many`) or ``lone`` (one read at
+a time).
 """
 
 from __future__ import annotations
@@ -33,7 +34,7 @@ async def read_until(link: Link, end: float, way: str) -> int:
 
 
 async def main(url: str, seconds: float, way: str) -> None:
-    """Connect, wait, read, tell."""
+    """Connect, wait for a line, read, and print the rate."""
     async with unity_link.connect(url, timeout=60) as link:
         print("ready", flush=True)
         await asyncio.to_thread(sys.stdin.readline)

@@ -1,4 +1,4 @@
-"""How much of a link's rate is left when eight programs share it? Every program is a process of its own."""
+"""How much of a link's rate remains if eight programs share it? Every program is a process of its own."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ LEAST = 0.8
 
 @asynccontextmanager
 async def server(port: str) -> AsyncIterator[str]:
-    """Share the link to a port by `unity-link serve`, and return the URL."""
+    """Share the link to a port with `unity-link serve`, and return the URL."""
     program = shutil.which("unity-link", path=str(Path(sys.executable).parent)) or "unity-link"
     with tempfile.TemporaryDirectory() as folder:
         arguments = ["serve", f"serial:{port}", "--unix", f"{folder}/shared.sock"]
@@ -40,13 +40,13 @@ async def server(port: str) -> AsyncIterator[str]:
 
 
 async def line_of(process: Process) -> str:
-    """Wait for a line that a process prints."""
+    """Return the next line that a process prints."""
     assert process.stdout is not None
     return (await process.stdout.readline()).decode().strip()
 
 
 async def rate(url: str, clients: int, way: str) -> float:
-    """Read in so many programs at once, in a way of `shared_client`; return their reads a second in all."""
+    """Read in several programs at once, in a way of `shared_client`; return the sum of their reads per second."""
     arguments = ["-m", "benchmarks.shared_client", url, str(SECONDS), way]
     programs = [
         await asyncio.create_subprocess_exec(sys.executable, *arguments, stdin=PIPE, stdout=PIPE)
@@ -64,7 +64,7 @@ async def rate(url: str, clients: int, way: str) -> float:
 
 
 async def compare(way: str, question: str) -> Row:
-    """Compare eight programs to one, through the same server."""
+    """Compare eight programs with one, through the same server."""
     with responder() as port:
         async with server(port) as url:
             await rate(url, 1, way)

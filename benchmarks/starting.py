@@ -1,4 +1,4 @@
-"""How long programs take from their start to their end: what the benchmarks of imports and commands share."""
+"""Measures the seconds of whole programs, for the benchmarks of imports and commands."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ ASYNCIO = "import asyncio"
 
 @contextlib.contextmanager
 def programs() -> Iterator[Callable[..., Callable[[], Awaitable[float]]]]:
-    """Return what makes of a program's text and arguments a measurement of its seconds.
+    """Return a function that makes a measurement, in seconds, from a program's text and arguments.
 
-    Bytecode is kept from one run to the next, as that of an installed package is.
+    Bytecode is cached between runs, like that of an installed package.
     """
     with tempfile.TemporaryDirectory() as cache:
         environment = os.environ | {"PYTHONPYCACHEPREFIX": cache}

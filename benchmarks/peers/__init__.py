@@ -1,1 +1,1 @@
-"""Unity-Link beside its peers, each on its own medium, in one run: `make bench-peers`, part of `make bench`."""
+"""Unity-Link compared with its peers, each on its own medium, in one run: `make bench-peers`, part of `make bench`."""

@@ -1,6 +1,6 @@
-"""Runs Unity-Link beside its peers, and writes what it has seen into docs/performance.md: `make bench-peers`.
+"""Compares Unity-Link with its peers, and writes the results into docs/performance.md: `make bench-peers`.
 
-Media that are named are run alone, as in `python -m benchmarks.peers udp`, and nothing is written.
+With media, as in `python -m benchmarks.peers udp`, only these run, and no file is written.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ NEEDED = {"pty": ("litex", "pymodbus"), "udp": ("uhal",), "tcp": ("pymodbus",)}
 
 
 def main() -> None:
-    """Run, show and write."""
+    """Run the races, show the results, and write them."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks.peers", description=__doc__)
     parser.add_argument("--rounds", type=int, default=RUNS, help="how often each contender runs")
     parser.add_argument("--quick", action="store_true", help="a round of little work, to try it; writes nothing")

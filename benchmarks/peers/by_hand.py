@@ -1,4 +1,4 @@
-"""What somebody writes who needs no more than a word: the frames of a read, by pyserial, and a lock around them."""
+"""A minimal program that reads one word, as a user might write it: pyserial, the frames of a read, and a lock."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from benchmarks.responder import GATEWAY, exchange
 
 
 class ByHand:
-    """Reads from a pseudo-terminal, a word after the other.
+    """Reads from a pseudo-terminal, one word after the other.
 
     Args:
         path: of the pseudo-terminal.
@@ -27,13 +27,13 @@ class ByHand:
         self._word = slice(begin, begin + GATEWAY.data_bits // 4)
 
     def seconds_of_a_read(self, count: int) -> float:
-        """Return the median of so many reads."""
+        """Return the median of `count` reads, in seconds."""
         with serial.Serial(self._path) as port:
             expect(self._read(port))
             return median_of(lambda: self._read(port), count)
 
     def seconds_of_reads(self, count: int) -> float:
-        """Return what a read takes where so many follow each other."""
+        """Return the seconds per read of `count` consecutive reads."""
         with serial.Serial(self._path) as port:
 
             def work() -> None:

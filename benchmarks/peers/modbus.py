@@ -1,4 +1,4 @@
-"""pymodbus in the races, with either framing."""
+"""pymodbus in the races, with both framings."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ if TYPE_CHECKING:
 
 _AT_ONCE = 256
 _WORDS = 62
-"""A request takes up to 125 registers of 16 bits."""
+"""Words of a block request: it has up to 125 registers of 16 bits."""
 _HALF = BLOCK // 2
-"""There are 65,536 registers."""
+"""Words of half a block, because there are 65,536 registers of 16 bits."""
 
 
 class Modbus:
@@ -29,7 +29,7 @@ class Modbus:
     Args:
         name: of the contender.
         place: path of the pseudo-terminal, or the port.
-        size: of the work.
+        size: amount of work.
     """
 
     def __init__(self, name: str, place: str | int, size: Size) -> None:
@@ -38,15 +38,15 @@ class Modbus:
         self._size = size
 
     def lone(self, beside: str) -> Contender:
-        """Return the way to read a word after the other."""
+        """Return the contender that reads one word after the other."""
         return Contender(f"{self._name}, `await client.read_holding_registers`", self._read_alone, beside)
 
     def gathered(self, beside: str) -> Contender:
-        """Return the way to read many words."""
+        """Return the contender that reads many words."""
         return Contender(f"{self._name}, `gather` of 256", self._read_gathered, beside)
 
     def block(self, beside: str) -> Contender:
-        """Return the way to read a block."""
+        """Return the contender that reads a block."""
         overhead = 9 if isinstance(self._place, int) else 5
         wire = (4 * _WORDS + overhead) / _WORDS
         return Contender(f"{self._name}, 62 words at a time", self._read_block, beside, wire)

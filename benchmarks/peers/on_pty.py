@@ -1,4 +1,4 @@
-"""On a pseudo-terminal: LiteX' `CommUART`, pyserial by hand, and pymodbus with RTU frames."""
+"""Races on a pseudo-terminal: LiteX' `CommUART`, pyserial by hand, and pymodbus with RTU frames."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 MEDIUM = "pty"
 BY_HAND = "pyserial and a lock"
 BURST = 255
-"""Words of LiteX' longest read."""
+"""Number of words in LiteX' longest read."""
 
 
 def races(stack: ExitStack, size: Size) -> list[Race]:

@@ -1,4 +1,4 @@
-"""On TCP: pymodbus."""
+"""Races on TCP: pymodbus."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""On UDP: `uhal`, the C++ library of IPbus with its binding to Python."""
+"""Races on UDP: `uhal`, the C++ library of IPbus with its Python binding."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _MAP = """<node>
 """
 _AT_ONCE = 256
 _PACKET = (4 * (345 + 3)) / 345
-"""Bytes for one word of a block: a packet has up to 345 of them, in two transactions."""
+"""Bytes per word of a block: a packet has up to 345 words, in two transactions."""
 
 
 def races(stack: ExitStack, size: Size) -> list[Race]:

@@ -28,16 +28,16 @@ COMPACT = " in compact frames"
 _TASKS = 256
 _WIDE = msgspec.structs.replace(GATEWAY, address_bits=16)
 _FRAME = 255
-"""Words of a whole frame."""
+"""Number of words in a full frame."""
 
 
 class Ours:
-    """Unity-Link on a medium, with a responder for its words and one for its blocks.
+    """Unity-Link on a medium, with a responder for single words and one for blocks.
 
     Args:
         stack: in which the responders run.
         medium: ``pty``, ``tcp`` or ``udp``.
-        size: of the work.
+        size: amount of work.
         compact: whether frames are in the compact form.
     """
 
@@ -49,15 +49,15 @@ class Ours:
         self._url, self._wide_url = (_url(medium, stack.enter_context(responder(info, medium))) for info in infos)
 
     def lone(self) -> list[Contender]:
-        """Return the ways to read a word after the other."""
+        """Return the contenders that read one word after the other."""
         return [Contender(LONE, self._read_alone), Contender(LONE_BLOCKING, self._read_blocking)]
 
     def many(self) -> list[Contender]:
-        """Return the ways to read many words."""
+        """Return the contenders that read many words."""
         return [Contender(self._named(TASKS), self._read_by_tasks), Contender(self._named(MANY), self._read_many)]
 
     def block(self) -> list[Contender]:
-        """Return the way to read a block."""
+        """Return the contender that reads a block."""
         answer = exchange(_WIDE, "RM", 0, _FRAME, reads=[0] * _FRAME)[1]
         if self._compact:
             answer = Packer(CompactForm.of(_WIDE, from_gateway=True)).pack(answer)

@@ -1,7 +1,7 @@
-"""What all races share: contenders on one medium that do the same work in turn, and how each came off.
+"""Shared by all races: contenders on one medium that do the same work in turn, and their results.
 
-This machine is shared and noisy, so what counts are ratios within one round, in which every contender runs once; the
-figures beside them are medians over the rounds.
+The machine is shared and noisy, so the results are ratios within one round, in which every contender runs once; the
+figures shown with them are medians over the rounds.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 RESPONDERS = Path(__file__).with_name("responders.c")
-"""Responders of the peers."""
+"""Source of the peers' responders."""
 BLOCK = 65_536
 
 
@@ -43,9 +43,9 @@ class Contender(msgspec.Struct, frozen=True):
     run: Callable[[], float]
     """Does the work, and returns its seconds for one unit."""
     beside: str = ""
-    """Name of a peer: the name of ours that does the same in the same kind of program."""
+    """For a peer: name of the contender of ours that does the same in the same kind of program."""
     wire: float = 0.0
-    """Bytes of answers on the wire for one unit, where that is told."""
+    """Bytes of answers on the wire per unit; 0 if they are not shown."""
 
 
 class Race(msgspec.Struct, frozen=True):
@@ -54,7 +54,7 @@ class Race(msgspec.Struct, frozen=True):
     question: str
     medium: str
     unit: str
-    """Unit of a rate; empty where the time is given."""
+    """Unit of a rate; empty if a time is shown."""
     contenders: list[Contender]
 
 
@@ -67,11 +67,11 @@ class Finish(msgspec.Struct, frozen=True):
     figure: str
     beside: str
     ratio: float | None
-    """Ratio of its speed to ours, median over the rounds; None of ours."""
+    """Ratio of its speed to ours, median over the rounds; None for ours."""
     load: float
-    """Share of a processor that it took, without the responder."""
+    """Share of a processor that it used, without the responder."""
     wire: float | None = None
-    """Ratio of its bytes of the wire a second to ours, where those are given."""
+    """Ratio of its wire bytes per second to ours, if both are known."""
 
 
 class Timed(NamedTuple):
@@ -83,7 +83,7 @@ class Timed(NamedTuple):
 
 
 def run_race(race: Race, rounds: int) -> list[Finish]:
-    """Run all contenders in turn, once to warm up."""
+    """Run all contenders in turn, after one run of each to warm up."""
     for contender in race.contenders:
         contender.run()
     seen = [{contender.name: _timed(contender) for contender in race.contenders} for _ in range(rounds)]
@@ -116,7 +116,7 @@ def _figure(race: Race, contender: Contender, seconds: float) -> str:
 
 
 def median_of(call: Callable[[], object], count: int) -> float:
-    """Return the median of the times that a call takes."""
+    """Return the median of the seconds that a call takes."""
     times = []
     for _ in range(count):
         start = time.perf_counter()
@@ -126,7 +126,7 @@ def median_of(call: Callable[[], object], count: int) -> float:
 
 
 def seconds_of(call: Callable[[], object]) -> float:
-    """Return how long a call takes."""
+    """Return the seconds that a call takes."""
     start = time.perf_counter()
     call()
     return time.perf_counter() - start

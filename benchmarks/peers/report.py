@@ -1,4 +1,4 @@
-"""What the races have shown: a table and a picture, and before them what is quicker elsewhere."""
+"""The results of the races: a list of quicker peers, a table and a picture."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 BEGIN, END = "<!-- Written by `make bench-peers`: begin -->", "<!-- end -->"
 _LEVEL = 1.05
-"""Ratio to ours below which it is level with it."""
+"""Ratio to ours below which a peer counts as equally quick."""
 _QUICKER, _SLOWER = "#B3261E", "#2E6DA4"
 
 
@@ -26,7 +26,7 @@ def text(finishes: list[Finish], machine: str, rounds: int, picture: str) -> str
         finishes: of all races, in order.
         machine: on which they were run.
         rounds: how often each contender has run.
-        picture: the path of the picture, as the page names it.
+        picture: path of the picture, relative to the page.
     """
     seen = (
         f"Seen on {dt.datetime.now(dt.UTC):%Y-%m-%d} by unity-link {unity_link.__version__}: {machine}. Medians of "
@@ -90,7 +90,7 @@ def _ratio(finish: Finish) -> float:
 
 
 def draw(finishes: list[Finish], file: Path) -> None:
-    """Draw how many times as quick as ours each peer is, a panel for each question."""
+    """Draw the ratio of each peer's speed to ours, with a panel for each question."""
     import matplotlib as mpl
     from matplotlib.figure import Figure
 
@@ -107,7 +107,7 @@ def draw(finishes: list[Finish], file: Path) -> None:
         ratios = [1.0, *(_ratio(finish) for panel in peers.values() for finish in panel)]
         axes.set_xlim(min(ratios) / 2, max(ratios) * 2)
         axes.set_xlabel("times as quick as Unity-Link: left of the line slower, right of it quicker")
-        # No date and no version: the same figures give the same file.
+        # Without date and version, so that the same figures give the same file.
         figure.savefig(file, dpi=DOTS_PER_INCH, metadata={"Software": None})
 
 

@@ -1,14 +1,14 @@
-/* The other end of the peers: what answers their protocols from plain memory, and costs next to nothing.
+/* Responders for the peers: they answer the peers' protocols from plain memory, with very little processor time.
  *
  * usage: responders FD PROTOCOL
  *
  *     litex       UART bridge of LiteX: commands 1 (write) and 2 (read), on a stream
  *     ipbus       control packets of IPbus 2.0 with reads and writes, in datagrams
  *     modbus-rtu  functions 3, 6 and 16 in frames with a CRC, on a stream
- *     modbus-tcp  the same behind headers with a length, on a listening socket
+ *     modbus-tcp  the same after headers with a length, on a listening socket
  *
- * Words have 32 bits. Register 2i of Modbus is the upper half of word i, register 2i + 1 the lower one. It trusts its
- * medium, and answers no request that it does not know.
+ * Words have 32 bits. Register 2i of Modbus is the upper half of word i, register 2i + 1 the lower half. The responders
+ * trust their medium, and do not answer unknown requests.
  */
 #include <errno.h>
 #include <netinet/in.h>
@@ -39,8 +39,8 @@ static uint32_t get(const uint8_t *from, int bytes)
     return value;
 }
 
-/* Each of these takes one request, puts its response, and returns the length of the request; 0 for one that is not
- * whole. */
+/* Each of these functions handles one request, appends its response, and returns the length of the request, or 0 if the
+ * request is incomplete. */
 
 static size_t litex(const uint8_t *in, size_t length)
 {
@@ -140,7 +140,7 @@ static void put_word(uint32_t value)
     out_length += sizeof value;
 }
 
-/* Words are in the machine's order, and a request is a packet. */
+/* Words have the machine's byte order, and a request is a packet. */
 static size_t ipbus(const uint8_t *in, size_t length)
 {
     const uint8_t *at = in + 4, *end = in + length;
