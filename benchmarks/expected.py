@@ -14,4 +14,4 @@ def expect(value: object, expected: object = WORD) -> None:
         RuntimeError: if it differs from the expected one.
     """
     if value != expected:
-        raise RuntimeError(f"{value!r} was read where {expected!r} stands")
+        raise RuntimeError(f"{value!r} was read, expected {expected!r}")

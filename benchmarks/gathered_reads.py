@@ -45,7 +45,7 @@ async def measure() -> Row:
 
         pair = await compare(gathered, least)
     return Row(
-        f"A read by `gather` of {AT_ONCE}, beside a task's read and a `gather` of what is done",
+        f"A read by `gather` of {AT_ONCE}, beside a task's read and a `gather` of finished futures",
         f"{pair.ours * 1e6:.2f} us",
         f"{pair.bare * 1e6:.2f} us",
         f"{pair.ratio:.2f}",

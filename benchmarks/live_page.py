@@ -2,7 +2,7 @@
 
 The page is opened in headless Chromium, which draws in software: with a graphics card, drawing is cheaper. Times are
 processor times of the page's main thread, as Chromium counts them, and so independent of other work on the machine. The
-number of frames per second shows only how many the page can draw if nothing else runs.
+number of frames per second shows only how many the page can draw on an idle machine.
 """
 
 from __future__ import annotations
@@ -166,9 +166,9 @@ def document(found: list[Row], seconds: float) -> str:
     lines = [
         "# The live page",
         "",
-        f"Seen for {seconds:g} s in headless Chromium, which draws in software, while the robot moves and every plot",
-        "has ten seconds of samples. Times are the processor's, of one picture; sixty pictures a second leave 16.7 ms",
-        "for each. Run again by `make bench-live`.",
+        f"Measured for {seconds:g} s in headless Chromium, which draws in software, while the robot moves and every",
+        "plot has ten seconds of samples. Times are processor times of one frame; sixty frames per second leave 16.7 ms for",
+        "each. `make bench-live` runs it again.",
         "",
         f"Seen on {dt.datetime.now(dt.UTC):%Y-%m-%d}: {machine()}.",
         "",

@@ -131,7 +131,7 @@ def main() -> None:
             "# Noisy lines",
             "",
             "A share of the bytes is damaged, in both directions, between the link and the model in the same process.",
-            f"Medians of {RUNS} runs, each beside one on the undisturbed line. Run again by `make bench-noise`.",
+            f"Medians of {RUNS} runs, each paired with an undisturbed one. `make bench-noise` runs them again.",
             "",
             f"Seen on {dt.datetime.now(dt.UTC):%Y-%m-%d}: {machine()}.",
             "",

@@ -1,4 +1,4 @@
-"""The paper's experiment as a command, `python -m benchmarks.paper`: what `make table1` runs."""
+"""The paper's experiment as a command, `python -m benchmarks.paper`, which `make table1` runs."""
 
 from __future__ import annotations
 
@@ -36,15 +36,15 @@ def paper(
     quick: Annotated[bool, typer.Option("--quick", help="Half a minute instead of minutes; not to be quoted.")] = False,
     json: Json = False,
 ) -> None:
-    """Run the paper's experiment on the virtual FT232H, and show its figures beside the paper's.
+    """Run the paper's experiment on the virtual FT232H, and show its figures with the paper's.
 
-    Exits with 1 where one that is the same in every run is not what it must be, unless the run was quick.
+    Exits with 1 if a figure that is the same in every run misses its limit, unless the run was quick.
     """
     from benchmarks.paper import run_experiment
     from benchmarks.paper.tables import to_markdown
 
     if output is not None:
-        # Before minutes of measuring.
+        # Create the folder before minutes of measuring.
         try:
             output.mkdir(parents=True, exist_ok=True)
         except OSError as error:
@@ -94,11 +94,11 @@ def _show(results: Results) -> None:
     _table("Text and compact frames, thousands a second", 4, head, tables.form_rows(results.forms))
     head = ("the 18-DOF walker, in lines", "here", "paper", "its other solution")
     _table("Complexity", 1, head, tables.line_rows(results.lines))
-    _table("What must hold", 5, ("what", "known", "found", "wanted", "met"), tables.check_rows(results.checks))
+    _table("Limits", 5, ("what", "known", "found", "wanted", "met"), tables.check_rows(results.checks))
 
 
 def _table(title: str, names: int, head: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> None:
-    """Print a table, of which the first columns are names and the others numbers."""
+    """Print a table whose first columns are names and whose other columns are numbers."""
     from rich.box import SIMPLE_HEAD
     from rich.table import Table
 

@@ -1,4 +1,4 @@
-"""The build of the gateware that the experiment asks for: the paper's check, and what a board with an FT232H has."""
+"""The configuration of the gateware for the experiment: the paper's CRC, and the features of a board with an FT232H."""
 
 from __future__ import annotations
 
@@ -16,27 +16,27 @@ MODEL = GatewayInfo(
     groups=16,
     base_frequency_millihertz=1_000_000_000,
 )
-"""Parts of the model that count here. Fewer digits of ID would leave too few requests under way for a USB."""
+"""Relevant fields of the model. With fewer ID digits, too few requests would be in flight for USB."""
 CODEC = Codec(MODEL)
-"""Its messages."""
+"""Messages of the model."""
 SESSION = 1
-"""Number of the session of frames with an ID."""
+"""Number of the session for frames with an ID."""
 OPENING = CODEC.opening(0, SESSION) + b"\r"
-"""Begins that session as a person does it, so that frames without an ID write as well."""
+"""Begins that session with a plain frame, so that frames without an ID can write as well."""
 OPENED_BYTES = len(OPENING) + CODEC.info.session_digits + len(b"\n")
 """Bytes of the answer: the request, the session that ended, and one more end."""
 
 
 def compiled_gateway(features: Feature = MODEL.features) -> RtlGateway:
-    """Return the gateware itself, built with some features.
+    """Return the compiled gateware, built with some features.
 
     Raises:
-        ConnectError: where it can't be compiled here.
+        ConnectError: if it cannot be compiled on this machine.
     """
     names = ("clock_hz", "id_digits", "crc_bits", "crc_polynomial", "groups", "base_frequency_millihertz")
     return RtlGateway(choose({"features": features, **{name: getattr(MODEL, name) for name in names}}).name)
 
 
 def checked(body: bytes) -> bytes:
-    """Return the checked frame of a request; of one with an ID in the session `SESSION`."""
+    """Return the checked frame of a request; one with an ID belongs to the session `SESSION`."""
     return CODEC.framing.checked(body, seed_of(SESSION, from_gateway=False) if in_session(body[0]) else 0)

@@ -1,4 +1,4 @@
-"""What must hold of the experiment's figures."""
+"""Conditions that the experiment's figures must meet."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 LINK_MBITS = 64.0
-"""Megabits a second that 8 MB/s carry in one direction."""
+"""Megabits per second for 8 MB/s in one direction."""
 
 
 def check(results: Results) -> list[Check]:
-    """Hold the figures against what is wanted of them."""
+    """Compare the figures with their limits."""
     return [*_check_gateware(results), *_check_latencies(results), *_check_throughputs(results), *_check_rest(results)]
 
 

@@ -1,4 +1,4 @@
-"""The whole experiment, in order, and what must hold of it."""
+"""The whole experiment in order, and the checks of its figures."""
 
 from __future__ import annotations
 
@@ -44,20 +44,20 @@ class _Plan(NamedTuple):
     """Amounts of measurements."""
 
     accesses: int
-    """Number of accesses of which a latency is the mean."""
+    """Number of accesses whose mean is a latency."""
     latency_runs: int
     """Number of runs of which the best counts, here and below."""
     arrivals: int
-    """Samples of which a delay is the mean."""
+    """Number of samples whose mean is a delay."""
     burst: int
-    """Accesses of the shorter burst of a rate."""
+    """Accesses of the shorter burst for a rate."""
     runs: int
     burst_sizes: tuple[int, ...]
     stamp_sizes: tuple[int, ...]
     publish_sizes: tuple[int, ...]
     publish_runs: int
     publish_rate: float
-    """Hz, at which one word is published for a while."""
+    """Rate in Hz at which one word is published."""
     publish_seconds: float
     media_accesses: int
     media_burst: int
@@ -102,19 +102,19 @@ def run_experiment(
     host_time: bool = True,
     tell: Callable[[str], object] = lambda _: None,
 ) -> Results:
-    """Run all of it: ten minutes or so, half a minute if `quick`.
+    """Run the whole experiment, in about ten minutes, or half a minute if `quick`, and return its results.
 
     No event loop may be running in this thread.
 
     Args:
-        gateway: what is behind the chip: ``"rtl"``, the gateware itself, or ``"model"``, its model in Python. By
-            default the former, where a C++ compiler is there.
-        quick: measure less. That shows that it works; the figures are not to be quoted.
-        host_time: False to leave out what the program takes, so that every run gives the same.
-        tell: is called with what begins now.
+        gateway: the gateway at the chip: ``"rtl"``, the compiled gateware, or ``"model"``, its Python model. By
+            default the gateware if there is a C++ compiler, otherwise the model.
+        quick: measure less, as a test; the figures must not be quoted.
+        host_time: False to exclude the program's time, so that every run has the same results.
+        tell: called with the name of each part when it begins.
 
     Raises:
-        ConnectError: where pyftdi is not installed, or a C++ compiler is missing for ``"rtl"``.
+        ConnectError: if pyftdi is not installed, or a C++ compiler is missing for ``"rtl"``.
     """
     kind = available_gateway() if gateway is None else gateway
     plan = _QUICK if quick else _FULL
@@ -141,7 +141,7 @@ def run_experiment(
         tell(f"{stack}: limits of publishing")
         limits += measure_limits(bench, stack, plan.publish_sizes, plan.publish_runs)
     tell("bursts by the gateway's clock")
-    # The model's answers take no time, so it has none to tell.
+    # Not on the model, because its answers take no time.
     stamps: list[Stamps] = list(measure_stamps(bench, plan.stamp_sizes)) if kind == "rtl" else []
     tell("one word for a while")
     sustained = measure_sustained(bench, plan.publish_rate, plan.publish_seconds)
@@ -174,7 +174,7 @@ def run_experiment(
 
 
 def describe_machine() -> str:
-    """Name the processor and what runs on it."""
+    """Return the processor's name, the operating system and the Python version."""
     model = platform.processor() or platform.machine()
     cpuinfo = Path("/proc/cpuinfo")
     for line in cpuinfo.read_text().splitlines() if cpuinfo.exists() else ():

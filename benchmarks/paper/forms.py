@@ -1,4 +1,4 @@
-"""Text and compact frames beside each other, through the full stack: what bursts and samples make of a line."""
+"""Text and compact frames compared through the full stack: rates of bursts and samples on a line."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ if TYPE_CHECKING:
 
 _WORDS = 255
 _FLOOD = 3.0
-"""Samples that are due, in multiples of what the line carries as text."""
+"""Samples that are due, as a multiple of the rate that the line transfers as text."""
 
 
 def measure_forms(bench: Workbench, count: int, runs: int) -> Iterator[FormFigures]:
-    """Measure both forms, on the gateware of a bench, and without the program's time on models at other media.
+    """Measure both forms on the gateware of a bench; on other media, on models and without the program's time.
 
     Args:
         bench: with the asynchronous FIFO.
         count: accesses of the shorter burst; there are ten times as many samples, and a tenth as many blocks.
-        runs: how often with the program's time, of which the best counts.
+        runs: number of runs with the program's time, of which the best counts.
     """
     for medium in FORMED:
         for chosen in (medium, medium.with_compact_frames()):

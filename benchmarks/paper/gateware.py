@@ -1,6 +1,6 @@
-"""What the gateware alone takes, in cycles of its clock: counted on the RTL, at the port of its FIFOs.
+"""Cycles of the gateware alone, counted on the RTL, at the port of its FIFOs.
 
-The medium there takes and gives a byte in every cycle. The messages are the paper's, without IDs.
+The medium accepts and sends a byte in every cycle. The messages are the paper's, without IDs.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ READ_BYTES, WRITE_BYTES, POST_BYTES = (6, 14), (14, 6), (15, 0)
 BLOCKS = (1, 16, 255)
 _PIPELINED = 500
 _PATIENCE = 20_000
-"""Cycles in which everything here is long done."""
+"""Cycles after which every operation here has certainly ended."""
 _FLOOD_CYCLES = 100_000
 _HEAD_BYTES, _WORD_BYTES = 8, 8
-"""Bytes of a publish without timestamp: letter, group, sequence, check and line end; and a word of it."""
+"""Bytes of a sample without timestamp: letter, group, sequence number, CRC and line end; and bytes of a word of it."""
 
 
 def measure_gateware(sizes: Sequence[int] = (1, 4, 16, 64, 255)) -> GatewareFigures:
-    """Count the cycles of each kind of access, alone and pipelined, and of samples of so many words."""
+    """Count the cycles of each kind of access, alone and pipelined, and of samples of several sizes."""
     gateway = compiled_gateway()
     _, read, _ = _count(gateway, checked(b"R%02X" % ADDRESS), READ_BYTES[1])
     _, write, effect = _count(gateway, checked(b"W%02X%08X" % (ADDRESS, WORD)), WRITE_BYTES[1])
@@ -78,7 +78,7 @@ def _block(gateway: RtlGateway, words: int) -> Block:
 
 
 def _flood(gateway: RtlGateway, requests: bytes, size: int) -> list[int]:
-    """Return the cycles in which bytes leave, one by one, while requests come as fast as they are taken."""
+    """Return the cycles in which bytes are output, one by one, while requests are sent as fast as they are accepted."""
     rest, cycles = requests, []
     for cycle in range(len(requests) + 2 * size + _PATIENCE):
         passage = gateway.pass_pins(rest[:64], 1, size)
@@ -97,7 +97,7 @@ def _pipelined(gateway: RtlGateway, request: bytes, answer_size: int) -> float:
 
 
 def _pipelined_posts(gateway: RtlGateway) -> float:
-    """Return the cycles from the end of a posted write to that of the next, as it is taken."""
+    """Return the cycles from the end of one posted write to the end of the next, as they are accepted."""
     rest, cycle, taken_at = checked(b"WS%02X%08X" % (ADDRESS, WORD)) * _PIPELINED, 0, []
     while rest:
         taken = gateway.pass_pins(rest[:64], 1, 64).taken
@@ -109,7 +109,7 @@ def _pipelined_posts(gateway: RtlGateway) -> float:
 
 
 def _with_ids(gateway: RtlGateway) -> float:
-    """Return the bytes that leave in a cycle while reads that have IDs come."""
+    """Return the bytes per cycle that are output while reads with IDs are sent."""
     _count(gateway, OPENING, OPENED_BYTES)
     requests = b"".join(checked(b"r%03X%02X" % (number, ADDRESS)) for number in range(_PIPELINED))
     size = len(checked(b"r00000000000")) * _PIPELINED
@@ -118,7 +118,7 @@ def _with_ids(gateway: RtlGateway) -> float:
 
 
 def _publishing(words: int) -> Publishing:
-    """Count one sample, and as many as leave where all groups are due all the time."""
+    """Count the cycles of one sample, and the maximum rate if all groups are always due."""
     size = _HEAD_BYTES + _WORD_BYTES * words
     gateway = compiled_gateway()
     _set_up(gateway, 0, GroupFlag(0), words)
@@ -131,7 +131,7 @@ def _publishing(words: int) -> Publishing:
 
 
 class _Noting:
-    """Notes the cycle of the first read of it."""
+    """Device that records the cycle of its first read."""
 
     def __init__(self, gateway: RtlGateway) -> None:
         self._gateway = gateway
@@ -143,7 +143,7 @@ class _Noting:
         return 0
 
     def write(self, offset: int, value: int, now: float) -> None:
-        """Take it."""
+        """Accept a write."""
 
 
 def _one_sample(gateway: RtlGateway, words: int, size: int) -> int:

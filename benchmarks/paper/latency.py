@@ -1,4 +1,4 @@
-"""How long one access takes, alone: to its answer, to its effect; and how late a sample is."""
+"""Duration of a single access until its answer and until its effect, and the delay of a sample."""
 
 from __future__ import annotations
 
@@ -20,22 +20,22 @@ _ANSWERED: tuple[Access, ...] = ("read", "block", "write")
 _EFFECTIVE: tuple[Access, ...] = ("write", "post")
 _WARM_UP = 20
 _STEP, _STEPS = 37, 125
-"""Microseconds between accesses "at any time": all places in a microframe, one after the other in no order."""
+"""Step and number of steps, in us, of the time between accesses "at any time": all places in a microframe, shuffled."""
 BURST = 30
-"""Writes at once, as in the paper."""
+"""Number of writes at once, as in the paper."""
 _PERIODS: dict[Mode, int] = {"off": 17_037}
 _PERIOD = 2_037
-"""Microseconds from sample to sample: more than any timer, and no multiple of a microframe."""
+"""Time in us from sample to sample: more than any timer, and not a multiple of a microframe."""
 
 
 def measure_latencies(bench: Workbench, stack: StackName, times: int, runs: int = 1) -> Iterator[Latency]:
-    """Measure all of one stack.
+    """Measure all latencies of one stack.
 
     Args:
-        bench: where.
-        stack: through what.
-        times: how many accesses there are; a tenth of that where each takes 16 ms.
-        runs: how often with the program's time, of which the best counts.
+        bench: measures.
+        stack: the stack to measure.
+        times: number of accesses; a tenth of it if each takes 16 ms.
+        runs: number of runs with the program's time, of which the best counts.
     """
     for access in _ANSWERED:
         gateware = _gateware(stack, access) if bench.gateway == "rtl" else None
@@ -57,7 +57,7 @@ def measure_latencies(bench: Workbench, stack: StackName, times: int, runs: int 
 
 
 def measure_effects(bench: Workbench, stack: StackName, times: int, runs: int = 1) -> Iterator[Effect]:
-    """Measure how long writes of one stack take to the bus; arguments as of `measure_latencies`."""
+    """Measure the time from a write to its effect on the bus; arguments as in `measure_latencies`."""
     for access in _EFFECTIVE:
         measures = [(mode, _measuring_effects(access, _as_many(times, mode))) for mode in MODES]
         found = bench.best(stack, measures, runs, lambda triple: triple[0].median)
@@ -75,7 +75,7 @@ def measure_effects(bench: Workbench, stack: StackName, times: int, runs: int = 
 
 
 def measure_arrivals(bench: Workbench, stack: StackName, times: int, runs: int = 1) -> Iterator[Arrival]:
-    """Measure how late samples of one word are in a stack; arguments as of `measure_latencies`."""
+    """Measure the delay of samples of one word in a stack; arguments as in `measure_latencies`."""
     measures = [(mode, _measuring_arrivals(mode, _as_many(times, mode))) for mode in MODES]
     found = bench.best(stack, measures, runs, lambda spread: spread.median)
     for mode, (modelled, total) in zip(MODES, found, strict=True):
@@ -106,7 +106,7 @@ def _measuring_effects(access: Access, times: int) -> Measure[tuple[Spread, floa
         loop, effects = asyncio.get_running_loop(), stack.probe.effects
         taken = []
         for index in range(_WARM_UP + times):
-            # What was posted has had its effect, too.
+            # The answer shows that earlier posted writes have had their effect.
             await stack.one("read")
             await asyncio.sleep(index * _STEP % _STEPS * 1e-6)
             effects.clear()
@@ -121,7 +121,7 @@ def _measuring_effects(access: Access, times: int) -> Measure[tuple[Spread, floa
             await stack.burst(access, BURST, PROBE)
             assert len(effects) == BURST
             periods.append((effects[-1] - effects[0]) / (BURST - 1) * 1e6)
-        # The first burst pays for what is done once.
+        # The first burst includes work that is done only once.
         return Spread.of(taken[_WARM_UP:]), round(statistics.median(periods[1:]), 4), stack.sizes[access][0]
 
     return measure
@@ -143,7 +143,7 @@ def _measuring_arrivals(mode: Mode, times: int) -> Measure[Spread]:
 
 
 def _gateware(stack: StackName, access: Access) -> float:
-    """Count what a request and its answer take at the pins and in the gateware, in microseconds."""
+    """Return the clock-exact time of a request and its answer at the pins and in the gateware, in us."""
     gateway = compiled_gateway()
     gateway.receive(OPENING, 0.0)
     gateway.set_pace(8e6)

@@ -1,4 +1,4 @@
-"""The complexity of an interface in lines, as the paper counts it: what someone has to write for the 18-DOF walker."""
+"""The complexity of an interface in lines, as in the paper: the lines that a user writes for the 18-DOF walker."""
 
 from __future__ import annotations
 

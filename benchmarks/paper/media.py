@@ -1,4 +1,4 @@
-"""What the paper's chip and gateway can be joined by: a UART of three rates, an asynchronous and a synchronous FIFO."""
+"""Connections between the paper's chip and gateway: a UART at three rates, an asynchronous and a synchronous FIFO."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _POLYNOMIALS = {8: 0x07, 16: 0x1021}
 
 
 class Medium(msgspec.Struct, frozen=True):
-    """A way between chip and gateway."""
+    """A connection between chip and gateway."""
 
     name: MediumName
     options: str
@@ -32,7 +32,7 @@ class Medium(msgspec.Struct, frozen=True):
     mode: Pins
     eeprom: ChannelType
     bytes_per_second: float
-    """In each direction; of both together, where the bus carries one at a time."""
+    """In each direction, or in both together if the bus carries one direction at a time."""
     fifo_bytes: int = 256
     """Bytes of each FIFO of the gateway."""
     compact: bool = False
@@ -40,10 +40,11 @@ class Medium(msgspec.Struct, frozen=True):
     crc_bits: int = 8
 
     def of(self, info: GatewayInfo) -> GatewayInfo:
-        """Return what a gateway says of itself that is built for it, and is otherwise like another one."""
+        """Return the configuration of a gateway like another one, but built for this medium."""
         features = info.features
         if self.mode is Pins.UART:
-            # Three wires: nothing stops the host, so it sends no more than the receive FIFO holds.
+            # With three wires the gateway cannot stop the host, so the host sends no more than fits into the receive
+            # FIFO.
             features &= ~Feature.FLOW_CONTROL
         if self.compact:
             features |= Feature.COMPACT
@@ -57,14 +58,14 @@ class Medium(msgspec.Struct, frozen=True):
         )
 
     def with_compact_frames(self) -> Medium:
-        """Return the same with frames in compact form, which end in another character."""
+        """Return the same medium with frames in compact form, which end in another character."""
         return msgspec.structs.replace(
             self, compact=True, options=self.options.replace("event_char=10", "event_char=202")
         )
 
 
 def _uart(name: MediumName, megabaud: int) -> Medium:
-    # Each line end is sent at once: there is no SIWU# on a UART.
+    # Each line end makes the chip send at once, because a UART has no SIWU#.
     options = f"mode=uart&baud={megabaud * 1_000_000}&event_char=10"
     return Medium(name, options, Pins.UART, "UART", megabaud * 1e5)
 
@@ -80,6 +81,6 @@ MEDIA = (
 )
 FIFO_SIZES = (16, 256)
 SHARED = Medium("shared FT245, CRC-16", "mode=ft245-sync", Pins.SYNC_FIFO, "FIFO", 8e6, crc_bits=16)
-"""Both directions share what the asynchronous FIFO has for each, with a longer check."""
+"""Both directions share the rate that each direction of the asynchronous FIFO has; with a longer CRC."""
 FORMED = (ASYNCHRONOUS, UART_12, SHARED)
 """Media on which text and compact frames are compared."""

@@ -1,4 +1,4 @@
-"""The experiment's pictures, by matplotlib (extra ``plot``): figures 3 and 4 as the paper has them, and bursts."""
+"""The experiment's pictures, drawn with matplotlib (extra ``plot``): the paper's figures 3 and 4, and bursts."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 AVERAGES, PUBLISHING, BURSTS = "figure3.png", "figure4.png", "bursts.png"
 DOTS_PER_INCH = 150
-# Okabe and Ito's colours, which people with any colour vision can tell apart.
+# Okabe and Ito's colours, which are distinct for people with any colour vision.
 _COLOURS: dict[Mode, str] = {"off": "#0072B2", "off, 1 ms": "#56B4E9", "always": "#D55E00", "adaptive": "#009E73"}
 _PAPER, _LINE, _GREY = "#CC79A7", "#444444", "#888888"
 _STYLES: dict[StackName, dict[str, Any]] = {
@@ -49,10 +49,10 @@ STYLE: dict[Any, Any] = {
 
 
 def draw(results: Results, folder: Path) -> list[Path]:
-    """Draw both pictures into a folder, and give their files.
+    """Draw the pictures into a folder, and return their files.
 
     Raises:
-        UnsupportedError: where matplotlib is not installed.
+        UnsupportedError: if matplotlib is not installed.
     """
     try:
         import matplotlib as mpl
@@ -71,7 +71,7 @@ def draw(results: Results, folder: Path) -> list[Path]:
             figure = Figure(figsize=size, layout="constrained")
             picture(figure, results)
             files.append(folder / name)
-            # No date and no version: the same figures give the same file.
+            # Without date and version, so that the same figures give the same file.
             figure.savefig(files[-1], dpi=DOTS_PER_INCH, metadata={"Software": None})
     return files
 
@@ -199,7 +199,7 @@ def _draw_publishing(figure: Any, results: Results) -> None:
         limits = [limit for limit in results.publish_limits if limit.stack == stack]
         burst, sustained = [limit.burst_total / 1e3 for limit in limits], [limit.total / 1e3 for limit in limits]
         sizes = [limit.words for limit in limits]
-        # Where both are the same, the wide line shows at the sides of the other.
+        # If both lines coincide, the wide one is visible on both sides of the other.
         look = {
             "color": colour,
             "linewidth": 4.5 if stack == "low-level" else 1.8,

@@ -1,4 +1,4 @@
-"""A clock behind the gateway's bus: it tells when an access had its effect."""
+"""A clock on the gateway's bus, which shows when an access has its effect."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ if TYPE_CHECKING:
 
 
 class Probe:
-    """A device of which the word is the time at which it is read, in cycles; writes leave their instants.
+    """A device that returns the time of a read, in cycles, and records the times of writes.
 
-    The gateware's own cycles would not do: those in which nothing can happen are not worked out.
+    The gateware's own cycle counter is not suitable, because cycles without activity are not simulated.
 
     Args:
-        board: what is at the pins, whose time is the loop's.
+        board: the board at the pins, whose time is that of the loop.
         clock_hz: the gateway's clock.
     """
 
@@ -24,18 +24,18 @@ class Probe:
         self._rtl = board if isinstance(board, RtlBoard) else None
         self._clock_hz = clock_hz
         self.effects: list[float] = []
-        """Instants at which words were written, in seconds of modelled time."""
+        """Times at which words were written, in seconds of modelled time."""
 
     def read(self, offset: int, now: float) -> int:  # noqa: ARG002  (as devices have it)
         """Return the time in cycles."""
         return round(self._instant(now) * self._clock_hz)
 
     def write(self, offset: int, value: int, now: float) -> None:  # noqa: ARG002
-        """Note when."""
+        """Record the time."""
         self.effects.append(self._instant(now))
 
     def time_of(self, word: int) -> float:
-        """Return the modelled time at which a word was read."""
+        """Return the modelled time in seconds at which a word was read."""
         return word / self._clock_hz
 
     def _instant(self, now: float) -> float:

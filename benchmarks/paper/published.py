@@ -1,19 +1,20 @@
-"""Every figure of the paper that anything here quotes, in the paper's own terms: all of its Table I, and its text's.
+"""Every figure of the paper that is quoted here, in the paper's own terms: all of its Table I, and those of its text.
 
 A. B. Lange, U. P. Schultz, A. S. Soerensen: "Unity-Link: A Software-Gateway Interface for Rapid Prototyping of
-Experimental Robot Controllers on FPGAs". Measured there on a board: gateware at 50 MHz, an FT232H as asynchronous FT245
-with FIFOs of 256 bytes, a PC of two cores at 3 GHz. Tables and pictures take their figures from here, and
-`tests/benchmarks/test_quotes.py` holds to it what documents quote.
+Experimental Robot Controllers on FPGAs". It measured on a board: gateware at 50 MHz, an FT232H as asynchronous FT245
+with FIFOs of 256 bytes, a PC with two cores at 3 GHz. Tables and pictures use the figures of this module, and
+`tests/benchmarks/test_quotes.py` compares the quotes in documents with them.
 
-What must be known to read Table I:
+To read Table I:
 
-- Its latencies are in microseconds, as the text says; the table's heads have seconds.
-- Every write of it is answered: the paper has no stateless writes, and wishes for them (VI-D).
-- Throughputs are of the PC by the text: (i) what it gets, (o) what it sends. In the gateware's rows they are of the
-  gateware, though: 85.7 to 200.0 is 6 to 14, the bytes of a read's request and answer, and 151.3 to 54.1 is 14 to 5,
-  those of a write. So the answers to pipelined reads are the 200.0 Mb/s.
-- A burst of its writes takes 9 bytes a write, by its own figures (1.315 us at 56.6 Mb/s), where a checked write has 14.
-- The latency timer is not told. Without send-immediate, 974 us are those of a timer of 1 ms.
+- Its latencies are in microseconds, as the text has it; the heads of the table have seconds.
+- Every write in it is answered: the paper has no posted writes, and mentions them as future work (VI-D).
+- According to the text, throughputs are those of the PC: (i) its input, (o) its output. But in the gateware's rows they
+  are those of the gateware: 85.7 to 200.0 is 6 to 14, the bytes of a read's request and answer, and 151.3 to 54.1 is 14
+  to 5, the bytes of a write's. So the answers to pipelined reads are the 200.0 Mb/s.
+- According to its own figures, a burst of writes takes 9 bytes per write (1.315 us at 56.6 Mb/s), but a checked write
+  has 14.
+- The latency timer is not given. The 974 us without send-immediate are those of a timer of 1 ms.
 """
 
 from __future__ import annotations
@@ -26,11 +27,10 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 Level = Literal["gateware", "ideal link", "low-level", "full stack", "ROS", "design"]
-"""The paper's three levels, and the row between the first two, which it has for reference; the ROS nodes on top; and
-what a design is or was made of."""
+"""The paper's three levels, the row between the first two (for reference), the ROS nodes, and facts about designs."""
 Access = Literal["read", "write"]
 Mode = Literal["off", "always"]
-"""Without and with its send-immediate, SI."""
+"""Without and with the paper's send-immediate, SI."""
 Unit = Literal[
     "us", "b/s", "Hz", "baud", "bit", "bytes", "requests", "messages", "writes", "lines", "minutes", "groups", "words"
 ]
@@ -40,17 +40,17 @@ class Figure(msgspec.Struct, frozen=True, kw_only=True):
     """One figure."""
 
     what: str
-    """Subject, where the rest does not say it."""
+    """Subject, if the other fields do not identify it."""
     value: float
     unit: Unit
     place: str
-    """In the paper: table or section."""
+    """Table or section of the paper."""
     deviation: float | None = None
-    """Standard deviation, where the paper gives it."""
+    """Standard deviation, if the paper has it."""
     level: Level
     access: Access | None = None
     mode: Mode | None = None
-    """None where send-immediate has no part in it."""
+    """None if the figure does not depend on send-immediate."""
 
 
 LATENCY = "latency, request to response"
@@ -170,7 +170,7 @@ TEXT: tuple[Figure, ...] = (
     _text("VI-A", "design", "small FIFOs", 16, "bytes"),
     _text("VI-A", "design", "large FIFOs", 256, "bytes"),
     _text("III-D", "ideal link", "with D2XX drivers", 320e6, "b/s"),
-    # What the gateware can be built with.
+    # The limits of the gateware's configuration.
     _text("IV-A", "design", "subscription groups", 256, "groups"),
     _text("IV-A", "design", "addresses of a group, words of RM", 255, "words"),
     # Bursts of reads, from low-level Python.
@@ -204,13 +204,13 @@ FIGURES = TABLE_1 + TEXT
 
 
 def find(what: str, level: Level, access: Access | None = None, mode: Mode | None = None) -> Figure | None:
-    """Return a figure, or None where the paper has none."""
+    """Return a figure, or None if the paper does not have it."""
     wanted = (what, level, access, mode)
     return next((row for row in FIGURES if (row.what, row.level, row.access, row.mode) == wanted), None)
 
 
 def value(what: str, level: Level, access: Access | None = None, mode: Mode | None = None) -> float:
-    """Return the value of a figure that the paper has."""
+    """Return the value of a figure, which the paper must have."""
     figure = find(what, level, access, mode)
     assert figure is not None, (what, level, access, mode)
     return figure.value

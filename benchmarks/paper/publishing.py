@@ -1,4 +1,4 @@
-"""How fast samples can be published with none lost, for messages of several lengths: for a while, and for ever."""
+"""The highest rates at which samples are published without loss, for several lengths: in bursts, and sustained."""
 
 from __future__ import annotations
 
@@ -16,32 +16,32 @@ if TYPE_CHECKING:
     from benchmarks.paper.workbench import Measure, Workbench
 
 HEAD_BYTES = len(checked(b"P0000"))
-"""Bytes of the head of a publish without timestamp: letter, group, sequence, check and line end."""
+"""Bytes of the head of a sample without timestamp: letter, group, sequence number, CRC and line end."""
 WORD_BYTES = 8
 BURST = 50
-"""Samples of a burst: those that may wait, in the gateway and on the way, help it."""
+"""Number of samples of a burst; buffers in the gateway and on the way store some of them."""
 _RING_WORDS = 1024
-"""Samples of so many words wait in the gateway before one is lost."""
+"""Number of words that the gateway buffers before it loses a sample."""
 _BUFFER_BYTES = 1024 + 256 + 65536
-"""Other bytes that may wait: in the chip, in the gateway's FIFO, and in transfers that the program has not taken."""
+"""Bytes of the other buffers: in the chip, in the gateway's FIFO, and in transfers that the program has not read."""
 _FLOOD = 1.5
-"""So many times what the line carries is asked for, to see what comes."""
+"""Requested rate, as a multiple of the rate that the line transfers, to find the rate of received samples."""
 
 
 class _Stream(NamedTuple):
     """Results of a subscription."""
 
     asked: float
-    """Hz."""
+    """Requested rate in Hz."""
     arrived: float
-    """Hz, in the second half, when all that can be full is full."""
+    """Rate in Hz of received samples in the second half, when all buffers are full."""
     seconds: float
     samples: int
     lost: int
 
 
 def measure_limits(bench: Workbench, stack: StackName, sizes: Sequence[int], runs: int = 1) -> Iterator[PublishLimit]:
-    """Find the limits for messages of so many words each; with the program's time the best of `runs`."""
+    """Find the limits for samples of several numbers of words; those with the program's time are the best of `runs`."""
     for words in sizes:
         size = HEAD_BYTES + WORD_BYTES * words
         line = bench.timing.fifo_bytes_per_second / size
@@ -64,27 +64,27 @@ def measure_limits(bench: Workbench, stack: StackName, sizes: Sequence[int], run
 
 
 def measure_sustained(bench: Workbench, rate: float, seconds: float) -> Sustained:
-    """Publish one word at a rate for a while, with the program's time."""
+    """Publish one word at a rate for some seconds, with the program's time."""
     measure = _subscribing(1, _divisor(rate), round(rate * seconds))
     found = bench.run("full stack", "adaptive", measure, host_time=True)
     return Sustained(rate=found.asked, seconds=found.seconds, samples=found.samples, lost=found.lost)
 
 
 async def rate_of_a_flood(stack: Stack, words: int, rate: float, count: int) -> float:
-    """Return the samples a second that come where more are due."""
+    """Return the samples per second that are received if more are due."""
     return (await _subscribing(words, _divisor(rate), count)(stack)).arrived
 
 
 def _find_limit(bench: Workbench, stack: StackName, words: int, line: float, *, host_time: bool) -> float:
-    """Ask for more than can come; then for what came, and for less until nothing is lost."""
-    # Twice what may wait on the way: behind that, what comes is what is taken.
+    """Measure the received rate of a flood; then request that rate, and lower rates until no sample is lost."""
+    # Twice the capacity of all buffers: after them, the received rate is the transferred rate.
     count = round(2 * (_RING_WORDS / words + _BUFFER_BYTES / (HEAD_BYTES + WORD_BYTES * words)))
 
     def found(rate: float) -> _Stream:
         measure = _subscribing(words, _divisor(rate), count)
         return bench.run(stack, "adaptive", measure, host_time=host_time)
 
-    # Samples arrive by transfers, so what came can look like a little more than fits.
+    # Samples arrive in transfers, so the received rate may appear slightly higher than the line's.
     rate = min(found(_FLOOD * line).arrived, line)
     while (stream := found(rate)).lost:
         rate = 0.98 * stream.asked
@@ -92,7 +92,7 @@ def _find_limit(bench: Workbench, stack: StackName, words: int, line: float, *, 
 
 
 def _find_burst(bench: Workbench, stack: StackName, words: int, sustained: float, *, host_time: bool) -> float:
-    """Halve what lies between a rate that goes on for ever and the highest of all."""
+    """Find the highest burst rate by bisection between the sustained rate and the highest of all."""
     good, bad = _divisor(sustained), 0
     while good - bad > 1:
         divisor = (good + bad) // 2

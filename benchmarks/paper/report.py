@@ -22,13 +22,13 @@ _PICTURES = (
 
 
 def write_report(results: Results, folder: Path) -> tuple[list[Path], str]:
-    """Write all files into a folder, which is made if need be; pictures only where matplotlib is installed.
+    """Write all files into a folder, which is created if necessary; pictures only if matplotlib is installed.
 
     Returns:
-        The files, and why there are no pictures, if there are none.
+        The files, and the reason if there are no pictures.
 
     Raises:
-        OSError: where the folder can't be written.
+        OSError: if the folder cannot be written.
     """
     folder.mkdir(parents=True, exist_ok=True)
     files, reason = [], ""

@@ -1,4 +1,4 @@
-"""What the experiment gives, as data; as JSON, this is what `python -m benchmarks.paper --json` prints."""
+"""The results of the experiment as data; `python -m benchmarks.paper --json` prints them as JSON."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 STACKS: tuple[StackName, ...] = ("low-level", "full stack")
 Rhythm = Literal["back to back", "at any time"]
-"""Each access at once behind the one before, as in the paper; or at an instant that has no relation to the USB's."""
+"""Each access immediately after the one before, as in the paper; or at a time without relation to USB's."""
 RHYTHMS: tuple[Rhythm, ...] = ("back to back", "at any time")
 
 
@@ -30,21 +30,21 @@ class Spread(msgspec.Struct, frozen=True, kw_only=True):
 
     @classmethod
     def of(cls, microseconds: Sequence[float]) -> Spread:
-        """Return that of some times, to a nanosecond: what is beyond is rounding of the clock."""
+        """Return the statistics of times, rounded to nanoseconds because of the clock's resolution."""
         kinds = (statistics.median, statistics.fmean, statistics.pstdev)
         median, mean, deviation = (round(kind(microseconds), 3) for kind in kinds)
         return cls(median=median, mean=mean, deviation=deviation)
 
 
 class Publishing(msgspec.Struct, frozen=True, kw_only=True):
-    """Clock-exact: what samples of so many words take at the port of the FIFOs."""
+    """Clock-exact: samples of a number of words at the port of the FIFOs."""
 
     words: int
     message_bytes: int
     cycles: int
-    """From the instant at which the first word is read to the last byte out."""
+    """Cycles from the read of the first word to the last byte out."""
     rate: float
-    """Samples a second that leave where more are due than can: of as many groups as it takes."""
+    """Samples per second if more are due than can be sent, from as many groups as necessary."""
 
 
 class Block(msgspec.Struct, frozen=True, kw_only=True):
@@ -52,9 +52,9 @@ class Block(msgspec.Struct, frozen=True, kw_only=True):
 
     words: int
     first_cycles: int
-    """From the last byte of the request in, to the first byte of the answer out."""
+    """Cycles from the last byte of the request in, to the first byte of the answer out."""
     last_cycles: int
-    """The same to the last byte out."""
+    """Cycles from the last byte of the request in, to the last byte of the answer out."""
 
 
 class GatewareFigures(msgspec.Struct, frozen=True, kw_only=True):
@@ -62,28 +62,28 @@ class GatewareFigures(msgspec.Struct, frozen=True, kw_only=True):
 
     clock_hz: int
     read_cycles: int
-    """To the last byte of the answer out."""
+    """Cycles to the last byte of the answer out."""
     write_cycles: int
-    """The same of a write."""
+    """Cycles to the last byte of a write's answer out."""
     effect_cycles: int
-    """To a write's effect on the bus."""
+    """Cycles to a write's effect on the bus."""
     post_effect_cycles: int
-    """The same of a posted write."""
+    """Cycles to a posted write's effect on the bus."""
     cycles_per_read: float
-    """Cycles of a read, of pipelined reads: from one to the next."""
+    """Cycles from one pipelined read to the next."""
     cycles_per_write: float
     cycles_per_post: float
     bytes_per_cycle: float
-    """Out, of pipelined reads that have IDs."""
+    """Output bytes per cycle of pipelined reads with IDs."""
     blocks: list[Block]
     publishing: list[Publishing]
 
     def microseconds(self, cycles: float) -> float:
-        """Return the time of so many cycles."""
+        """Return the time of a number of cycles."""
         return cycles / self.clock_hz * 1e6
 
     def megabits(self, size: int, cycles: float) -> float:
-        """Return the Mb/s of so many bytes in so many cycles."""
+        """Return the rate in Mb/s of `size` bytes in a number of cycles."""
         return 8e-6 * size * self.clock_hz / cycles
 
 
@@ -97,21 +97,19 @@ class Latency(msgspec.Struct, frozen=True, kw_only=True):
     request_bytes: int
     answer_bytes: int
     gateware: float | None
-    """Clock-exact, in microseconds: request and answer through the pins and the gateware; None where no RTL was
-    there."""
+    """Clock-exact, in microseconds: request and answer through the pins and the gateware; None without the RTL."""
     modelled: Spread
-    """The modelled time, what the gateware takes included, for a program that takes no time."""
+    """Modelled time with that of the gateware, for a program that takes no time."""
     total: Spread
-    """With the processor time of the program, and with the wait for the USB that this may cost; the best of several
-    runs."""
+    """With the program's processor time, and the waits for USB that it may cause; the best of several runs."""
 
     def synchronous(self, time: Spread) -> float:
-        """Return what requests and answers make together, one after the other, in Mb/s."""
+        """Return the rate of requests and answers together, one after the other, in Mb/s."""
         return 8 * (self.request_bytes + self.answer_bytes) / time.mean
 
 
 class Effect(msgspec.Struct, frozen=True, kw_only=True):
-    """From the call to the bus: of one write, and of a burst of 30."""
+    """Time from the call to the bus, of one write and of a burst of 30."""
 
     stack: StackName
     access: Access
@@ -125,17 +123,17 @@ class Effect(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class Arrival(msgspec.Struct, frozen=True, kw_only=True):
-    """From the instant of a sample of one word to the program that takes it."""
+    """Time from the sample strobe of one word to the program."""
 
     stack: StackName
     send_immediate: Mode
-    """Samples are flushed themselves (``immediate=True``) in all modes but the first two."""
+    """The samples request send-immediate themselves (``immediate=True``) in all modes except the first two."""
     modelled: Spread
     total: Spread
 
 
 class Throughput(msgspec.Struct, frozen=True, kw_only=True):
-    """Long bursts, in accesses a second; see `throughput.measure_throughputs`."""
+    """Long bursts, in accesses per second; see `throughput.measure_throughputs`."""
 
     stack: StackName
     access: Access
@@ -144,20 +142,20 @@ class Throughput(msgspec.Struct, frozen=True, kw_only=True):
     answer_bytes: int
     modelled: float
     total: float
-    """With the processor time of the program; the best of several runs."""
+    """With the program's processor time; the best of several runs."""
 
     @property
     def filling(self) -> int:
-        """Bytes of an access in the direction that it fills."""
+        """Bytes of an access in its fuller direction."""
         return max(self.request_bytes, self.answer_bytes)
 
     def megabits(self, rate: float, size: int | None = None) -> float:
-        """Return what so many accesses a second make, in Mb/s: in the direction that they fill, or of so many bytes."""
+        """Return the rate of accesses in Mb/s, in their fuller direction, or for `size` bytes each."""
         return 8e-6 * rate * (self.filling if size is None else size)
 
 
 class Burst(msgspec.Struct, frozen=True, kw_only=True):
-    """Reads at once, and the microseconds until the last answer is there."""
+    """Reads at once, and the microseconds until the last answer is received."""
 
     stack: StackName
     send_immediate: Mode
@@ -165,52 +163,52 @@ class Burst(msgspec.Struct, frozen=True, kw_only=True):
     answer_bytes: int
     modelled: float
     total: float
-    """With the processor time of the program; the best of several runs."""
+    """With the program's processor time; the best of several runs."""
 
     def megabits(self, microseconds: float) -> float:
-        """Return the answers' Mb/s."""
+        """Return the answers' rate in Mb/s."""
         return 8 * self.answer_bytes * self.count / microseconds
 
 
 class Stamps(msgspec.Struct, frozen=True, kw_only=True):
-    """A burst of reads by the gateway's own clock: each read's word is the cycle in which it was read. Modelled."""
+    """A burst of reads by the gateway's own clock: each word is the cycle of its read. Modelled."""
 
     send_immediate: Mode
     count: int
     mean_megabits: float
-    """Answers, from first to last."""
+    """Rate of the answers from first to last."""
     run_megabits: float
-    """Answers between two pauses."""
+    """Rate of the answers between two pauses."""
     run_length: float
-    """Answers from pause to pause, on average; all, where there is none."""
+    """Answers from pause to pause, on average; all answers without a pause."""
     pauses: int
-    """Longer than twice the usual distance of two answers."""
+    """Number of pauses: gaps longer than twice the usual distance of two answers."""
     pause_microseconds: float
-    """From pause to pause, on average; 0 where there are none."""
+    """Time from pause to pause, on average; 0 without pauses."""
 
 
 class PublishLimit(msgspec.Struct, frozen=True, kw_only=True):
-    """The highest rates, of those that the gateway has, at which no sample is lost, in Hz."""
+    """The highest rates of the gateway in Hz at which no sample is lost."""
 
     stack: StackName
     words: int
     message_bytes: int
     line: float
-    """Rate that 8 MB/s would carry."""
+    """Rate that 8 MB/s would transfer."""
     burst_modelled: float
-    """For as many samples as `publishing.BURST`."""
+    """For a burst of `publishing.BURST` samples."""
     burst_total: float
     modelled: float
-    """For ever."""
+    """Sustained."""
     total: float
-    """With a program that takes each sample by ``async for``."""
+    """Sustained, with a program that reads each sample by ``async for``."""
 
 
 class Sustained(msgspec.Struct, frozen=True, kw_only=True):
-    """One word, published for a while."""
+    """One word, published for some seconds."""
 
     rate: float
-    """Hz."""
+    """In Hz."""
     seconds: float
     samples: int
     lost: int
@@ -225,45 +223,45 @@ class WallClock(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class MediumFigures(msgspec.Struct, frozen=True, kw_only=True):
-    """One way from chip to gateway, modelled, with the gateway's model in Python, through the full stack."""
+    """One connection from chip to gateway, modelled, with the gateway's Python model, through the full stack."""
 
     medium: MediumName
     fifo_bytes: int
     """Bytes of each FIFO of the gateway."""
     line_megabits: float
-    """Megabits a second that the medium carries in each direction; in both together, where it has one at a time."""
+    """Megabits per second of the medium in each direction, or in both together if it carries one at a time."""
     read: Spread
     write: Spread
     answers_megabits: float
-    """Megabits a second of a long burst of reads."""
+    """Megabits per second of the answers to a long burst of reads."""
     posts_megabits: float
-    """Requests of a long burst of posted writes."""
+    """Megabits per second of the requests of a long burst of posted writes."""
     samples: float
-    """Hz: of one word, that come where more are due."""
+    """Received samples of one word per second, if more are due."""
     repeated: int
-    """Requests that the link sent again, as something was lost."""
+    """Number of requests that the link retransmitted after a loss."""
 
 
 class FormFigures(msgspec.Struct, frozen=True, kw_only=True):
-    """One form of frames on a medium, through the full stack: rates of long bursts, a second."""
+    """One form of frames on a medium, through the full stack: rates of long bursts, per second."""
 
     medium: MediumName
     gateway: GatewayKind
-    """The gateware itself, or its model in Python."""
+    """The compiled gateware, or its Python model."""
     compact: bool
     """True if frames of the session are in compact form, False for text."""
     measured: bool
-    """True if the program's time counts, too."""
+    """True if the program's time is included."""
     reads: float
     posts: float
     block_words: float
     """Words of blocks of 255."""
     samples: float
-    """Samples of one word that come where more are due."""
+    """Received samples of one word, if more are due."""
 
 
 class Lines(msgspec.Struct, frozen=True, kw_only=True):
-    """The interface of the 18-DOF walker, in lines that someone writes; those that are blank do not count."""
+    """The interface of the 18-DOF walker, in lines that a user writes, without blank lines."""
 
     spec: int
     comments: int
@@ -271,24 +269,24 @@ class Lines(msgspec.Struct, frozen=True, kw_only=True):
     configuration: int
     boilerplate: int
     pins: int
-    """Constraints of a board by hand."""
+    """Constraints of a board, by hand."""
     generated: int
-    """Generated: all that `generate vhdl` makes."""
+    """Lines of all files that `generate vhdl` writes."""
 
 
 class Check(msgspec.Struct, frozen=True, kw_only=True):
-    """A figure that must hold."""
+    """A figure that must meet a limit."""
 
     what: str
     found: str
     wanted: str
     met: bool
     measured: bool
-    """True if this machine's processor time is in it, so that another run can find another."""
+    """True if it includes this machine's processor time, so that another run may have another result."""
 
 
 class Parameters(msgspec.Struct, frozen=True, kw_only=True):
-    """Under which all of it was found."""
+    """Conditions of the experiment."""
 
     gateway: GatewayKind
     id_digits: int
@@ -297,19 +295,19 @@ class Parameters(msgspec.Struct, frozen=True, kw_only=True):
     receive_fifo_bytes: int
     transmit_fifo_bytes: int
     base_frequency: float
-    """Base frequency of publishing, Hz."""
+    """Base frequency of publishing, in Hz."""
     timing: dict[str, float]
-    """The model's numbers: fields of `unity_link.virtual.ft232h.Timing`."""
+    """Numbers of the model: fields of `unity_link.virtual.ft232h.Timing`."""
     posted_reads: int
     read_size: int
-    """Size of the driver's reads: transfers that wait for the chip, and bytes of each."""
+    """Bytes of each read of the driver; `posted_reads` of them are pending at the chip."""
     machine: str
     quick: bool
-    """Fewer accesses than usual: to see that it works, not to be quoted."""
+    """True for fewer accesses than usual: a test run whose figures must not be quoted."""
 
 
 class Results(msgspec.Struct, frozen=True, kw_only=True):
-    """All of it."""
+    """All results."""
 
     version: str
     date: str
@@ -330,7 +328,7 @@ class Results(msgspec.Struct, frozen=True, kw_only=True):
     checks: list[Check]
 
     def to_json(self, indent: int = 2) -> bytes:
-        """Return all as one JSON object; in one line, if `indent` is -1."""
+        """Return the results as one JSON object; in one line if `indent` is -1."""
         return msgspec.json.format(msgspec.json.encode(self), indent=indent)
 
     def latency(self, stack: StackName, access: Access, mode: Mode, rhythm: Rhythm = "back to back") -> Latency:
@@ -349,6 +347,6 @@ class Results(msgspec.Struct, frozen=True, kw_only=True):
         return next(row for row in self.effects if (row.stack, row.access, row.send_immediate) == wanted)
 
     def burst(self, stack: StackName, mode: Mode, least: int) -> Burst:
-        """Return the shortest burst of so many reads or more."""
+        """Return the shortest burst of at least `least` reads."""
         rows = [row for row in self.bursts if (row.stack, row.send_immediate) == (stack, mode)]
         return min((row for row in rows if row.count >= least), key=lambda row: row.count, default=rows[-1])

@@ -23,14 +23,14 @@ if TYPE_CHECKING:
 
 StackName = Literal["low-level", "full stack"]
 Access = Literal["read", "block", "write", "post"]
-"""A block is an RM of `BLOCK_WORDS`. A post is a stateless write: it has no answer."""
+"""A block is an RM of `BLOCK_WORDS`. A post is a posted write, without an answer."""
 ACCESSES: tuple[Access, ...] = ("read", "block", "write", "post")
 Mode = Literal["off", "off, 1 ms", "always", "adaptive"]
-"""Mode of send-immediate; off with the latency timer of the chip's reset, and with one of 1 ms, as the paper had."""
+"""Mode of send-immediate; off with the latency timer after the chip's reset, and with one of 1 ms, as in the paper."""
 MODES: tuple[Mode, ...] = ("off", "off, 1 ms", "always", "adaptive")
 URL = "ftdi-async://ftdi:232h/1"
 ADDRESS, ADDRESSES = 0x0A, 0xF0
-"""Accesses go to the first; bursts go round so many."""
+"""Single accesses use the first; bursts cycle through the addresses below the second."""
 PROBE = 0xFE
 """Address of the probe (`probe.Probe`)."""
 WORD = 0x12
@@ -45,7 +45,7 @@ def url_of(mode: Mode, options: str = "") -> str:
 
 
 def of_the_link(mode: Mode) -> SendImmediate:
-    """Return what the link calls a mode."""
+    """Return the link's name of a mode."""
     return "off" if mode == "off, 1 ms" else mode
 
 
@@ -54,14 +54,14 @@ class Samples(Protocol):
 
     @property
     def lost(self) -> int:
-        """Samples that were due and did not come, as far as those that were taken show."""
+        """Number of samples that were due and not received, as far as the received ones show."""
 
     async def __anext__(self) -> Any:
-        """Take one."""
+        """Return the next sample."""
 
 
 class Stack(Protocol):
-    """A way to a gateway, open."""
+    """An open way to a gateway."""
 
     probe: Probe
     sizes: dict[Access, tuple[int, int]]
@@ -74,9 +74,9 @@ class Stack(Protocol):
         """Make many accesses at once, and wait until the last is answered or, for posts, known to be executed.
 
         Args:
-            access: what.
-            count: how many.
-            address: of all of them; None to go round.
+            access: kind of access.
+            count: number of accesses.
+            address: of all of them; None to cycle through `ADDRESSES`.
         """
 
     async def clocks(self, count: int) -> list[int]:
@@ -85,7 +85,7 @@ class Stack(Protocol):
     def publishing(
         self, addresses: list[int], divisor: int, *, immediate: bool
     ) -> AbstractAsyncContextManager[Samples]:
-        """Publish addresses, without timestamps, in the block."""
+        """Publish addresses, without timestamps, for the duration of the context."""
 
     def clock_of(self, sample: Any) -> int:
         """Return the first word of a sample."""
@@ -109,7 +109,7 @@ class FullStack:
     @classmethod
     @asynccontextmanager
     async def opened(cls, url: str, mode: Mode, probe: Probe, timeout: float) -> AsyncIterator[FullStack]:  # noqa: ASYNC109  (handed on)
-        """Open a link to the chip that is plugged in."""
+        """Open a link to the virtual chip."""
         async with connect(url, timeout=timeout) as link:
             await link.send_immediate(of_the_link(mode))
             yield cls(link, probe)
@@ -145,7 +145,7 @@ class FullStack:
     def publishing(
         self, addresses: list[int], divisor: int, *, immediate: bool
     ) -> AbstractAsyncContextManager[Samples]:
-        """Subscribe."""
+        """Subscribe to addresses."""
         return self.link.subscribe(addresses, divisor=divisor, immediate=immediate, timestamps=False, buffer=1 << 20)
 
     def clock_of(self, sample: Any) -> int:
@@ -154,9 +154,9 @@ class FullStack:
 
 
 class LowLevel(asyncio.Protocol):
-    """The driver's transport alone, with ready-made messages without IDs.
+    """The driver's transport alone, with prepared messages without IDs.
 
-    They are those of the paper, but for the answer to a write, which has a byte more.
+    The messages are those of the paper, except that the answer to a write has one more byte.
     """
 
     def __init__(self, probe: Probe) -> None:
@@ -164,7 +164,7 @@ class LowLevel(asyncio.Protocol):
         self._loop = asyncio.get_running_loop()
         self._missing = 0
         self._kept: list[bytes] | None = None
-        """Bytes that arrive, where they are wanted."""
+        """Received bytes, if they are needed."""
         self._samples: _Frames | None = None
         self._arrived: asyncio.Future[None] = self._loop.create_future()
         self._ended: asyncio.Future[None] = self._loop.create_future()
@@ -178,7 +178,7 @@ class LowLevel(asyncio.Protocol):
     @classmethod
     @asynccontextmanager
     async def opened(cls, url: str, mode: Mode, probe: Probe, timeout: float) -> AsyncIterator[LowLevel]:  # noqa: ASYNC109  (as `FullStack.opened`)
-        """Open the driver of the chip that is plugged in."""
+        """Open the driver of the virtual chip."""
         from unity_link.transport.ft232h import with_libusb
 
         async with asyncio.timeout(timeout):
@@ -199,7 +199,7 @@ class LowLevel(asyncio.Protocol):
         await self._exchange(_request(access, address), self.sizes[access][1])
 
     async def burst(self, access: Access, count: int, address: int | None = None) -> None:
-        """Make many accesses at once; behind posts, a read tells that they are executed."""
+        """Make many accesses at once; after posts, the answer to a read shows that they are executed."""
         requests = _request(access, ADDRESS if address is None else address) * count
         size = self.sizes[access][1] * count
         if access == "post":
@@ -215,7 +215,7 @@ class LowLevel(asyncio.Protocol):
 
     @asynccontextmanager
     async def publishing(self, addresses: list[int], divisor: int, *, immediate: bool) -> AsyncIterator[Samples]:
-        """Set a group up and start it; stop it at the end."""
+        """Set a group and start it; stop it at the end."""
         flags = GroupFlag.PERIODIC | (GroupFlag.IMMEDIATE if immediate else GroupFlag(0))
         listed = b"".join(b"%02X" % address for address in addresses)
         await self._exchange(b"", 0)
@@ -248,7 +248,7 @@ class LowLevel(asyncio.Protocol):
     # asyncio.Protocol
 
     def data_received(self, data: bytes) -> None:
-        """Count."""
+        """Count the bytes, or store them."""
         if self._samples is not None:
             self._samples.add(data)
             return
@@ -259,7 +259,7 @@ class LowLevel(asyncio.Protocol):
             self._arrived.set_result(None)
 
     def connection_lost(self, exc: Exception | None) -> None:
-        """End; what waits ends with the reason."""
+        """End the connection; pending accesses end with the reason."""
         if exc is not None and not self._arrived.done():
             self._arrived.set_exception(exc)
         if not self._ended.done():
@@ -267,7 +267,7 @@ class LowLevel(asyncio.Protocol):
 
 
 class _Frames:
-    """Samples as a small program takes them: cut at the line ends, and their sequence looked at."""
+    """Samples as a small program reads them: divided at the line ends, with a check of their sequence numbers."""
 
     def __init__(self) -> None:
         self.lost = 0
@@ -278,7 +278,7 @@ class _Frames:
         self._answers: asyncio.Queue[bytes] = asyncio.Queue()
 
     def add(self, data: bytes) -> None:
-        """Take what has arrived."""
+        """Divide received bytes into frames."""
         *frames, self._rest = (self._rest + data).split(b"\n")
         for frame in frames:
             if frame[:1] == b"P":
@@ -297,7 +297,7 @@ class _Frames:
         return await self._answers.get()
 
     async def __anext__(self) -> bytes:
-        """Take a sample."""
+        """Return the next sample."""
         while not self._frames:
             self._came = asyncio.get_running_loop().create_future()
             await self._came

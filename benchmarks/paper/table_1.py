@@ -1,4 +1,4 @@
-"""The paper's Table I, ours beside it: a row for each level and figure, with what the paper has and what was found."""
+"""The paper's Table I with our figures: a row for each level and figure."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ TITLES: dict[Operation, str] = {
     "publish": "Publish, one word",
 }
 COLUMNS: dict[published.Mode, tuple[Mode, Mode]] = {"off": ("off, 1 ms", "off"), "always": ("always", "adaptive")}
-"""Columns of ours beside the paper's, without and with its send-immediate."""
+"""Our columns for the paper's modes, without and with its send-immediate."""
 HEADS: dict[Mode, str] = {
     "off, 1 ms": "timer of 1 ms",
     "off": "timer of 16 ms",
@@ -43,14 +43,14 @@ class Row(NamedTuple):
     level: Level
     what: str
     known: Figure | None
-    """The paper's."""
+    """The paper's figure."""
     kind: Literal["clock-exact", "modelled, measured"]
     found: tuple[str, ...]
-    """Ours: one that is clock-exact, or modelled and with the program for each of the two columns."""
+    """Our figure: a clock-exact one, or, for each of the two columns, the modelled one and the one with the program."""
 
 
 def table_1(results: Results, operation: Operation, mode: published.Mode) -> Iterator[Row]:
-    """Return one of the subtables; those of the paper and, in the same form, of what it does not have."""
+    """Yield the rows of a subtable: one of the paper's, or, in the same form, one that the paper does not have."""
     if results.gateware is not None:
         yield from _gateware(results.gateware, operation, mode)
     yield from _ideal(results, operation, mode)
@@ -59,7 +59,7 @@ def table_1(results: Results, operation: Operation, mode: published.Mode) -> Ite
 
 
 def spread(found: Spread) -> str:
-    """Write mean, standard deviation and median."""
+    """Format mean, standard deviation and median."""
     return f"{found.mean:,.1f} µs (sd {found.deviation:,.1f}; median {found.median:,.1f})"
 
 

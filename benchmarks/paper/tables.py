@@ -1,4 +1,4 @@
-"""The experiment as Markdown: the figures beside the paper's, their kinds, and the model's parameters."""
+"""The experiment as Markdown: our figures and the paper's, their kinds, and the model's parameters."""
 
 from __future__ import annotations
 
@@ -33,27 +33,27 @@ Row = tuple[str, ...]
 
 NOT_WITHOUT_A_BOARD: tuple[tuple[str, str], ...] = (
     (
-        "what the kernel and libusb take for a transfer, and until a sleeping program runs again",
-        "10 to 20 µs more for a single access, and the scatter that goes with them",
+        "the time of the kernel and libusb for a transfer, and the time until a sleeping program runs again",
+        "10 to 20 µs more for a single access, with more deviation",
     ),
     (
-        "when a host controller begins a transfer that is submitted in the middle of a microframe",
+        "the start of a transfer that is submitted to a host controller in the middle of a microframe",
         "the model waits for the next one; the paper's request to effect shows that its host did not",
     ),
-    ("what the chip does that its datasheet leaves open", "a packet behind a full one, the event character"),
+    ("behaviour of the chip that its datasheet does not define", "a packet after a full one, the event character"),
     ("the proprietary D2XX driver", "the synchronous FIFO is driven through libusb, and the rate is the model's"),
-    ("the paper's points of figures 3 and 4", "figure 3's stand in Table I, figure 4's in the picture alone"),
+    ("the paper's points of figures 3 and 4", "figure 3: in Table I; figure 4: only in the picture"),
     ("rates of rospy and rostopic on the paper's PC", "ours on a virtual gateway: benchmarks/BRIDGES.md"),
 )  # fmt: skip
-"""Figures for which a board would be needed, and what is said instead."""
+"""Figures that need a board, and their substitutes here."""
 
 
 def to_markdown(results: Results, pictures: Sequence[tuple[str, str]] = ()) -> str:
     """Return the whole page.
 
     Args:
-        results: what was found.
-        pictures: titles and addresses of those to show.
+        results: of the experiment.
+        pictures: titles and addresses of the pictures to show.
     """
     parts = [_head(results), _table_1(results)]
     parts += [f"![{title}]({address})\n" for title, address in pictures]
@@ -80,7 +80,7 @@ def table(head: Row, rows: Iterable[Row]) -> str:
 
 
 def quote(figure: published.Figure | None) -> str:
-    """Write a figure of the paper."""
+    """Format a figure of the paper."""
     if figure is None:
         return NOTHING
     if figure.unit == "us":
@@ -94,14 +94,14 @@ def quote(figure: published.Figure | None) -> str:
 
 
 def table_1_rows(results: Results, operation: Operation, mode: published.Mode) -> Iterator[Row]:
-    """Return level, figure, the paper's, and ours: modelled and measured as well for each of two modes."""
+    """Yield level, figure, the paper's figure, and ours: modelled and measured for each of two modes."""
     for row in table_1(results, operation, mode):
         found = row.found if len(row.found) > 1 else (f"{row.found[0]}, {row.kind}", *(NOTHING,) * 3)
         yield (row.level, row.what, quote(row.known), *found)
 
 
 def latency_rows(latencies: Iterable[Latency]) -> Iterator[Row]:
-    """Return stack, access, rhythm, mode; the clock-exact, modelled and measured parts of the median; the sum."""
+    """Yield stack, access, rhythm, mode; the clock-exact, modelled and measured parts of the median; the sum."""
     for row in latencies:
         gateware = row.gateware or 0.0
         yield (
@@ -119,7 +119,7 @@ def latency_rows(latencies: Iterable[Latency]) -> Iterator[Row]:
 
 
 def throughput_rows(throughputs: Iterable[Throughput]) -> Iterator[Row]:
-    """Return stack, access, mode; requests and answers modelled, and with the program's time; the part of 64 Mb/s."""
+    """Yield stack, access, mode; requests and answers, modelled and with the program's time; the share of 64 Mb/s."""
     for row in throughputs:
         sizes = row.request_bytes, row.answer_bytes
         found = [row.megabits(rate, size) for rate in (row.modelled, row.total) for size in sizes]
@@ -133,7 +133,7 @@ def throughput_rows(throughputs: Iterable[Throughput]) -> Iterator[Row]:
 
 
 def burst_rows(bursts: Sequence[Burst]) -> Iterator[Row]:
-    """Return stack, mode, reads; milliseconds and Mb/s of the answers, modelled and with the program's time."""
+    """Yield stack, mode, reads; milliseconds and Mb/s of the answers, modelled and with the program's time."""
     for row in bursts:
         times = (f"{time / 1e3:,.3f}" for time in (row.modelled, row.total))
         rates = (f"{row.megabits(time):.2f}" for time in (row.modelled, row.total))
@@ -141,7 +141,7 @@ def burst_rows(bursts: Sequence[Burst]) -> Iterator[Row]:
 
 
 def gateware_rows(figures: GatewareFigures) -> Iterator[Row]:
-    """Return what, cycles, time or rate, and the paper's figure."""
+    """Yield the quantity, cycles, time or rate, and the paper's figure."""
     for what, cycles, access, known in (
         ("read: last byte in to last byte out", figures.read_cycles, "read", published.LATENCY),
         ("write: last byte in to last byte out", figures.write_cycles, "write", published.LATENCY),
@@ -163,7 +163,7 @@ def gateware_rows(figures: GatewareFigures) -> Iterator[Row]:
 
 
 def stamp_rows(stamps: Iterable[Stamps]) -> Iterator[Row]:
-    """Return mode, reads; Mb/s on average and between pauses, answers and time from pause to pause; the paper's."""
+    """Yield mode, reads; Mb/s on average and between pauses; answers and time from pause to pause; the paper's."""
     for row in stamps:
         known = NOTHING
         if (row.count, row.send_immediate) == (200, "off, 1 ms"):
@@ -183,7 +183,7 @@ def stamp_rows(stamps: Iterable[Stamps]) -> Iterator[Row]:
 
 
 def publish_rows(results: Results) -> Iterator[Row]:
-    """Return words and bytes of a message; kHz of gateware and line, and of each stack, burst and sustained."""
+    """Yield words and bytes of a message; kHz of gateware and line, and of each stack, burst and sustained."""
     gateware = {} if results.gateware is None else {row.words: row.rate for row in results.gateware.publishing}
     by_stack: dict[str, dict[int, PublishLimit]] = {stack: {} for stack in STACKS}
     for limit in results.publish_limits:
@@ -197,7 +197,7 @@ def publish_rows(results: Results) -> Iterator[Row]:
 
 
 def media_rows(media: Iterable[MediumFigures]) -> Iterator[Row]:
-    """Return medium, FIFOs, line; read and write; Mb/s of answers and posts; kHz of samples; repeated requests."""
+    """Yield medium, FIFOs, line; read and write; Mb/s of answers and posts; kHz of samples; retransmitted requests."""
     for row in media:
         yield (
             row.medium,
@@ -213,7 +213,7 @@ def media_rows(media: Iterable[MediumFigures]) -> Iterator[Row]:
 
 
 def form_rows(forms: Iterable[FormFigures]) -> Iterator[Row]:
-    """Return medium, gateway, form, time; thousands a second of reads, posts, words of blocks and samples."""
+    """Yield medium, gateway, form, time; thousands per second of reads, posts, words of blocks and samples."""
     for row in forms:
         yield (
             row.medium,
@@ -225,7 +225,7 @@ def form_rows(forms: Iterable[FormFigures]) -> Iterator[Row]:
 
 
 def line_rows(lines: Lines) -> Iterator[Row]:
-    """Return what someone writes, here and in the paper, and in its other solution."""
+    """Yield the part that a user writes, its lines here, in the paper, and in the paper's other solution."""
     known = {row.what: quote(row) for row in published.TEXT if row.unit == "lines"}
     spec = f"{lines.spec}, of which {lines.comments} are comments"
     yield "specification", spec, known["specification"], "serial library by hand, not counted"
@@ -240,7 +240,7 @@ def line_rows(lines: Lines) -> Iterator[Row]:
 
 
 def check_rows(checks: Iterable[Check]) -> Iterator[Row]:
-    """Return what, how it was found, the figure, what is wanted, and whether it is met."""
+    """Yield the quantity, its kind, the figure, its limit, and whether the limit is met."""
     for check in checks:
         missed = "not on this machine" if check.measured else "NO"
         how = "measured" if check.measured else "in every run"
@@ -248,29 +248,29 @@ def check_rows(checks: Iterable[Check]) -> Iterator[Row]:
 
 
 def _head(results: Results) -> str:
-    behind = "the gateware itself" if results.parameters.gateway == "rtl" else "a model of the gateware"
+    behind = "the compiled gateware" if results.parameters.gateway == "rtl" else "a model of the gateware"
     quick = "**A quick run, of too few accesses to be quoted.**\n\n" if results.parameters.quick else ""
     return f"""# The paper's experiment, again
 
 {quick}Written by `make table1` (`python -m benchmarks.paper`), unity-link {results.version}, {results.date}, on
 {results.parameters.machine}.
 
-The virtual FT232H with {behind} behind it, through `ftdi-async://`:
+The virtual FT232H with {behind}, through `ftdi-async://`:
 *low-level* is the driver's transport alone, *full stack* the whole link. *Clock-exact* is counted on the RTL,
-*modelled* is the time of USB and chip, the same in every run, and *measured* has in it the processor time of the
-program on this machine, too, and what it makes the program wait for the USB. How that is done, and what it leaves out:
+*modelled* is the time of USB and chip, the same in every run, and *measured* also includes the processor time of the
+program on this machine, and the waits for USB that it causes. The method and its limits:
 [docs/paper.md](../docs/paper.md).
-{NOTHING}: there is no such figure; in the column of the paper, that it has none.
+{NOTHING}: there is no such figure, here or in the paper.
 """
 
 
 def _table_1(results: Results) -> str:
     text = (
-        "As in the paper, every access at once behind the one before. Times are means, with standard deviation and "
-        "median. The paper does not tell its latency timer; its figures without send-immediate are those of 1 ms, "
-        "while the chip itself has 16 ms after a reset. Low-level are the paper's messages, without IDs; the full "
-        "stack's have IDs of three digits. By the clock on the wall: in real time, to a virtual chip that a thread "
-        "moves along, on a machine that has other things to do, too.\n"
+        "As in the paper, every access immediately follows the one before. Times are means, with standard deviation "
+        "and median. The paper does not state its latency timer; its figures without send-immediate are those of "
+        "1 ms, while the chip has 16 ms after a reset. Low-level messages are those of the paper, without IDs; those "
+        "of the full stack have IDs of three digits. By the clock on the wall: in real time, with a virtual chip that "
+        "a thread simulates, on a machine with other work.\n"
     )
     parts = [f"## Table I\n\n{text}"]
     for operation, title in TITLES.items():
@@ -292,7 +292,7 @@ def _table_1(results: Results) -> str:
 
 def _gateware(figures: GatewareFigures) -> str:
     head = ("clock-exact (RTL)", "cycles", f"at {figures.clock_hz / 1e6:g} MHz", "paper")
-    text = "## The gateware alone\n\nAt the port of its FIFOs; the bus answers in the cycle after it was asked.\n\n"
+    text = "## The gateware alone\n\nAt the port of its FIFOs; the bus answers in the cycle after a request.\n\n"
     return text + table(head, gateware_rows(figures))
 
 
@@ -325,8 +325,8 @@ def _throughputs(throughputs: Sequence[Throughput]) -> str:
         "of 64 Mb/s",
     )
     text = (
-        "To the gateway and from it; the part of 64 Mb/s is that of the direction that it fills. The best of "
-        "several runs. A rate a little above 64 Mb/s is one of packets: they come by the microframe."
+        "To the gateway and from it; the share of 64 Mb/s is that of the fuller direction. The best of several runs. "
+        "A rate slightly above 64 Mb/s results from packets, which arrive in microframes."
     )
     return f"## Long bursts\n\n{text}\n\n" + table(head, throughput_rows(throughputs))
 
@@ -345,8 +345,8 @@ def _bursts(bursts: Sequence[Burst]) -> str:
         published.value(published.MOST_REQUESTS, "low-level", "read", mode) for mode in ("off", "always")
     )
     text = (
-        f"Until the last answer is there. The paper's could be of {without:g} requests and more, with send-immediate"
-        f" of {with_it:g} requests."
+        f"Time until the last answer is received. The paper's bursts had at most {without:g} requests or more, with "
+        f"send-immediate {with_it:g} requests."
     )
     return f"## Bursts of reads\n\n{text}\n\n" + table(head, burst_rows(bursts))
 
@@ -362,9 +362,9 @@ def _stamps(stamps: Sequence[Stamps]) -> str:
         "paper",
     )
     text = (
-        "Low-level; modelled, with the gateware's part clock-exact. Each word that is read is the time at which it "
-        "is read. A pause is more than twice the usual time from one to the next. Rates above 64 Mb/s are those of "
-        "answers that wait in the FIFO."
+        "Low-level; modelled, with the gateware's part clock-exact. Each word is the time of its read. A pause is a "
+        "gap of more than twice the usual time between two answers. Rates above 64 Mb/s occur while answers wait in "
+        "the FIFO."
     )
     return f"## Bursts by the gateway's clock\n\n{text}\n\n" + table(head, stamp_rows(stamps))
 
@@ -385,9 +385,10 @@ def _publishing(results: Results) -> str:
     sustained = results.sustained
     base = results.parameters.base_frequency / 1e6
     text = (
-        f"kHz. The highest of the rates {base:g} MHz / n at which no sample is lost: of {BURST} samples, which may "
-        "wait in the gateway until they are sent, and for ever. The gateware's own is that of all its groups "
-        "together, which no tick limits. A program that takes no time gets the same from both stacks.\n\n"
+        f"kHz. The highest of the rates {base:g} MHz / n at which no sample is lost: in a burst of {BURST} samples, "
+        "which the gateway may buffer, and sustained. The rate of the gateware alone is that of all its groups "
+        "together, which the base tick does not limit. For a program that takes no time, both stacks have the same "
+        "rates.\n\n"
     )
     after = (
         f"\nOne word at {sustained.rate / 1e3:.2f} kHz for {sustained.seconds:.2f} s, taken by `async for`: "
@@ -410,10 +411,10 @@ def _media(media: Sequence[MediumFigures]) -> str:
     )
     text = (
         "Modelled, with the gateway's model in Python: full stack, adaptive, accesses at any time, long bursts, "
-        "samples of one word. The line of a UART has ten bits a byte. That of the synchronous FIFO carries one "
-        "direction at a time, and no time to turn it round is in the model. Behind a UART of three wires nothing "
-        "stops the host, so requests under way have to fit in the receive FIFO: one, in 16 bytes. An FT245 stops by"
-        " itself. A request whose answer is late is repeated; none was lost."
+        "samples of one word. The line of a UART has ten bits per byte. That of the synchronous FIFO carries one "
+        "direction at a time; the model has no turnaround time. A UART of three wires has no flow control, so the "
+        "requests in flight must fit into the receive FIFO: one, in 16 bytes. An FT245 has flow control. A request "
+        "whose answer is late is retransmitted; none was lost."
     )
     return f"## Other media, other FIFOs\n\n{text}\n\n" + table(head, media_rows(media))
 
@@ -430,15 +431,15 @@ def _forms(forms: Sequence[FormFigures]) -> str:
         "samples of one word",
     )
     text = (
-        "Full stack, adaptive, long bursts, and samples where more are due than fit; the samples that did not fit were "
-        "counted as lost. On the shared FIFO both directions together have 8 MB/s, and the check has 16 bits."
+        "Full stack, adaptive, long bursts, and samples with more due than the line transfers; the others were counted "
+        "as lost. On the shared FIFO both directions together have 8 MB/s, and the CRC has 16 bits."
     )
     return f"## Text and compact frames\n\n{text}\n\n" + table(head, form_rows(forms))
 
 
 def _lines(lines: Lines) -> str:
     head = ("the 18-DOF walker, in lines", "here", "paper", "the other solution of the paper")
-    text = "What someone writes to have its 72 values on the PC; blank lines do not count."
+    text = "Lines that a user writes to have its 72 values on the PC, without blank lines."
     return f"## Complexity\n\n{text}\n\n" + table(head, line_rows(lines))
 
 
@@ -447,7 +448,7 @@ def _not_without_a_board() -> str:
 
 
 def _checks(results: Results) -> str:
-    return "## What must hold\n\n" + table(("what", "known", "found", "wanted", "met"), check_rows(results.checks))
+    return "## Limits\n\n" + table(("what", "known", "found", "wanted", "met"), check_rows(results.checks))
 
 
 def _parameters(results: Results) -> str:
@@ -461,5 +462,5 @@ def _parameters(results: Results) -> str:
         ("its FIFOs", f"{values.receive_fifo_bytes} bytes in, {values.transmit_fifo_bytes} out"),
         ("driver", f"{values.posted_reads} reads of {values.read_size} bytes posted"),
     ]
-    text = "## Parameters\n\nSeconds and bytes; where each is from stands in `unity_link/virtual/ft232h/timing.py`.\n\n"
+    text = "## Parameters\n\nIn seconds and bytes; `unity_link/virtual/ft232h/timing.py` has the sources.\n\n"
     return text + table(("what", "value"), rows)

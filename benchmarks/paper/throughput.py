@@ -1,4 +1,4 @@
-"""What bursts move: long ones, for the rate, and short ones, for how it is reached."""
+"""Throughput of bursts: long ones for the rate, and short ones for the way to it."""
 
 from __future__ import annotations
 
@@ -17,24 +17,24 @@ if TYPE_CHECKING:
     from benchmarks.paper.workbench import Measure, Workbench
 
 _LONG = 3
-"""The longer burst is so many times the shorter one."""
+"""Length of the longer burst, as a multiple of the shorter one."""
 _BLOCKS = 150
-"""At least, or the last latency timer counts for too much."""
+"""Minimum number of blocks; with fewer, the last latency timer has too much influence."""
 _PAUSE = 2.0
-"""So many times the usual distance of two answers is a pause."""
+"""A gap of this multiple of the usual distance of two answers is a pause."""
 
 
 def measure_throughputs(bench: Workbench, stack: StackName, count: int, runs: int) -> Iterator[Throughput]:
-    """Measure all of one stack.
+    """Measure all rates of one stack.
 
-    Reads and writes: by how much longer a long burst takes than a short one, so that the wait for the very last answer
-    does not count. Posts: how long a long burst takes, for the wait for its confirmation is their only one.
+    Reads and writes: the time by which a long burst exceeds a short one, so that the wait for the very last answer is
+    not included. Posts: the time of a long burst, because they wait only for its confirmation.
 
     Args:
-        bench: where.
-        stack: through what.
-        count: accesses of the shorter burst; a tenth of that for blocks, which are long.
-        runs: how often with the program's time, of which the best counts.
+        bench: measures.
+        stack: the stack to measure.
+        count: accesses of the shorter burst; a tenth of it for blocks, which are long.
+        runs: number of runs with the program's time, of which the best counts.
     """
     for access in ACCESSES:
         measures = [
@@ -79,10 +79,10 @@ def measure_stamps(bench: Workbench, counts: Sequence[int]) -> Iterator[Stamps]:
 
 
 def measuring_rate(access: Access, count: int) -> Measure[tuple[float, tuple[int, int]]]:
-    """Return what finds the accesses a second of a long burst, and the bytes of one."""
+    """Return a function that measures the accesses per second of a long burst, and the bytes of one access."""
 
     async def measure(stack: Stack) -> tuple[float, tuple[int, int]]:
-        # What is done once, at the first time, is not part of any rate.
+        # Work that is done only once is not part of any rate.
         await stack.burst(access, max(1, count // 10))
         long = await _time(stack, access, _LONG * count)
         if access == "post":

@@ -1,4 +1,4 @@
-"""The same through other media, and with other FIFOs in the gateway: modelled, on the gateway's model in Python."""
+"""Other media, and other FIFOs in the gateway: modelled, on the gateway's Python model."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def measure_media(times: int, count: int) -> Iterator[MediumFigures]:
     """Measure each medium with each size of FIFOs, without the program's time.
 
     Args:
-        times: single accesses.
+        times: number of single accesses.
         count: accesses of a burst; there are twenty times as many samples.
     """
     for medium in MEDIA:
@@ -62,7 +62,7 @@ def _measuring(medium: Medium, times: int, count: int) -> Measure[MediumFigures]
 
 
 async def _one(stack: Stack, access: Access, times: int) -> Spread:
-    """Measure one access, at any time."""
+    """Measure single accesses, at any time."""
     loop, taken = asyncio.get_running_loop(), []
     for index in range(2 + times):
         await asyncio.sleep(index * _STEP % _STEPS * 1e-6)

@@ -1,6 +1,6 @@
-"""Reads and writes in real time, on a virtual chip that a thread moves along: measured alone, nothing is modelled away.
+"""Reads and writes in real time, on a virtual chip that is simulated by a thread: only measured, without modelled time.
 
-What the kernel takes to wake a program is in these figures, and so is what else runs on the machine.
+The figures include the time of the kernel to wake a program, and the influence of other programs on the machine.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ _WARM_UP = 10
 
 
 def measure_wall_clock(times: int) -> Iterator[WallClock]:
-    """Measure so many accesses of each kind, in each mode."""
+    """Measure accesses of each kind, in each mode."""
     for mode in _MODES:
         for access, taken in zip(_ACCESSES, asyncio.run(_measure(mode, times)), strict=True):
             yield WallClock(access=access, send_immediate=mode, taken=taken)

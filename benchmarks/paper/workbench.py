@@ -1,4 +1,4 @@
-"""A gateway, a chip and a loop, fresh for each measurement."""
+"""A new gateway, chip and loop for each measurement."""
 
 from __future__ import annotations
 
@@ -34,11 +34,11 @@ T = TypeVar("T")
 Measure: TypeAlias = "Callable[[Stack], Coroutine[None, None, T]]"
 
 OPENING = 60.0
-"""Seconds of modelled time that opening may take: no answer is late on a virtual chip."""
+"""Timeout in seconds of modelled time for opening; it is long, because no answer is late on a virtual chip."""
 
 
 def available_gateway() -> GatewayKind:
-    """Return what can stand behind the chip on this machine: the RTL, where there is a C++ compiler."""
+    """Return the gateway that this machine can run: the RTL if there is a C++ compiler, otherwise the model."""
     try:
         compiled_gateway()
     except ConnectError:
@@ -52,18 +52,18 @@ class Workbench(msgspec.Struct, frozen=True):
     gateway: GatewayKind
     timing: Timing = Timing()
     counts_host_time: bool = True
-    """False to leave the program's time out everywhere: then every run gives the same."""
+    """False to exclude the program's time everywhere, so that every run has the same results."""
     medium: Medium = ASYNCHRONOUS
-    """Medium between chip and gateway; the RTL is behind the default alone."""
+    """Medium between chip and gateway; the RTL is available only with the default."""
 
     def run(self, stack: StackName, mode: Mode, measure: Measure[T], *, host_time: bool) -> T:
-        """Measure on a fresh gateway, through one of the stacks.
+        """Measure on a new gateway, through one of the stacks.
 
         Args:
             stack: the way to the gateway.
             mode: of send-immediate.
-            measure: works on it, and reads the time of the running loop.
-            host_time: count the program's processor time besides the modelled time.
+            measure: uses the stack, and reads the time of the running loop.
+            host_time: include the program's processor time in the modelled time.
         """
         gc.collect()
         with asyncio.Runner(
@@ -80,14 +80,14 @@ class Workbench(msgspec.Struct, frozen=True):
     ) -> list[tuple[T, T]]:
         """Return figures without the program's time, and the best of several runs with it.
 
-        What else runs on the machine spoils the caches, and so can only make a figure worse. The measurements take
-        turns, so that it does that to all of them alike.
+        Other programs on the machine use the caches too, and so can only make a figure worse. The measurements take
+        turns, so that all are affected alike.
 
         Args:
             stack: the way to the gateway.
-            measures: each gives a figure, in a mode.
-            runs: how often with the program's time.
-            badness: of a figure; the least is the best.
+            measures: each returns a figure, in a mode.
+            runs: number of runs with the program's time.
+            badness: of a figure; the smallest is the best.
         """
         modelled = [self.run(stack, mode, measure, host_time=False) for mode, measure in measures]
         if not self.counts_host_time:
@@ -117,7 +117,7 @@ class Workbench(msgspec.Struct, frozen=True):
     def _board(self) -> tuple[BareGateway, AttachedBoard]:
         info = self.medium.of(MODEL)
         if self.gateway == "model":
-            # Bytes come one by one: a step that fills a FIFO would look like an overflow.
+            # Bytes arrive one by one: a step that fills a FIFO would look like an overflow.
             step = min(STEP, self.medium.fifo_bytes // 2)
             model = VirtualGateway(info)
             return model, GatewayBoard(model, self.medium.mode, step=step)
