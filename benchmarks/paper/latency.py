@@ -32,7 +32,7 @@ def measure_latencies(bench: Workbench, stack: StackName, times: int, runs: int 
     """Measure all latencies of one stack.
 
     Args:
-        bench: measures.
+        bench: runs the measurements.
         stack: the stack to measure.
         times: number of accesses; a tenth of it if each takes 16 ms.
         runs: number of runs with the program's time, of which the best counts.

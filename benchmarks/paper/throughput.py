@@ -1,4 +1,4 @@
-"""Throughput of bursts: long ones for the rate, and short ones for the way to it."""
+"""Throughput of bursts: long bursts give the rate, and short ones show how it is reached."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def measure_throughputs(bench: Workbench, stack: StackName, count: int, runs: in
     not included. Posts: the time of a long burst, because they wait only for its confirmation.
 
     Args:
-        bench: measures.
+        bench: runs the measurements.
         stack: the stack to measure.
         count: accesses of the shorter burst; a tenth of it for blocks, which are long.
         runs: number of runs with the program's time, of which the best counts.

@@ -30,8 +30,8 @@ def test_cells_are_counted_by_what_they_take() -> None:
     }
 
 
-def test_a_cell_that_is_not_known_is_refused_by_its_name() -> None:
-    with pytest.raises(ValueError, match="rPLL of Gowin GW1NR-9 is not known"):
+def test_an_unknown_cell_is_refused_by_its_name() -> None:
+    with pytest.raises(ValueError, match="rPLL of Gowin GW1NR-9 is unknown"):
         counted({"LUT4": 1, "rPLL": 1}, GOWIN)
 
 

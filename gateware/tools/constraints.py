@@ -24,7 +24,7 @@ _RESETS = re.compile(r"^ *(\w+) : entity work\.ul_reset_synchroniser$", re.MULTI
 _FIFO = "ul_fifo_async"
 _POINTERS = ("write", "read")
 _FIFOS = ("*ft245_sync*fifo*", "*mac_inst*fifo*")
-"""Match the asynchronous FIFOs, and none of the synchronous FIFOs that `unity_link` has besides."""
+"""Patterns of the instances of the asynchronous FIFOs, which match no synchronous FIFO of `unity_link`."""
 _PADS = {"ul_ft245_async": ("receive_flag", "transmit_flag")}
 """Registers at the pins of an entity that sample asynchronous inputs."""
 _BOUND_NS = 10

@@ -300,7 +300,7 @@ SIMULATIONS = (
         "bench_bank",
         {
             "bank_accesses": Picture(
-                "A write, a read of the same register, a read of a value from hardware, and a read of an unused address",
+                "A write, a read of the same register, a read of a hardware value, and a read of an unused address",
                 _rows(
                     *_READ[:3],
                     "wb_we",

@@ -104,7 +104,7 @@ module ul_lease_properties (
 			end_at <= end_asked;
 		end else if (goes_on)
 			end_at <= end_at + FINISH;
-		// 2, because the word was written a cycle ago and is in effect in the next one.
+		// `since` becomes 2, because the word was written a cycle ago and is in effect in the next one.
 		since <= takes ? 2 : since + (since != 15);
 	end
 

@@ -55,7 +55,7 @@ entity ul_lease is
     kick : in    std_logic_vector(axes * 64 - 1 downto 0);
     -- '1' for one cycle: kick was written; ignored if arm_written is '1' in the same cycle.
     kick_written : in    std_logic_vector(axes - 1 downto 0);
-    -- Equals now, for the registers.
+    -- Equal to now; the register bank reads it.
     clock : out   std_logic_vector(axes * 64 - 1 downto 0);
     -- Value of now in the last cycle with armed = '1' before the last fault.
     fault_time : out   std_logic_vector(axes * 64 - 1 downto 0);

@@ -69,7 +69,8 @@ entity ul_request_decoder is
     request_out_of_range : out   std_logic;
     request_id           : out   std_logic_vector(4 * id_digits - 1 downto 0);
     request_address      : out   std_logic_vector(4 * digits_of(address_bits) - 1 downto 0);
-    -- Number of words to read or write, or of addresses of GS; group of GN, GX and GP, or mode of I.
+    -- request_count: number of words to read or write, or of addresses of GS. request_group: group of GS, GN, GX and GP,
+    -- or mode of I. request_flags: flags of GS.
     request_count : out   std_logic_vector(7 downto 0);
     request_group : out   std_logic_vector(7 downto 0);
     request_flags : out   std_logic_vector(5 downto 0);

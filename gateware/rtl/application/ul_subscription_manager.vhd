@@ -14,8 +14,8 @@
 --
 -- Each sample has the epoch in which it was taken, for the frame writer.
 --
--- Group g has the places g * slot to g * slot + n - 1 in the memory of addresses and in each half of the memory of last
--- samples.
+-- A group g of n words uses the places g * slot to g * slot + n - 1 in the memory of addresses and in each half of the
+-- memory of last samples.
 
 library ieee;
   use ieee.std_logic_1164.all;

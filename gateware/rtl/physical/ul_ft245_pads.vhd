@@ -41,7 +41,7 @@ end entity ul_ft245_pads;
 
 architecture rtl of ul_ft245_pads is
 
-  -- In the order RD#, WR#, OE#, SIWU#.
+  -- From the highest bit: RD#, WR#, OE#, SIWU#.
   signal strobes   : std_logic_vector(3 downto 0);
   signal strobes_n : std_logic_vector(3 downto 0);
   signal rests     : std_logic;

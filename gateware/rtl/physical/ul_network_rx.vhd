@@ -52,7 +52,8 @@ architecture rtl of ul_network_rx is
 
   -- Place of the arriving byte in the frame, at most `header`.
   signal place : unsigned(5 downto 0);
-  -- The bytes so far allow that the frame is for this gateway.
+  -- wanted: no byte so far excludes that the frame is for this gateway. to_me, to_all: the destination so far is this
+  -- gateway, or broadcast.
   signal wanted  : std_logic;
   signal to_me   : std_logic;
   signal to_all  : std_logic;

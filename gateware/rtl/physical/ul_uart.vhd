@@ -144,7 +144,7 @@ architecture rtl of ul_uart is
   signal tx_count : unsigned(3 downto 0);
   signal tx_load  : std_logic;
   signal tx_last  : std_logic;
-  -- For half-duplex.
+  -- Signals for half-duplex.
   signal driving   : std_logic;
   signal tail_over : std_logic;
   signal may_drive : std_logic;
