@@ -134,9 +134,9 @@ async def test_the_state_of_the_network_is_behind_comm_and_commits_behind_ctrl()
         assert (state.resets, state.errors) == (2, 9)
         assert 0 < state.packets <= memory.packets(Accesses.passed)
         without = TosnetNetwork(link, BASE, nodes=15)
-        with pytest.raises(ArgumentError, match="its state is behind COMM, which was not given"):
+        with pytest.raises(ArgumentError, match="its state cannot be read, because no COMM was given"):
             await without.state()
-        with pytest.raises(ArgumentError, match="commits are behind CTRL, which was not given"):
+        with pytest.raises(ArgumentError, match="it cannot commit, because no CTRL was given"):
             await without.commit_write()
 
 

@@ -1,4 +1,4 @@
-"""The networks of an interface whose double buffers are committed by whoever writes: TOSNET with CTRL in a spec."""
+"""The networks of an interface that need a commit after each write: those of type TOSNET with CTRL in a spec."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class NetworkMemory(NamedTuple):
     """A double-buffered memory."""
 
     ctrl: int | str
-    """Address of CTRL, or the parameter of the interface that gives it."""
+    """Address of CTRL, or the name of the open parameter of the interface that sets it."""
     comm: int | str | None
     addresses: tuple[int, ...]
     """Addresses of all words that signals and named modules write, ascending."""
@@ -35,13 +35,13 @@ def networks(interface: Interface) -> list[NetworkMemory]:
 
 
 def given_parameters(interface: Interface) -> tuple[str, ...]:
-    """Return the open parameters of an interface that its networks need, in their order."""
+    """Return the open parameters that the CTRL and COMM of an interface's networks use, in the interface's order."""
     used = {handle for network in networks(interface) for handle in (network.ctrl, network.comm)}
     return tuple(name for name in interface.open_parameters if name in used)
 
 
 def shared_addresses(interface: Interface) -> frozenset[int]:
-    """Return the addresses of words that only a commit sends, whatever is given when the interface is opened."""
+    """Return the addresses of words that only a commit sends, of the networks with a fixed CTRL (no open parameter)."""
     return frozenset(
         address for network in networks(interface) if isinstance(network.ctrl, int) for address in network.addresses
     )

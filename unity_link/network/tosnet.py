@@ -1,20 +1,20 @@
-"""TosNet: the network of fibre optics whose nodes share a memory. TOSNET and TOSNET_NODE in a spec.
+"""TosNet: a fibre-optic network in which all nodes share a memory; TOSNET and TOSNET_NODE in a spec.
 
-TosNet [1] mirrors one block of memory in all nodes, each cycle. Of its 1024 words, node n has the 64 from 64 n on; each
-of a node's 8 registers has 8 words: 0 to 3 are sent by the node, 4 to 7 are sent to it. These are TosNet's own
-addresses (`data_reg_addr` in its VHDL [2]: node, register, direction, word); figure 1 of the Unity-Link paper has its
-joints so in node 2.
+TosNet [1] mirrors one block of memory of 1024 words in all nodes, once in each cycle. Node n has the 64 words from
+address 64 n on. Each of its 8 registers has 8 words: the node sends words 0 to 3 and receives words 4 to 7. These are
+TosNet's own addresses (`data_reg_addr` in its VHDL [2]: node, register, direction, word). The joints in figure 1 of the
+Unity-Link paper have such addresses, in node 2.
 
-The memory is double-buffered. What is written goes into a buffer of its own until it is committed; with the next cycle
-the buffers change places. So the buffer that comes up next has not got what was written last, and a writer must write
-everything again: `TosnetNetwork` does.
+The memory is double-buffered. Written words stay in a back buffer until they are committed; in the next cycle the two
+buffers are exchanged. The new back buffer then lacks the words of the last commit, so a writer must write all its words
+again with each commit, as `TosnetNetwork` does.
 
-TosNet leaves to the design around it how a processor reaches its signals. CTRL and COMM are addresses of
+TosNet does not define how a processor reaches its signals. In a spec, CTRL and COMM are the addresses of these words:
 
 | word | bits | TosNet's signal |
 |---|---|---|
-| CTRL | 0 | `commit_write`: set by a write, reads as 1 until the buffers have changed places |
-| | 1 | `commit_read`: likewise, of the buffer that is read |
+| CTRL | 0 | `commit_write`: set by a write, reads as 1 until the write buffers have been exchanged |
+| | 1 | `commit_read`: the same for the read buffers |
 | COMM | 0 | `online` |
 | | 1 | `is_master` |
 | | 2 | `packet_error`: the last packet was damaged |
@@ -23,8 +23,9 @@ TosNet leaves to the design around it how a processor reaches its signals. CTRL 
 | COMM + 2 | | `packet_counter` |
 | COMM + 3 | | `error_counter` |
 
-Without CTRL nothing is committed from here: the gateware commits in each cycle by itself. With it, writes are committed
-and reads are not, since groups that the gateway publishes need a gateware that commits reads by itself anyway.
+Without CTRL this module commits nothing: the gateware must commit in each cycle by itself. With CTRL each write is
+committed, but reads only if `commit_read` is called, because groups that the gateway publishes need gateware that
+commits reads by itself anyway.
 
 [1] S. Falsig, A. S. Sørensen: TosNet: An easy-to-use, real-time communications protocol for modular, distributed robot
 controllers. RoboComm 2009. [2] OpenCores, project tosnet, revision 3.2: tosnet.vhd, tal_top.vhd.
@@ -54,20 +55,20 @@ NODES = 16
 NODE_WORDS = 64
 REGISTERS = 8
 REGISTER_WORDS = 4
-"""Words of a register in each direction."""
+"""Number of words of a register in each direction."""
 COMMIT_WRITE, COMMIT_READ = 1, 2
 _STATE_WORDS = 4
 _LOST_CYCLES = 1000
-"""Reads of CTRL after which a commit counts as lost: many cycles of even the slowest network."""
+"""Reads of CTRL until a commit counts as failed; they take many cycles of even the slowest network."""
 
 
 class TosnetState(msgspec.Struct, frozen=True, kw_only=True):
-    """State of a network; the counters count since the FPGA was configured."""
+    """State of a network. The counters start at 0 when the FPGA is configured."""
 
     online: bool
     """True if the network is configured and running."""
     is_master: bool
-    """True if the gateway's node is the one that sends the packets."""
+    """True if the gateway's node is the master, which starts the packets."""
     packet_error: bool
     """True if the last packet was damaged."""
     system_halt: bool
@@ -75,11 +76,11 @@ class TosnetState(msgspec.Struct, frozen=True, kw_only=True):
     resets: int
     packets: int
     errors: int
-    """Packets that arrived damaged."""
+    """Number of packets that arrived damaged."""
 
 
 class TosnetNetwork(Module):
-    """A TosNet network, seen from one of its nodes."""
+    """A TosNet network, accessed through one of its nodes."""
 
     def __init__(
         self,
@@ -91,15 +92,15 @@ class TosnetNetwork(Module):
         comm: int | None = None,
         nodes: int | None = None,
     ) -> None:
-        """Stand on a link.
+        """Create the proxy of a network.
 
         Args:
             bus: as for `Module`.
             base: address of the shared memory.
-            size: number of its words; None for those of all nodes.
-            ctrl: address of the control word; None where the gateware commits by itself.
-            comm: address of the words of state; None where there are none.
-            nodes: how many there are, 1 to 16.
+            size: number of words of the shared memory; None for 64 words per node.
+            ctrl: address of the control word; None if the gateware commits by itself.
+            comm: address of the state words; None if the gateway has none.
+            nodes: number of nodes, 1 to 16; None for 16.
         """
         self.nodes = NODES if nodes is None else nodes
         super().__init__(bus, base, size=NODE_WORDS * self.nodes if size is None else size)
@@ -109,7 +110,7 @@ class TosnetNetwork(Module):
 
     @property
     def bus(self) -> Bus:
-        """The link, behind what commits each write."""
+        """The bus for reads and writes of the shared memory; with CTRL, it commits each write."""
         return self.outer if self._committing is None else self._committing
 
     def node(self, number: int) -> TosnetNode:
@@ -123,10 +124,10 @@ class TosnetNetwork(Module):
         """Read the state of the network and its counters.
 
         Raises:
-            ArgumentError: where no COMM was given.
+            ArgumentError: if no COMM was given.
         """
         if self.comm is None:
-            raise ArgumentError(f"{self!r}: its state is behind COMM, which was not given")
+            raise ArgumentError(f"{self!r}: its state cannot be read, because no COMM was given")
         flags, resets, packets, errors = (int(word) for word in await self.link.read_block(self.comm, _STATE_WORDS))
         return TosnetState(
             online=bool(flags & 1),
@@ -139,42 +140,44 @@ class TosnetNetwork(Module):
         )
 
     async def commit_read(self) -> None:
-        """Show the newest packet to reads, and wait until it is shown; for gateware that does not by itself.
+        """Make the newest packet visible to reads, for gateware that does not commit reads by itself.
+
+        Return after the buffers have been exchanged.
 
         Raises:
-            ArgumentError: where no CTRL was given.
-            UnityLinkError: where the network does not run.
+            ArgumentError: if no CTRL was given.
+            UnityLinkError: if the network does not run.
         """
         await self._bus_with_control().commit_read()
 
     async def commit_write(self) -> None:
-        """Send what was written, and wait until it is on its way. Writes through proxies do so by themselves.
+        """Commit all written words, and wait until the buffers have been exchanged. Writes through proxies also commit.
 
         Raises:
-            ArgumentError: where no CTRL was given.
-            UnityLinkError: where the network does not run.
+            ArgumentError: if no CTRL was given.
+            UnityLinkError: if the network does not run.
         """
         await self._bus_with_control().commit_write()
 
     def _bus_with_control(self) -> CommittingBus:
         if self._committing is None:
-            raise ArgumentError(f"{self!r}: commits are behind CTRL, which was not given")
+            raise ArgumentError(f"{self!r}: it cannot commit, because no CTRL was given")
         return self._committing
 
 
 class TosnetNode(Module):
-    """The shared memory of one node: 8 registers, each of 4 words that it sends and 4 that are sent to it."""
+    """The shared memory of one node: 8 registers, each with 4 words that the node sends and 4 that it receives."""
 
     SIZE = NODE_WORDS
 
     def __init__(self, bus: Bus, base: int = 0, *, size: int | None = None, node: int = 0) -> None:
-        """Stand on a link, or on a network's `bus`.
+        """Create the proxy of a node.
 
         Args:
-            bus: as for `Module`.
+            bus: as for `Module`, or the `bus` of a network, which commits each write.
             base: address of the node's first word.
             size: as for `Module`.
-            node: its number.
+            node: number of the node.
         """
         super().__init__(bus, base, size=size)
         self.node = node
@@ -184,11 +187,11 @@ class TosnetNode(Module):
         return await self.read_block(self._offset(register, 0), REGISTER_WORDS)
 
     async def sent_to(self, register: int) -> Words:
-        """Read the 4 words of a register that are sent to the node."""
+        """Read the 4 words of a register that the node receives."""
         return await self.read_block(self._offset(register, 1), REGISTER_WORDS)
 
     async def send(self, register: int, values: ArrayLike) -> None:
-        """Write the words of a register that are sent to the node, up to 4."""
+        """Write the first 1 to 4 of the words of a register that the node receives."""
         words = np.atleast_1d(np.asarray(values))
         if not 1 <= words.size <= REGISTER_WORDS:
             raise ArgumentError(f"{words.size} words were given for a register, 1 to {REGISTER_WORDS} expected")
@@ -202,7 +205,7 @@ class TosnetNode(Module):
 
 
 class _Written:
-    """Words ever written to a network over a link, by address."""
+    """Last value of each word that this program has written to a network over a link, by address."""
 
     def __init__(self) -> None:
         self.words: dict[int, int] = {}
@@ -210,23 +213,23 @@ class _Written:
 
 
 _WRITTEN: WeakKeyDictionary[Link, dict[int, _Written]] = WeakKeyDictionary()
-"""Words written to networks, by the address of CTRL."""
+"""Words written to networks, by link and by the address of CTRL."""
 
 
 class CommittingBus:
-    """A link on which all that was ever written is written again with each write, and then committed."""
+    """A bus for which each write also repeats all earlier writes to the network, and commits them."""
 
     def __init__(self, link: Bus, ctrl: int) -> None:
         self.gateway = link.gateway
         self.link = link_under(link)
         self._under = link
         self._ctrl = ctrl
-        # What one proxy of a network writes, none may take back: all on a link share it, as long as that lives.
+        # All proxies of a network on a link share the written words: otherwise one would commit old values of another.
         shared = _WRITTEN.setdefault(self.link, {}).setdefault(ctrl, _Written())
         self._written, self._lock = shared.words, shared.lock
 
     async def read(self, address: int) -> int:
-        """Read a word, as of the last commit of reads."""
+        """Read a word of the buffer that was shown by the last commit of reads."""
         return await self._under.read(address)
 
     async def read_block(self, address: int, count: int) -> Words:
@@ -234,15 +237,15 @@ class CommittingBus:
         return await self._under.read_block(address, count)
 
     async def read_many(self, addresses: ArrayLike) -> Words:
-        """Read many words."""
+        """Read words at any addresses."""
         return await self._under.read_many(addresses)
 
     async def read_queue(self, address: int, count: int) -> Words:
-        """Read an address many times."""
+        """Read one address several times."""
         return await self._under.read_queue(address, count)
 
     async def write_queue(self, address: int, values: ArrayLike) -> None:
-        """Write an address many times, without a commit: a shared memory has no queues."""
+        """Write one address several times, without a commit: a shared memory has no queues."""
         await self._under.write_queue(address, values)
 
     async def write(self, address: int, value: int) -> None:
@@ -250,11 +253,14 @@ class CommittingBus:
         await self.write_many([address], [value])
 
     async def post(self, address: int, value: int) -> None:
-        """Write a word and commit: a commit must be waited for."""
+        """Write a word, commit, and wait for both: a commit cannot be posted."""
         await self.write_many([address], [value])
 
     async def write_masked(self, address: int, value: int, mask: int) -> int:
-        """Change bits of what was written last, 0 at first: the other buffer would read back something older."""
+        """Change bits of the word that was written last (0 at first). Return that word.
+
+        The word is not read from the network, because the other buffer has an older one.
+        """
         async with self._lock:
             old = self._written.get(address, 0)
             await self._send({address: old & ~mask | value & mask})
@@ -272,24 +278,24 @@ class CommittingBus:
             await self._send(new)
 
     async def post_many(self, addresses: ArrayLike, values: ArrayLike) -> None:
-        """Write words and commit: a commit must be waited for."""
+        """Write words, commit, and wait for both: a commit cannot be posted."""
         await self.write_many(addresses, values)
 
     async def commit_write(self) -> None:
-        """Commit what was written, and wait until the buffers have changed places."""
+        """Commit all written words, and wait until the buffers have been exchanged."""
         async with self._lock:
             await self._send({})
             await self._settle(COMMIT_WRITE)
 
     async def commit_read(self) -> None:
-        """Commit the buffer that is read, and wait until it has changed places with the newest."""
+        """Commit the buffer that is read, and wait until it has been exchanged with the newest."""
         async with self._lock:
             await self._settle(COMMIT_WRITE)
             await self._under.write(self._ctrl, COMMIT_READ)
             await self._settle(COMMIT_READ)
 
     async def _send(self, new: dict[int, int]) -> None:
-        # Until the buffers have changed places, a write would come into the one that may be leaving.
+        # Until the buffers have been exchanged, a write could change the buffer that is being sent.
         await self._settle(COMMIT_WRITE)
         everything = self._written | new
         await self._under.write_many([*everything, self._ctrl], [*everything.values(), COMMIT_WRITE])
