@@ -190,7 +190,7 @@ def test_mapped_memory_has_no_gateway_to_be_examined(tmp_path: Path) -> None:
     assert examined(f"mmio:{tmp_path}/bus") == {}
     result = CliRunner().invoke(app, ["doctor", f"mmio:{tmp_path}/bus", "--json"])
     last = json.loads(result.stdout.splitlines()[-1])
-    assert (last["check"], last["text"]) == ("memory", "256 words of 32 bits are mapped, and no gateway is between")
+    assert (last["check"], last["text"]) == ("memory", "256 words of 32 bits are mapped, without a gateway in between")
 
 
 def test_a_port_that_another_program_has_is_told_with_that_program() -> None:

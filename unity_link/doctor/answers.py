@@ -1,4 +1,4 @@
-"""Diagnosis of a medium where no gateway answers: the own bytes, another speed, another protocol, or nothing."""
+"""Diagnosis of a medium on which no gateway answers: an echo, a wrong speed, another protocol, or silence."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ if TYPE_CHECKING:
     from unity_link.transport import DriverUrl
 
 PATIENCE = 0.5
-"""Seconds in which what is there says something, if it ever does."""
+"""Seconds to wait for an answer of any device."""
 PATIENCE_FOR_A_SPEED = 0.15
 SPEEDS = (115_200, 1_000_000, 921_600, 3_000_000, 12_000_000, 2_000_000, 460_800, 230_400, 57_600, 9_600)
-"""Bits a second that are tried, the usual ones first."""
+"""Speeds that are tried, in bits/s, common ones first."""
 _ANSWER = re.compile(rb"Q[0-9A-F]{64}")
 _LINE_ENDS = re.compile(rb"[\r\n]+")
 _HTTP_REQUEST = b"GET / HTTP/1.0\r\n\r\n"
@@ -52,7 +52,7 @@ _LONGEST_QUOTE = 60
 
 
 class Heard(NamedTuple):
-    """Bytes heard after a question."""
+    """Bytes received after a request was sent."""
 
     sent: bytes
     data: bytes
@@ -61,7 +61,7 @@ class Heard(NamedTuple):
 
 
 class _Listener(asyncio.Protocol):
-    """Collects what comes until it is enough."""
+    """Collects received bytes until a function returns that they are enough."""
 
     def __init__(self, enough: Callable[[bytes], object]) -> None:
         self.data = b""
@@ -74,7 +74,7 @@ class _Listener(asyncio.Protocol):
         if self._enough(self.data):
             self.done.set()
 
-    def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002  (what it is shows when it is opened)
+    def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002  (the next attempt reports it)
         self.ended = True
         self.done.set()
 
@@ -82,10 +82,16 @@ class _Listener(asyncio.Protocol):
 async def listen(
     url: DriverUrl, sent: bytes, seconds: float, enough: Callable[[bytes], object] = _ANSWER.search
 ) -> Heard:
-    """Open a medium, send bytes, and return what came until it was enough or the time was over.
+    """Open a medium, send bytes, and return the bytes received until they are enough or the time is over.
+
+    Args:
+        url: of the medium.
+        sent: bytes to send.
+        seconds: longest time to wait.
+        enough: called with all bytes received so far; a true result ends the wait.
 
     Raises:
-        ConnectError: where it cannot be opened.
+        ConnectError: if the medium cannot be opened.
     """
     listener = _Listener(enough)
     transport = await open_medium(_unshared(url), listener)
@@ -97,13 +103,13 @@ async def listen(
         heard = Heard(sent, listener.data, listener.ended)
     finally:
         transport.abort()
-        # A port is free for the next attempt in a later turn of the loop.
+        # Asyncio closes a port in a later turn of the loop; until then it cannot be opened again.
         await asyncio.sleep(0.01)
     return heard
 
 
 def _unshared(url: DriverUrl) -> DriverUrl:
-    """Return the URL of a port that is not shared with links to other nodes: on a shared port only a link may send."""
+    """Return the URL without `node=` if several nodes can share its port: on a shared port only links may send."""
     if not getattr(load_driver(url.scheme), "NODES_SHARE", False):
         return url
     options = {name: value for name, value in url.options.items() if name != "node"}
@@ -115,7 +121,7 @@ async def explain_silence(url: DriverUrl, error: ConnectError) -> AsyncIterator[
 
     Args:
         url: of the medium.
-        error: why a link could not be opened.
+        error: the error with which opening a link failed.
     """
     if LINE_ENDS in str(error):
         advice = "make it raw: a terminal server (ser2net: raw, not telnet), or the port, if another program has set it"
@@ -136,7 +142,7 @@ async def explain_silence(url: DriverUrl, error: ConnectError) -> AsyncIterator[
 
 
 async def find_echo(url: DriverUrl) -> Finding | None:
-    """Return what is wrong at a medium on which a gateway answers, and what is sent comes back as well; else None."""
+    """Return a finding if a gateway answers on a medium that also echoes the requests; otherwise None."""
     found = _recognise(await listen(url, _question(url), PATIENCE))
     return found if found is not None and found.fault is FaultName.LOOPBACK else None
 
@@ -146,14 +152,14 @@ def _question(url: DriverUrl) -> bytes:
 
 
 def has_speed(url: DriverUrl) -> bool:
-    """Return whether the host's end of a medium has a speed that can be wrong."""
+    """Return whether the host's end of a medium has a speed in bits/s that can be wrong."""
     return url.scheme == "serial" or asked_baud(url) is not None
 
 
 def _recognise(heard: Heard) -> Finding | None:
-    """Return what is known for sure by what came."""
+    """Return a finding if the bytes received prove its fault; otherwise None."""
     data = heard.data
-    # An echo is a frame of its own: the answer to `Q` begins with the same letter.
+    # Look for an echo among whole frames, because the answer to `Q` begins with the letter Q, too.
     if heard.sent.strip() in _LINE_ENDS.split(data):
         if _ANSWER.search(data):
             text = "what is sent comes back before the answer: the adapter, or the transceiver, echoes"
@@ -180,7 +186,7 @@ def _recognise(heard: Heard) -> Finding | None:
 
 
 async def _try_speeds(url: DriverUrl, question: bytes, heard: Heard) -> Finding | None:
-    """Return at which other speed a gateway answers; where none does, what the pattern of the garbage says."""
+    """Try other speeds, and return the one at which a gateway answers; otherwise, a guess from the received bytes."""
     tried = url.integer("baud", 115_200)
     for speed in SPEEDS:
         if speed == tried:
@@ -220,8 +226,8 @@ def _unrecognised(heard: Heard, error: ConnectError) -> Finding:
         "answer",
         "the medium is open and takes bytes, and nothing comes back",
         FaultName.STALLED,
-        "look whether the gateway is powered, configured and out of reset, and whether the wires are crossed; "
-        "what serves it may stand still",
+        "check that the gateway is powered, configured and out of reset, that TX and RX are crossed, and that the "
+        "program that serves it runs",
     )
 
 

@@ -1,4 +1,4 @@
-"""This computer: Python, the packages of each extra, the ports that are there, and how soon it runs what waits."""
+"""This computer: Python, the packages of each extra, the ports, and how late it runs tasks that are due."""
 
 from __future__ import annotations
 
@@ -26,18 +26,18 @@ DURATION = 1.0
 SLEEP = 0.001
 """Seconds between wake-ups, if the computer is never late."""
 LATEST = 0.005
-"""Seconds by which this computer may be late on average."""
+"""Longest acceptable average delay of a wake-up, in seconds."""
 
 
 def describe_python() -> Finding:
-    """Return which Python and which version of the package run."""
+    """Return the versions of Python and of this package."""
     import unity_link
 
     return Finding("python", f"{platform.python_version()} on {platform.system()}, unity-link {unity_link.__version__}")
 
 
 def describe_extras() -> Finding:
-    """Return which extras are installed. One that is missing is no fault: a medium that needs it says so."""
+    """Return the installed extras. A missing one is no fault: a medium that needs it reports that."""
     packages: dict[str, list[str]] = {}
     try:
         requirements = importlib.metadata.requires(PACKAGE) or []
@@ -65,7 +65,7 @@ def _is_installed(package: str) -> bool:
 
 
 class Wakes(NamedTuple):
-    """Delays of an event loop, which ran tasks that slept for `SLEEP` seconds."""
+    """Delays of an event loop that ran one task, which slept for `SLEEP` seconds again and again."""
 
     number: int
     seconds: float
@@ -80,25 +80,25 @@ class Wakes(NamedTuple):
 
 
 async def check_speed(duration: float = DURATION) -> list[Finding]:
-    """Return how late this computer runs a task that is due: on average, and at worst.
+    """Return how late this computer runs a task that is due: the average and the longest delay.
 
-    The average is a fault if it exceeds `LATEST` in two measurements. The longest pause is a figure for the time-out of
-    a lease, and no fault.
+    The average is a fault if it exceeds `LATEST` in two measurements. The longest delay is never a fault; it is a lower
+    limit for the time-out of a lease.
 
     Args:
-        duration: seconds of a measurement.
+        duration: seconds of each measurement.
     """
     wakes = again = await measure_wakes(duration)
     if wakes.average > LATEST:
         again = await measure_wakes(duration)
     late = min(wakes.average, again.average)
     if late <= LATEST:
-        speed = Finding("computer", f"runs what waits within {_time(late)}, on average")
+        speed = Finding("computer", f"runs tasks that are due within {_time(late)}, on average")
     else:
         load = f", at a load of {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores" if hasattr(os, "getloadavg") else ""
         speed = Finding(
             "computer",
-            f"this computer is slow to run what waits: {_time(late)} late on average{load}",
+            f"this computer is slow to run tasks that are due: {_time(late)} late on average{load}",
             FaultName.SLOW_HOST,
             "end other programs, leave power saving, or give the program a higher priority (nice, chrt)",
         )
@@ -108,7 +108,7 @@ async def check_speed(duration: float = DURATION) -> list[Finding]:
 
 
 async def measure_wakes(duration: float) -> Wakes:
-    """Sleep for `SLEEP` seconds again and again for `duration` seconds, and return the delays of the wake-ups."""
+    """Sleep for `SLEEP` seconds again and again, for `duration` seconds in total. Return the delays of the wake-ups."""
     began = last = time.perf_counter()
     count, longest = 0, 0.0
     while count == 0 or last - began < duration:
@@ -123,7 +123,7 @@ def _time(seconds: float) -> str:
 
 
 def list_ports() -> Iterator[Finding]:
-    """Return what a gateway may be connected to here: serial ports and FTDI chips."""
+    """Yield the ports to which a gateway may be connected: serial ports and FTDI chips."""
     from serial.tools.list_ports import comports
 
     from unity_link.doctor.media import check_permission
@@ -147,5 +147,5 @@ def _list_chips() -> Iterator[Finding]:
         for url, description in list_chips():
             yield Finding("port", f"{url}  {description}")
     except ConnectError as error:
-        # No fault: a computer may have no use for them.
+        # This is no fault: many computers need no FTDI chips.
         yield Finding("port", f"FTDI chips cannot be looked for: {error}")

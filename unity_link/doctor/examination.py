@@ -1,4 +1,4 @@
-"""All checks, in the order in which one thing needs another."""
+"""All checks, in the order in which they depend on each other."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ if TYPE_CHECKING:
     from unity_link.transport import DriverUrl
 
 _BEARABLE = (None, FaultName.LATENCY, FaultName.LOSS, FaultName.DOUBLE, FaultName.BAUD)
-"""Faults of a medium with which a link can be opened."""
+"""Findings about a medium after which a link can still be opened."""
 TIMEOUT = 2.5
-"""Seconds for a gateway to answer at all."""
+"""Seconds until a gateway must have answered."""
 
 
 async def examine(
@@ -34,16 +34,16 @@ async def examine(
     timeout: float = TIMEOUT,  # noqa: ASYNC109  (as `unity_link.connect`)
     duration: float = computer.DURATION,
 ) -> AsyncIterator[Finding]:
-    """Look for what is slow or wrong; where something is that hides the rest, the rest is not looked at.
+    """Run all checks in order. After a fault that makes later checks impossible, stop.
 
     Args:
-        url: where the gateway is to be; None to look at this computer alone.
-        interface: what a program takes the gateway for.
+        url: of the gateway; None to check only this computer.
+        interface: the interface that the gateway should have.
         timeout: seconds until the gateway must have answered.
-        duration: seconds for which pauses of this computer are measured.
+        duration: seconds for which delays of this computer are measured.
 
     Raises:
-        ArgumentError: for a URL that cannot be.
+        ArgumentError: if the URL is malformed.
     """
     yield computer.describe_python()
     yield computer.describe_extras()
@@ -100,7 +100,7 @@ def _explain_loss(error: UnansweredError | TimeoutError) -> Finding:
     reason = error.reason if isinstance(error, UnansweredError) else "the gateway does not answer any more"
     return Finding(
         "link",
-        f"the gateway answered at first, and then no more: {reason}",
+        f"the gateway answered at first, then stopped answering: {reason}",
         FaultName.STALLED,
-        "look at the clock, the power and the reset of the gateway, and at what serves it",
+        "look at the clock, the power and the reset of the gateway, and at the program that serves it",
     )

@@ -1,4 +1,4 @@
-"""Findings of the doctor, in words."""
+"""Results of the checks."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import msgspec
 
 
 class FaultName(enum.StrEnum):
-    """Names of faults, which programs may look for."""
+    """Names of faults, which programs may compare with."""
 
     MISSING = "missing package"
     PERMISSION = "no permission"
@@ -42,6 +42,6 @@ class Finding(msgspec.Struct, frozen=True):
     check: str
     text: str
     fault: FaultName | None = None
-    """None where nothing is wrong."""
+    """None if the check found no fault."""
     advice: str = ""
     """Advice to the user."""

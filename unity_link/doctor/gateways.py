@@ -1,7 +1,7 @@
-"""An open link, against what its medium allows: the gateway's version and map, FIFOs, round trip, throughput, noise.
+"""Checks on an open link: the gateway's version and map, FIFOs, round trip, throughput and noise.
 
-All that is sent is ``h``, which does nothing and is answered; and what reads the description of a gateway whose
-fingerprint is not that of the spec.
+The checks send ``h``, which has no effect on the bus. If the fingerprint of the gateway is not that of the spec, they
+also read the gateway's description of itself.
 """
 
 from __future__ import annotations
@@ -31,30 +31,30 @@ if TYPE_CHECKING:
 
 ROUND_TRIPS = 25
 BURST = 100
-"""Requests that are under way at a time, at most."""
+"""Most requests in flight at a time."""
 REQUESTS = 2_000
 LONGEST_BURST = 1.5
-"""Seconds for all bursts."""
+"""Seconds after which no further burst is started."""
 _FIFO_BYTES_PER_SECOND = 8e6
-"""Bytes a second through an asynchronous FT245."""
+"""Bytes per second through an asynchronous FT245 FIFO."""
 _BITS_PER_BYTE = 10
 _LONGEST_ANSWER = 2.0
-"""Seconds after which a gateway that has not answered stands still."""
+"""Seconds after which a gateway that has not answered counts as stalled."""
 _REQUEST_BYTES = 13
-"""Bytes of the answer to an ``h``, about; the request has fewer."""
+"""Approximate size of the answer to an ``h``, in bytes; the request is shorter."""
 _SLACK = 5e-3
-"""Seconds by which a computer with other work may be slower than the medium."""
+"""Seconds that a busy computer may add to a round trip."""
 _FEWEST_IN_FIFO = 4
-"""Writes that a receive FIFO should hold, so that the line need not wait for answers."""
+"""Number of writes that a receive FIFO should hold, so that the host can send without waiting for answers."""
 _LONG_LATENCY = 64
-"""ms, far above any round trip: what arrives before was sent at once by SIWU#."""
+"""Latency timer in ms, far above any round trip: answers that arrive earlier were sent at once because of SIWU#."""
 
 
 _OTHER_SPEC = "give the spec that the gateway was built from, or build the gateway from this one"
 
 
 class Measured(NamedTuple):
-    """Result of many requests."""
+    """Counts of a measurement with many requests."""
 
     requests: int
     seconds: float
@@ -65,7 +65,7 @@ class Measured(NamedTuple):
 
 
 async def check_gateway(url: DriverUrl, link: Link, interface: Interface | None) -> AsyncIterator[Finding]:
-    """Look at a gateway over an open link; what ends the link is raised."""
+    """Yield the findings about a gateway on an open link. An error that ends the link is raised."""
     info = link.gateway
     yield Finding(
         "gateway",
@@ -84,7 +84,7 @@ async def check_gateway(url: DriverUrl, link: Link, interface: Interface | None)
 
 
 def bytes_per_second(url: DriverUrl) -> float | None:
-    """Return what a medium carries in each direction; None where that is not known."""
+    """Return the bytes per second that a medium carries in each direction; None if that is not known."""
     if url.scheme == "serial":
         return url.integer("baud", 115_200) / _BITS_PER_BYTE
     if url.scheme not in SCHEMES:
@@ -95,17 +95,17 @@ def bytes_per_second(url: DriverUrl) -> float | None:
 
 async def _check_map(link: Link, interface: Interface | None) -> Finding:
     info = link.gateway
-    told = Feature.FINGERPRINT in info.features
+    named = Feature.FINGERPRINT in info.features
     if interface is None:
         return Finding(
-            "map", f"{info.build_id:08X}, not compared: no SPEC was given" if told else "the gateway names none"
+            "map", f"{info.build_id:08X}, not compared: no SPEC was given" if named else "the gateway names none"
         )
-    if told and info.build_id == interface.fingerprint:
+    if named and info.build_id == interface.fingerprint:
         return Finding("map", f"{info.build_id:08X}, that of {interface.name}")
     if Feature.DESCRIPTION in info.features:
         return await _compare(link, interface)
-    if not told:
-        return Finding("map", f"the gateway does not say which it is, so {interface.name} cannot be compared with it")
+    if not named:
+        return Finding("map", f"the gateway has no fingerprint, so {interface.name} cannot be compared with it")
     return Finding(
         "map",
         f"the gateway was built for the map {info.build_id:08X}, and the spec of {interface.name} describes the map "
@@ -116,7 +116,7 @@ async def _check_map(link: Link, interface: Interface | None) -> Finding:
 
 
 async def _compare(link: Link, interface: Interface) -> Finding:
-    """Compare a spec with that of the board, which is read."""
+    """Read the board's description of itself, and compare a spec with it."""
     try:
         differences = compare(interface, (await read_spec(link)).interface())
     except UnsupportedError as error:
@@ -131,7 +131,7 @@ def _check_fifo(info: GatewayInfo, url: DriverUrl) -> Finding:
     held = f"the gateway's receive FIFO holds {size} bytes"
     if flow:
         return Finding("FIFO", f"{held}, and the line waits while it is full")
-    # A write with ID, address, word, CRC and line end.
+    # A write has one letter, the ID, an address, a word, the CRC and a line end.
     longest = 1 + info.id_digits + info.address_digits + info.data_digits + info.crc_bits // 4 + 1
     if size >= _FEWEST_IN_FIFO * longest:
         return Finding("FIFO", f"{held}: {size // longest} writes, without flow control")
@@ -141,14 +141,14 @@ def _check_fifo(info: GatewayInfo, url: DriverUrl) -> Finding:
     return Finding(
         "FIFO",
         f"{held} without flow control: no more than {max(size // longest, 1)} of the writes can be under way, "
-        "and the line stands still in between",
+        "and the line is idle in between",
         FaultName.FIFO,
         advice,
     )
 
 
 async def _round_trip(link: Link, count: int) -> float:
-    """Return the median round trip of a lone request, in seconds."""
+    """Return the median round trip of a single outstanding request, in seconds."""
     times = []
     for _ in range(count):
         began = time.perf_counter()
@@ -160,7 +160,7 @@ async def _round_trip(link: Link, count: int) -> float:
 
 def _judge_round_trip(round_trip: float, rate: float | None, info: GatewayInfo) -> Finding:
     text = f"{_time(round_trip)}, median of {ROUND_TRIPS}"
-    # There and back; the answer counts failed posted writes as well.
+    # The request and the answer, which also has the count of failed posted writes (one more ID field in size).
     size = 2 * (1 + info.id_digits + info.crc_bits // 4 + 1) + info.id_digits
     allowed = 0.0 if rate is None else size / rate
     if rate is not None:
@@ -176,11 +176,11 @@ def _judge_round_trip(round_trip: float, rate: float | None, info: GatewayInfo) 
 
 
 async def check_send_immediate(url: DriverUrl, info: GatewayInfo) -> Finding:
-    """See whether SIWU# has a chip send at once: with a latency timer that is far longer than a round trip.
+    """Test if SIWU# makes a chip send at once: set a latency timer far longer than a round trip, and measure.
 
     Args:
-        url: of a chip whose pins are a FIFO, which nothing has open.
-        info: what the gateway behind it says of itself.
+        url: of a chip in a FIFO mode, which no program has open.
+        info: configuration of the gateway.
     """
     last = COMPACT_END if url.compact and Feature.COMPACT in info.features else LF
     advice = f"write event_char={last[0]} in the URL: each frame's end then sends the packet; or wire SIWU# (ACBUS4)"
@@ -202,7 +202,12 @@ async def check_send_immediate(url: DriverUrl, info: GatewayInfo) -> Finding:
 
 
 async def _measure(link: Link, rate: float | None) -> Measured:
-    """Send many requests at a rate, and return counts of their results."""
+    """Send many requests in bursts that suit a rate, and return the counts.
+
+    Args:
+        link: to the gateway.
+        rate: bytes per second that the medium carries; None if that is not known.
+    """
     before, began = link.statistics, time.perf_counter()
     burst = BURST if rate is None else min(BURST, max(1, int(rate * LONGEST_BURST / 4 / _REQUEST_BYTES)))
     done = 0
@@ -230,8 +235,8 @@ def _judge_noise(measured: Measured) -> Finding:
         "noise",
         f"{text}: about one byte in {round(1 / share):,} is damaged or lost on the way",
         FaultName.NOISE,
-        "shorten the cable, join the grounds, lower the speed, or look for lost bytes where there is no flow control; "
-        "the link repeats what was lost, and is slower for it",
+        "shorten the cable, join the grounds, lower the speed, or, without flow control, look for lost bytes; the link "
+        "retransmits lost requests, and is slower for it",
     )
 
 

@@ -1,4 +1,4 @@
-"""The port or chip that a URL names, before a link is opened on it: is it there, may it be used, is it set right."""
+"""Checks of the port or chip that a URL names, before a link is opened: existence, permission and settings."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ if TYPE_CHECKING:
     from unity_link.transport import DriverUrl
 
 LONGEST_LATENCY = 4
-"""ms of a latency timer beyond which it is what one waits for."""
+"""Longest acceptable latency timer, in ms; a longer one determines the round trip."""
 MOST_BAUD_ERROR = 0.01
-"""Relative error of a rate beyond which a UART may fail: its two ends may differ by some 2 to 4 % together."""
+"""Relative error of a rate above which a UART may fail. The errors of both ends together may be 2 to 4 %."""
 _CHIP_CLOCK = 12_000_000
 _SYSTEM = Path("/sys")
 _PROCESSES = Path("/proc")
@@ -46,7 +46,7 @@ _FAULTS = {
 
 
 def explain_failure(check: str, error: BaseException) -> Finding:
-    """Return what it means that a medium could not be opened, or was lost."""
+    """Return a finding, with advice, for the error with which a medium could not be opened or was lost."""
     text = str(error)
     fault, advice = _FAULTS.get(find_errno(error) or 0, (FaultName.FAILED, ""))
     if isinstance(error.__cause__, ImportError) or "is not installed" in text:
@@ -63,7 +63,10 @@ def explain_failure(check: str, error: BaseException) -> Finding:
 
 
 async def check_medium(url: DriverUrl) -> list[Finding]:
-    """Return what can be said of a port, a chip or a network; only to the last something is sent, and does nothing."""
+    """Return the findings about a port, a chip, a network or a mapped memory.
+
+    Only a network check sends requests, and these have no effect.
+    """
     if url.scheme == "serial":
         return list(_check_port(url))
     if url.scheme == "udp":
@@ -80,7 +83,7 @@ def _check_memory(url: DriverUrl) -> Finding:
         return Finding("memory", str(error), FaultName.FAILED)
     words = len(bus.words)
     bus.close()
-    return Finding("memory", f"{words:,} words of {bus.info.data_bits} bits are mapped, and no gateway is between")
+    return Finding("memory", f"{words:,} words of {bus.info.data_bits} bits are mapped, without a gateway in between")
 
 
 # Serial ports
@@ -103,7 +106,7 @@ def _check_port(url: DriverUrl) -> Iterator[Finding]:
 
 
 def check_permission(path: str) -> Finding | None:
-    """Return what to do for a port that this user may not open; None for one that may be."""
+    """Return a finding with advice if this user may not open a port; otherwise None."""
     if os.access(path, os.R_OK | os.W_OK):
         return None
     group = Path(path).group()
@@ -117,7 +120,7 @@ def check_permission(path: str) -> Finding | None:
 
 
 def adapter_latency(path: str, system: Path = _SYSTEM) -> int | None:
-    """Return the latency timer of a serial adapter as the kernel tells it, in ms; None where there is none."""
+    """Return the latency timer of a serial adapter in ms, as the kernel reports it; None if it has no such timer."""
     try:
         return int(_latency_file(path, system).read_text())
     except (OSError, ValueError):
@@ -136,7 +139,7 @@ def _judge_latency(check: str, latency: int, advice: str) -> Finding:
 
 
 def _holders(path: Path) -> Iterator[str]:
-    """Return the other programs of this user that have a file open; of those of others nothing can be known."""
+    """Yield the other programs of this user that have a file open. Programs of other users cannot be seen."""
     target = path.resolve()
     for process in _PROCESSES.glob("[0-9]*"):
         if process.name == str(os.getpid()):
@@ -184,7 +187,7 @@ def _check_chip(url: DriverUrl) -> Iterator[Finding]:
 
 
 def _judge_baud(baud: int) -> Finding:
-    """Return whether a chip makes a rate, in bits a second, as closely as a UART needs it."""
+    """Return whether the rate that a chip makes, in bits/s, is close enough to the requested one for a UART."""
     text = describe_baud(baud)
     if abs(made_of(baud) / baud - 1) <= MOST_BAUD_ERROR:
         return Finding("speed", text)

@@ -1,6 +1,6 @@
-"""The way to a gateway on the network: is there such a station, do datagrams arrive, and do all of them come back.
+"""Checks of the path to a gateway on the network: does the station exist, do datagrams arrive, and how many are lost.
 
-Some requests of a person, ``H``, are sent, which do nothing and begin no session.
+The checks send plain requests ``H``, which have no effect and begin no session.
 """
 
 from __future__ import annotations
@@ -26,28 +26,28 @@ if TYPE_CHECKING:
     from unity_link.transport import DriverUrl
 
 QUESTIONS = 100
-"""Datagrams that are asked for an answer, one after the other."""
+"""Number of datagrams that are sent, each after the answer to the last."""
 FIRST_PATIENCE = 0.6
-"""Seconds that each of the first ones is waited for: a station is looked for before."""
+"""Seconds to wait for each answer before the first has arrived: the system must find the station's MAC address."""
 FIRST_QUESTIONS = 5
-"""Questions without any answer, after which nothing is expected any more."""
+"""Number of unanswered datagrams, without any answer, after which the check ends."""
 PATIENCE = 0.1
 FIND_PATIENCE = 0.4
-"""Seconds in which boards tell who they are."""
+"""Seconds in which boards answer a discovery request."""
 MOST_LOST = 20
-"""Unanswered questions after which enough is known."""
+"""Number of unanswered datagrams, with some answers, after which the check ends."""
 _QUESTION = b"H\r"
 _NEIGHBOURS = Path("/proc/net/arp")
 _COMPLETE = 0x2
-"""Linux: flag of a neighbour whose address of the MAC is known."""
+"""Linux: flag of a neighbour whose MAC address is known (ATF_COM)."""
 _IP_RECVERR = 11
 _MSG_ERRQUEUE = 0x2000
 _ERROR = struct.Struct("@I4B")
-"""Linux: the beginning of `struct sock_extended_err`: errno, origin, type, code."""
-_OF_ICMP = 2
+"""Linux: first fields of `struct sock_extended_err`: errno, origin, type, code."""
+_FROM_ICMP = 2
 _UNREACHABLE = 3
 _PROHIBITED = frozenset({9, 10, 13})
-"""Codes of ICMP by which a firewall says that it is one."""
+"""ICMP codes with which a firewall rejects a datagram."""
 _ABSENT_ADVICE = "start what serves the gateway, or correct the port in the URL"
 _FIREWALL_ADVICE = (
     "let UDP from and to that port pass, at this computer and on the way: sudo nft list ruleset shows its rules"
@@ -55,17 +55,17 @@ _FIREWALL_ADVICE = (
 
 
 class Questioned(NamedTuple):
-    """Result of the questions."""
+    """Results of the requests."""
 
     asked: int
     answered: int
     refusal: str
-    """Sentence of the system or the network, empty where there is none."""
+    """Error message of the system or the network; empty if there was none."""
     fault: FaultName | None
 
 
 async def check_network(url: DriverUrl) -> list[Finding]:
-    """Return what can be said of the way to a gateway; where nothing comes back a finding has a fault."""
+    """Return the findings about the path to a gateway: the station, lost datagrams, and duplicate addresses."""
     findings = await asyncio.get_running_loop().run_in_executor(None, _check, url)
     if all(finding.fault in (None, FaultName.LOSS) for finding in findings):
         findings += await _doubles(url)
@@ -73,7 +73,7 @@ async def check_network(url: DriverUrl) -> list[Finding]:
 
 
 async def _doubles(url: DriverUrl) -> list[Finding]:
-    """Return that several boards have the address of a URL, where they do: all are asked, and answer with their MAC."""
+    """Return a finding if several boards have the address of a URL. All boards answer a broadcast with their MAC."""
     host, port = address(url)
     with contextlib.suppress(ConnectError, OSError):
         there = await asyncio.get_running_loop().getaddrinfo(host, port, family=socket.AF_INET, type=socket.SOCK_DGRAM)
@@ -83,7 +83,7 @@ async def _doubles(url: DriverUrl) -> list[Finding]:
             return [
                 Finding(
                     "address",
-                    f"{host} is the address of {' and '.join(names)}: which one is heard changes",
+                    f"{host} is the address of {' and '.join(names)}: which of them answers changes",
                     FaultName.DOUBLE,
                     "give each another one: unity-link find --assign MAC=ADDRESS, or build --ip",
                 )
@@ -117,12 +117,12 @@ def _check(url: DriverUrl) -> list[Finding]:
         mac = neighbour(there)
         return [Finding("network", where + (f"; the station is {mac}" if mac else "")), judge_loss(heard)]
     if heard.fault is FaultName.ABSENT:
-        return [Finding("network", f"{there} says that nothing listens at port {port}", heard.fault, _ABSENT_ADVICE)]
+        return [Finding("network", f"{there} reports that port {port} is closed", heard.fault, _ABSENT_ADVICE)]
     if heard.fault is FaultName.FIREWALL:
         return [
             Finding(
                 "network",
-                f"{heard.refusal}: a firewall drops what goes to port {port} of {there}",
+                f"{heard.refusal}: a firewall drops datagrams to port {port} of {there}",
                 heard.fault,
                 _FIREWALL_ADVICE,
             )
@@ -150,15 +150,15 @@ def _explain_silence(own: str, there: str, port: int, where: str) -> Finding:
         )
     return Finding(
         "network",
-        f"{there} is in no network of this computer, and nothing comes back from there",
+        f"{there} is in no network of this computer, and does not answer",
         FaultName.NOBODY,
-        f"give this computer an address in the board's network beside {own}, or the board one in this: "
-        "unity-link find --assign MAC=ADDRESS",
+        f"give this computer an address in the board's network as well as {own}, or give the board one in this "
+        "network: unity-link find --assign MAC=ADDRESS",
     )
 
 
 def neighbour(there: str) -> str | None:
-    """Return the address of the MAC of a neighbour; empty where it was looked for in vain, None where it was not."""
+    """Return the MAC address of a neighbour; empty if the system looked for it in vain, None if it did not look."""
     with contextlib.suppress(OSError):
         for line in _NEIGHBOURS.read_text().splitlines()[1:]:
             fields = line.split()
@@ -168,9 +168,9 @@ def neighbour(there: str) -> str | None:
 
 
 def _ask(opened: socket.socket) -> Questioned:
-    """Ask again and again, each time when the answer has come or is late."""
-    told = sys.platform == "linux"
-    if told:
+    """Send the request repeatedly, each time after the answer has arrived or is overdue."""
+    has_error_queue = sys.platform == "linux"
+    if has_error_queue:
         opened.setsockopt(socket.IPPROTO_IP, _IP_RECVERR, 1)
     asked = answered = 0
     refusal, fault = "", None
@@ -182,32 +182,32 @@ def _ask(opened: socket.socket) -> Questioned:
                 opened.recv(2048)
                 answered += 1
         except OSError as error:
-            refusal, fault = _refusal(opened, error) if told else _by_number(error)
+            refusal, fault = _refusal(opened, error) if has_error_queue else _by_number(error)
             if fault is not None:
                 break
     return Questioned(asked, answered, refusal, fault)
 
 
 def _refusal(opened: socket.socket, error: OSError) -> tuple[str, FaultName | None]:
-    """Return what an error means, by what came of ICMP where something has."""
+    """Return the meaning of a socket error, and its fault. An ICMP message in the error queue takes precedence."""
     with contextlib.suppress(OSError):
         _, ancillary, _, _ = opened.recvmsg(0, 512, _MSG_ERRQUEUE)
         for _, _, data in ancillary:
             _, origin, kind, code, _ = _ERROR.unpack_from(data)
-            if origin == _OF_ICMP and kind == _UNREACHABLE and code in _PROHIBITED:
+            if origin == _FROM_ICMP and kind == _UNREACHABLE and code in _PROHIBITED:
                 return f"ICMP says that it is administratively prohibited (code {code})", FaultName.FIREWALL
     return _by_number(error)
 
 
 def _by_number(error: OSError) -> tuple[str, FaultName | None]:
-    said = error.strerror or str(error)
+    message = error.strerror or str(error)
     if error.errno in (errno.EPERM, errno.EACCES):
-        return f"the system refuses to send ({said})", FaultName.FIREWALL
-    return said, FaultName.ABSENT if error.errno == errno.ECONNREFUSED else None
+        return f"the system refuses to send ({message})", FaultName.FIREWALL
+    return message, FaultName.ABSENT if error.errno == errno.ECONNREFUSED else None
 
 
 def judge_loss(heard: Questioned) -> Finding:
-    """Return what it means that some questions were not answered."""
+    """Return a finding about the unanswered datagrams; a fault from 2 on."""
     lost = heard.asked - heard.answered
     text = f"{lost} of {heard.asked} datagrams not answered"
     if lost < 2:
@@ -217,5 +217,5 @@ def judge_loss(heard: Questioned) -> Finding:
         f"{text}: about one in {round(heard.asked / lost)} is lost on the way there or back",
         FaultName.LOSS,
         "look at the cable, at the errors that `ip -s link` counts, at a port with half duplex, and at what else is on "
-        "the network; the link repeats what was lost, and is slower for it",
+        "the network; the link retransmits lost requests, and is slower for it",
     )
