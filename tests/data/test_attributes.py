@@ -161,7 +161,7 @@ def test_a_value_is_not_assigned_but_set(names: dict[str, Any]) -> None:
     with pytest.raises(ArgumentError, match=r"^left\.pos is not assigned to: (await )?left\.pos\.set\(5\) writes it$"):
         robot.left.pos = 5
     with pytest.raises(
-        ArgumentError, match=r"left\.pos\.value is what was seen last: .*left\.pos\.set\(5\)` writes it"
+        ArgumentError, match=r"left\.pos\.value is the value seen last: .*left\.pos\.set\(5\)` writes it"
     ):
         robot.left.pos.value = 5
 

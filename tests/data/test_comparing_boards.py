@@ -175,7 +175,7 @@ async def test_a_gateway_without_a_description_is_compared_by_its_fingerprint_al
 async def test_a_class_put_on_a_link_says_what_compares_and_a_link_that_is_none_is_refused() -> None:
     other = load(compile_text(ROVER.read_text().replace("1 / 2047", "1 / 2000")))
     async with unity_link.connect(f"sim:{ROVER}") as link:
-        with pytest.raises(SpecMismatchError, match=r"`await unity_link\.robot\(link, spec\)` says what differs"):
+        with pytest.raises(SpecMismatchError, match=r"`await unity_link\.robot\(link, spec\)` reports the differences"):
             other(link)
     not_open: Any = unity_link.connect("sim:")
     with pytest.raises(unity_link.ArgumentError, match="needs an open link"):

@@ -94,14 +94,17 @@ async def test_one_that_is_damaged_for_good_is_refused() -> None:
 @pytest.mark.parametrize(
     ("text", "says"),
     [
-        ("public r() { " + "@s = q; " * 1000 + "}", "is none of this version: ':', '(' or '[' was expected, not ';'"),
-        (f"public r() {{ @{'n' * 9000} = 0: NONE(); }}", "is none of this version: there is no access 'NONE'"),
-        (f"public r() {{ @s = 0: READ(UNIT={'u' * 9000}); }}", f"none of this version: nothing is called '{'u' * 280}"),
+        (
+            "public r() { " + "@s = q; " * 1000 + "}",
+            "cannot be read by this version: ':', '(' or '[' was expected, not ';'",
+        ),
+        (f"public r() {{ @{'n' * 9000} = 0: NONE(); }}", "cannot be read by this version: there is no access 'NONE'"),
+        (f"public r() {{ @s = 0: READ(UNIT={'u' * 9000}); }}", f"read by this version: nothing is called '{'u' * 280}"),
         (
             f"public r() {{ @s = {'-' * 1_000_000}1: READ(); }}",
             "cannot be used (it has more signals, words or expressions",
         ),
-        ("\0", "is none of this version: the control character U+0000 is not allowed"),
+        ("\0", "cannot be read by this version: the control character U+0000 is not allowed"),
     ],
 )
 @on_simulated_time

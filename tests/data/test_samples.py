@@ -461,7 +461,7 @@ async def test_a_lost_link_ends_every_iteration_and_tells_callbacks(caplog: pyte
             await anext(aiter(robot.count))
         assert not tasks_of_feeds()
     assert [message for message, _ in told(caplog)] == [
-        "the samples of what is polled at 20 Hz, which callbacks wait for, have ended"
+        "the samples of the signals polled at 20 Hz, which callbacks wait for, have ended"
     ]
 
 
@@ -722,7 +722,7 @@ async def test_callbacks_wait_for_the_next_turn_where_a_polled_read_is_refused(
         assert [sample.lost for sample in samples] == [0, 0, 0, 0, 0, 10, 0, 0, 0]
         assert not tasks_of_feeds()
     ((message, error),) = told(caplog)
-    assert message == "a read of what is polled at 20 Hz, which callbacks wait for, was refused (told once)"
+    assert message == "a read of the signals polled at 20 Hz, which callbacks wait for, was refused (told once)"
     assert isinstance(error, BusError)
 
 

@@ -11,10 +11,10 @@
             print(position)
 
 - `proxies`, `signals`, `ports`: one signal: a value, or a queue
-- `groups`: many signals at once, of one or several gateways, by `layout` (which words they take) and `writing`
-- `sampling`, `batch`: samples of groups, one by one and many at a time; `tables`: the same for numpy, pandas and polars
+- `groups`: many signals at once, of one or several gateways; `layout` has their words, `writing` writes them
+- `sampling`, `batch`: samples of groups, one by one and many at a time; `tables`: batches for numpy, pandas and polars
 - `feed`: samples that several readers and callbacks share
-- `robot`, `loading`: the tree of components, made from a checked model; `unity_link.load` and generated modules alike
+- `robot`, `loading`: the tree of components that `unity_link.load` and generated modules make from a checked model
 """
 
 from unity_link.data.batch import Batch, GroupSample, Values

@@ -1,7 +1,7 @@
 """Samples of a group: values by their proxies, one sample at a time or many as arrays.
 
-A `Batch` keeps the words as they came, and decodes when it is first asked for values, all columns at once: that is what
-bridges and recorders take, at tens of thousands of samples a second. A `GroupSample` is one of its rows.
+A `Batch` stores the received words, and decodes all columns at once when values are first requested: bridges and
+recorders process tens of thousands of samples per second in this way. A `GroupSample` is one of its rows.
 """
 
 from __future__ import annotations
@@ -34,14 +34,14 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 _TOGETHER = 1e-4
-"""Seconds within which two clocks are looked at."""
+"""Longest time between the readings of two clocks, in seconds."""
 
 
 def find(by_proxy: Mapping[Proxy[Any], T], proxy: Proxy[Any] | str) -> T:
-    """Return what a mapping has for a signal, or for its path.
+    """Return the entry of a mapping for a signal, or for its path.
 
     Raises:
-        UnknownNameError: where it is not in it.
+        UnknownNameError: if there is none, or if several signals have the path.
     """
     try:
         return by_proxy[proxy]  # type: ignore[index]  # a path is looked for below
@@ -57,7 +57,7 @@ def find(by_proxy: Mapping[Proxy[Any], T], proxy: Proxy[Any] | str) -> T:
     path = getattr(proxy, "path", proxy)
     paths = [known.path for known in by_proxy]
     if named:
-        raise UnknownNameError(f"several signals are called {path!r}: ask for one by the robot that it is of")
+        raise UnknownNameError(f"several signals are called {path!r}: get one by the proxy of its robot")
     raise UnknownNameError(
         f"{path} is not in the group: {did_you_mean(path, paths) or 'it has ' + ', '.join(paths[:8])}"
     )
@@ -80,7 +80,7 @@ class Values(Mapping["Proxy[Any]", Any]):
         """Return the value of a signal."""
         return self._row[find(self._places, proxy)]
 
-    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+    if not TYPE_CHECKING:  # A type checker reports unknown attributes by itself.
         __getattr__ = missing_attribute("the values")
 
     def __iter__(self) -> Iterator[Proxy[Any]]:
@@ -107,15 +107,15 @@ class GroupSample(msgspec.Struct, frozen=True):
     """The values of a group at one instant: ``sample[robot.j1.cpos]``, or ``sample["j1.cpos"]``."""
 
     sequence: int
-    """Number of the sample since the subscription began, lost ones counted."""
+    """Number of the sample since the subscription began; lost samples are counted."""
     time: float | None
-    """Instant of sampling in seconds of the gateway's clock; None without timestamps, and of what the host polls."""
+    """Instant of sampling in seconds of the gateway's clock; None without timestamps, and for polled samples."""
     arrived: float
     """Instant of arrival in seconds of this machine's clock (`time.time`)."""
     values: Values
     """The values, in the order of the group."""
     lost: int
-    """Number of samples lost between the one before and this one."""
+    """Number of samples lost between the previous sample and this one."""
 
     @overload
     def __getitem__(self, proxy: Proxy[T]) -> T: ...
@@ -125,7 +125,7 @@ class GroupSample(msgspec.Struct, frozen=True):
         """Return the value of a signal, by its proxy or path."""
         return self.values[proxy]
 
-    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+    if not TYPE_CHECKING:  # A type checker reports unknown attributes by itself.
 
         def __getattr__(self, name: str) -> Never:
             paths = [proxy.path for proxy in self.values if re.match(rf"{re.escape(name)}(?![A-Za-z0-9_])", proxy.path)]
@@ -133,14 +133,14 @@ class GroupSample(msgspec.Struct, frozen=True):
             missing_attribute("a sample", **instead)(self, name)
 
 
-if not TYPE_CHECKING:  # Frozen, it has one of its own, whose message names no signal.
+if not TYPE_CHECKING:  # The method of a frozen struct raises an error without a useful text.
     GroupSample.__setattr__ = unassignable_attribute("a sample")
 
 
 class Batch(Sealed):
-    """Samples that came together, at least one, in the order of their sampling; all of one gateway.
+    """Samples of one gateway that arrived together, at least one, in the order of their sampling.
 
-    ``batch[robot.j1.cpos]`` is the column of a signal. Iteration gives the samples one by one.
+    ``batch[robot.j1.cpos]`` is the column of a signal. Iteration yields the samples one by one.
     """
 
     def __init__(
@@ -149,11 +149,11 @@ class Batch(Sealed):
         self.layout = layout
         """Signals of the samples, and their places in the words."""
         self.at = _monotonic(samples[-1].arrived)
-        """Instant at which the last one arrived, by `time.monotonic`."""
+        """Instant of `time.monotonic` at which the last sample arrived."""
         self.samples = samples
-        """Samples as they came."""
+        """Samples as they were received."""
         self.counted: Mapping[int, NDArray[Any]] = {} if counted is None else counted
-        """Values of signals with WRAPS, with their rounds, by the places of these; each of shape (samples,)."""
+        """Values of signals with WRAPS, with their rounds counted, by the signals' places; each of shape (samples,)."""
 
     def _called(self) -> str:
         return "a batch of samples"
@@ -166,15 +166,15 @@ class Batch(Sealed):
         return len(self.samples)
 
     def __repr__(self) -> str:
-        """Return how many samples of which signals it has."""
+        """Return the number of samples and the paths of the signals."""
         return f"<{len(self)} samples of {', '.join(proxy.path for proxy in self.proxies)}>"
 
     def _repr_html_(self) -> str:
-        """Return the first and the last samples as a table."""
+        """Return the first and last samples as a table."""
         return self.table._repr_html_()
 
     def __getitem__(self, proxy: Proxy[Any] | str) -> NDArray[Any]:
-        """Return the values of a signal; shape (samples,), those of an enumeration as numbers."""
+        """Return the values of a signal; shape (samples,). Values of an enumeration are numbers."""
         return find(self.columns, proxy)
 
     def __iter__(self) -> Iterator[GroupSample]:
@@ -185,13 +185,13 @@ class Batch(Sealed):
             yield GroupSample(sample.sequence, sample.time, sample.arrived, Values(proxies, row), sample.lost)
 
     def with_rounds(self, laps: ColumnLaps) -> Batch:
-        """Return the same samples with the rounds of signals with WRAPS, which follow those that `laps` has seen."""
+        """Return the same samples with the rounds of signals with WRAPS counted on from those that `laps` has seen."""
         made = Batch(self.layout, self.samples, laps.count(self.words, self.epoch, self.at))
         vars(made)["words"] = self.words
         return made
 
     def behind(self, count: int, lost: int = 0) -> Batch:
-        """Return the samples behind the first `count`; the first of them counts these, and `lost` others, as lost."""
+        """Return the samples after the first `count`. The first of them counts these, and `lost` more, as lost."""
         if not count + lost:
             return self
         lost += count + int(self.lost[: count + 1].sum())
@@ -200,14 +200,14 @@ class Batch(Sealed):
         return Batch(self.layout, [msgspec.structs.replace(first, lost=lost), *others], counted)
 
     def see(self, asked: float) -> None:
-        """Keep each signal's last value of it, or call its handlers of changes with each value.
+        """Store the batch as its signals' last values; if a signal has change handlers, call them with all values.
 
         Args:
-            asked: instant by `time.monotonic` since which the reader has waited for the batch. It is passed over by
-                signals of which something newer was seen while it waited for its reader.
+            asked: instant of `time.monotonic` since which the reader has waited for the batch. If the batch arrived
+                earlier, signals of which a newer value was seen in the meantime skip it.
         """
         at = self.at
-        # One that was waited for is the newest: an answer that came with it is seen later, but was given before it.
+        # A reader that waited gets the newest value: an answer received with the batch is older, though seen later.
         has_waited = at < asked
         for proxy, last in self.layout.lasts:
             if has_waited and last.at > at:
@@ -223,10 +223,10 @@ class Batch(Sealed):
 
     @functools.cached_property
     def table(self) -> Table:
-        """The samples with a column for each signal, under its path; it has the units.
+        """The samples with a column for each signal, named by its path, and with the units.
 
-        Its time is the gateway's clock where samples have timestamps, else `time.monotonic` at their arrival. In UTC
-        the sample that was on its way for the shortest time says when the gateway's clock was 0.
+        Times are of the gateway's clock if the samples have timestamps; otherwise, of `time.monotonic` at their
+        arrival. For times in UTC, the sample with the shortest delay determines when the gateway's clock was 0.
         """
         arrived = self.arrived
         if self.time is None:
@@ -242,18 +242,18 @@ class Batch(Sealed):
         )
 
     def to_numpy(self, *, time: Clock = "seconds", counts: bool = False) -> NDArray[np.void]:
-        """Return a structured array with a column for each signal; `Table.to_numpy` says more."""
+        """Return a structured array with a column for each signal; see `Table.to_numpy`."""
         return self.table.to_numpy(time=time, counts=counts)
 
     def to_pandas(self, *, time: Clock = "seconds", counts: bool = False) -> pd.DataFrame:
-        """Return a DataFrame of pandas; `Table.to_pandas` says more."""
+        """Return a DataFrame of pandas; see `Table.to_pandas`."""
         return self.table.to_pandas(time=time, counts=counts)
 
     def to_polars(self, *, time: Clock = "seconds", counts: bool = False) -> pl.DataFrame:
-        """Return a DataFrame of polars; `Table.to_polars` says more."""
+        """Return a DataFrame of polars; see `Table.to_polars`."""
         return self.table.to_polars(time=time, counts=counts)
 
-    # What it has
+    # Columns
 
     @property
     def proxies(self) -> tuple[Proxy[Any], ...]:
@@ -262,19 +262,19 @@ class Batch(Sealed):
 
     @functools.cached_property
     def columns(self) -> dict[Proxy[Any], NDArray[Any]]:
-        """The values of all signals, each of shape (samples,), as the type that its kind has."""
+        """The values of all signals, each of shape (samples,), in the numpy type of the signal's kind."""
         columns = self.layout.columns(self.words)
         return columns | {self.proxies[place]: column for place, column in self.counted.items()}
 
     @functools.cached_property
     def words(self) -> Words:
-        """The words as they came; shape (samples, addresses), where the addresses are those of `layout`."""
-        # As `numpy.stack` would, in a third of its time.
+        """The received words; shape (samples, addresses), in the order of the addresses of `layout`."""
+        # The same as `numpy.stack`, in a third of its time.
         return np.concatenate([sample.values for sample in self.samples]).reshape(len(self.samples), -1)
 
     @functools.cached_property
     def sequence(self) -> NDArray[np.int64]:
-        """Numbers of the samples since the subscription began, lost ones counted; shape (samples,)."""
+        """Numbers of the samples since the subscription began, shape (samples,); lost samples are counted."""
         return np.array([sample.sequence for sample in self.samples], np.int64)
 
     @functools.cached_property
@@ -291,24 +291,24 @@ class Batch(Sealed):
 
     @functools.cached_property
     def lost(self) -> NDArray[np.int64]:
-        """Number of samples lost before each, shape (samples,)."""
+        """Number of samples lost before each sample, shape (samples,)."""
         return np.array([sample.lost for sample in self.samples], np.int64)
 
     @functools.cached_property
     def epoch(self) -> NDArray[np.int64]:
-        """Numbers of the sessions that the samples came in, shape (samples,)."""
+        """Numbers of the sessions in which the samples arrived, shape (samples,)."""
         return np.array([sample.epoch for sample in self.samples], np.int64)
 
 
 def _monotonic(instant: float) -> float:
-    """Return a past instant of `time.time` by `time.monotonic`."""
+    """Return the instant of `time.monotonic` for a past instant of `time.time`."""
     while True:
         before, now = time.monotonic(), time.time()
-        # Of a program that is held up between two looks, what is newest would be taken for older than it is.
+        # Read both again if the program was suspended in between: the instant would come out too early.
         if time.monotonic() - before < _TOGETHER:
             return before - (now - instant) if now > instant else before
 
 
 def _never_back(instants: NDArray[np.float64], latest: float) -> NDArray[np.float64]:
-    """Return instants as they are, but none before one in front of it, and none after `latest`."""
+    """Return instants limited to `latest`, each raised to at least the one before it."""
     return np.maximum.accumulate(np.minimum(instants, latest))

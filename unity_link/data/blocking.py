@@ -12,8 +12,8 @@
         for position in robot.j1.cpos:
             print(position)
 
-A `View` stands for a thing of the robot and has its names. What has to be awaited there is waited for here; what is
-called, is called in the thread of the link, where callbacks run too, which must not call the robot.
+A `View` wraps an object of the robot and has its attributes. It calls methods in the thread of the link, and waits for
+the results of coroutines. Callbacks run in that thread, too, and must not call the robot.
 """
 
 from __future__ import annotations
@@ -52,11 +52,11 @@ _SHOWN = (
     Done,
     AsyncGeneratorType,
 )
-"""Types that are wrapped in a view; everything else is given as it is."""
+"""Types that are wrapped in a view; all other values are returned unchanged."""
 
 
 class View(OfLink):
-    """Something of a robot, without `await`. It is equal to what it stands for, so values are found by it, too."""
+    """An object of a robot, used without `await`. A view equals its object, so it also finds values of a `Values`."""
 
     _thing: Any
     _link: BlockingLink
@@ -66,14 +66,14 @@ class View(OfLink):
         self.__dict__.update(_thing=thing, _link=link)
 
     def __setattr__(self, name: str, value: object) -> None:
-        """Set an attribute of the thing; a signal cannot be assigned to."""
+        """Set an attribute of the object; assigning to a signal raises an error."""
         try:
             setattr(self._thing, name, _plain(value))
         except ArgumentError as error:
             raise ArgumentError(str(error).replace(": await ", ": ")) from None
 
     def __getattr__(self, name: str) -> Any:
-        """Return what the thing has under a name."""
+        """Return an attribute of the object; a method is wrapped so that it runs in the thread of the link."""
         attribute = getattr(self._thing, name)
         if not callable(attribute) or isinstance(attribute, type):
             return _shown(attribute, self._link)
@@ -83,15 +83,15 @@ class View(OfLink):
         )
 
     def __reduce_ex__(self, protocol: SupportsIndex) -> Any:
-        """Go into a pickle as the thing, where that does."""
+        """Pickle the object in place of the view, if it can be pickled."""
         return self._thing.__reduce_ex__(protocol)
 
     def __dir__(self) -> list[str]:
-        """Return the names that can be completed."""
+        """Return the names for completion: those of the object."""
         return dir(self._thing)
 
     def __getitem__(self, key: Any) -> Any:
-        """Return a signal by its path or its ID."""
+        """Return a signal by its path or its ID, or a value of a sample."""
         return _shown(self._thing[key], self._link)
 
     def __len__(self) -> int:
@@ -99,11 +99,11 @@ class View(OfLink):
         return len(self._thing)
 
     def __bool__(self) -> bool:
-        """Be true, whatever the length; a signal is no value."""
+        """Return True, whatever the length of the object; a signal raises an error, because it is no value."""
         return bool(self._thing) if isinstance(self._thing, Proxy) else True
 
     def __iter__(self) -> Iterator[Any]:
-        """Iterate over samples; each takes a change of threads there and back."""
+        """Iterate over samples. Each one costs a change to the link's thread and back."""
         samples = _call_of(self._thing)(self._link, aiter, self)
         try:
             while True:
@@ -121,7 +121,7 @@ class View(OfLink):
 
     def _leave(self, samples: Any) -> None:
         """End an iteration."""
-        # Where the garbage collector finds it, that is late, and in any thread. In a callback it is left to that.
+        # Close it here: the garbage collector would do so late, in any thread. A callback cannot wait, so leave it.
         begun = _plain(samples)
         if begun is not self._thing and not self._link._runtime.is_running_here():  # noqa: SLF001  (as below)
             _take(self._link, begun.aclose)
@@ -130,13 +130,13 @@ class View(OfLink):
         enter = getattr(self._thing, "__aenter__", None) or self._thing.__enter__
         entered: list[bool] = []
         if isinstance(self._thing, Lease | Timeline):
-            # Outputs move in it: the call that ends it is made whenever a signal comes.
+            # Outputs move during the block, so an operating system signal must not prevent the call that ends it.
             self.__dict__["_block"] = BlockingBlock()
         try:
             if self._block is not None:
                 DEFERRED.begin(self._block)
             self._link._call(noting(entered, lambda: _awaited(enter, (), {})))  # noqa: SLF001  (as below)
-            return self  # noqa: TRY300  (a signal handler may raise up to here)
+            return self  # noqa: TRY300  (a signal handler may raise until the return)
         except BaseException as error:
             if entered:
                 self.__exit__(type(error), error, error.__traceback__)
@@ -149,7 +149,7 @@ class View(OfLink):
     ) -> None:
         try:
             leave = getattr(self._thing, "__aexit__", None) or self._thing.__exit__
-            # A link that is closed has ended what it was for, which is no error here.
+            # Not by `_call`, which raises if the link is closed: closing a link also ends its leases and schedules.
             self._link._runtime.run(_awaited, leave, (kind, error, trace), {})  # noqa: SLF001  (as below)
         finally:
             if self._block is not None:
@@ -162,17 +162,17 @@ class View(OfLink):
         return hash(self._thing)
 
     def __repr__(self) -> str:
-        """Show the thing."""
+        """Return the text of the object."""
         return repr(self._thing)
 
     def _repr_html_(self) -> str | None:
-        """Show the thing as a table, where it is one."""
+        """Return the object as a table, if it has such a form."""
         shown = getattr(self._thing, "_repr_html_", None)
         return None if shown is None else shown()
 
 
 def _operator(name: str) -> Any:
-    """Return an operator of values, which tells of a signal that it is none."""
+    """Return an operator that calls that of the object; on a signal it raises an error, as a signal is no value."""
     return lambda view, *others: getattr(view._thing, name)(*others)  # noqa: SLF001  (its own module)
 
 
@@ -182,20 +182,20 @@ for _name in OPERATORS:
 
 
 def put(robot: type[Robot], link: BlockingLink, /, **parameters: int | None) -> Any:
-    """Put the robot of a spec behind a blocking link; what is compared and raised is as by `unity_link.robot`."""
+    """Return a view of the robot of a spec on a blocking link. Checks and errors are those of `unity_link.robot`."""
     if not isinstance(link, BlockingLink):
         raise ArgumentError(f"put needs a blocking link, by `unity_link.blocking.connect`, not {link!r:.80}")
     given: object = robot
     if not (isinstance(given, type) and issubclass(given, Robot)):
         raise ArgumentError(f"put needs the class of a robot, by `unity_link.load`, not {robot!r:.80}")
-    return _call(link, robot_behind, link._link, robot, **parameters)  # noqa: SLF001  (another face of the same link)
+    return _call(link, robot_behind, link._link, robot, **parameters)  # noqa: SLF001  (a view of the same link)
 
 
 def Group(*members: View, rate_hz: float | None = None, name: str = "a group") -> Any:  # noqa: N802  (as the class)
-    """Make a group; the arguments and errors are those of `unity_link.data.Group`.
+    """Return a view of a new group; the arguments and errors are those of `unity_link.data.Group`.
 
     Raises:
-        ArgumentError: also for members on several links, since each has a thread of its own.
+        ArgumentError: also for members on several links, because each link has a thread of its own.
     """
     if not members or any(member._link is not members[0]._link for member in members):  # noqa: SLF001
         raise ArgumentError(f"{name}: members on one link were expected, at least one")
@@ -203,12 +203,12 @@ def Group(*members: View, rate_hz: float | None = None, name: str = "a group") -
 
 
 def _call(link: BlockingLink, function: Any, *arguments: Any, **options: Any) -> Any:
-    """Call a function in the thread of the link, wait for what it gives, and show it."""
-    return _shown(link._call(_awaited, function, arguments, options), link)  # noqa: SLF001  (another face of the same link)
+    """Call a function in the thread of the link, wait for its result, and wrap that in views."""
+    return _shown(link._call(_awaited, function, arguments, options), link)  # noqa: SLF001  (a view of the same link)
 
 
 def _take(link: BlockingLink, function: Any, *arguments: Any, **options: Any) -> Any:
-    """The same on a link that was closed, too: what had come before is still to be taken."""
+    """Call a function as `_call` does, on a closed link, too: samples that arrived before can still be taken."""
     return _shown(link._runtime.run(_awaited, function, arguments, options), link)  # noqa: SLF001  (as above)
 
 
@@ -222,7 +222,7 @@ async def _awaited(function: Any, arguments: tuple[Any, ...], options: dict[str,
 
 
 def _shown(thing: Any, link: BlockingLink) -> Any:
-    """Put views before what has something to be awaited."""
+    """Wrap objects with coroutines in views, also inside of tuples and dictionaries."""
     if isinstance(thing, _SHOWN):
         return View(thing, link)
     if type(thing) is tuple:
@@ -233,7 +233,7 @@ def _shown(thing: Any, link: BlockingLink) -> Any:
 
 
 def _plain(thing: Any) -> Any:
-    """Take views away again."""
+    """Replace views by their objects, also inside of tuples, lists and dictionaries."""
     if isinstance(thing, View):
         return thing._thing  # noqa: SLF001  (its own module)
     if type(thing) in {tuple, list}:

@@ -1,4 +1,4 @@
-"""Functions of a program that are called with values or samples, and may raise what they like."""
+"""Functions of a program that are called with values or samples. Their exceptions are logged."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ T = TypeVar("T")
 class Callback(Generic[T]):
     """A function that is called from the event loop.
 
-    What it raises is logged under ``unity_link.link`` and stops nothing: the first exception of each type, since one
-    that is raised with each sample would be told thousands of times a second.
+    An exception of the function is logged under ``unity_link.link``; later values still arrive. Only the first
+    exception of each type is logged, because a fault in each sample would be logged thousands of times per second.
     """
 
     def __init__(self, function: Callable[[T], object], what: str) -> None:
@@ -29,10 +29,10 @@ class Callback(Generic[T]):
 
         Args:
             function: takes a value or samples.
-            what: how messages call it.
+            what: name of the function in messages.
 
         Raises:
-            ArgumentError: where it is none, or an asynchronous one.
+            ArgumentError: if it is no function, or an asynchronous one.
         """
         if not callable(function):
             raise ArgumentError(f"{what} is {function!r}: a function was expected")
@@ -40,38 +40,38 @@ class Callback(Generic[T]):
             raise _asynchronous(what)
         self._function = function
         self._what = what
-        self._told: set[type[BaseException]] = set()
+        self._reported: set[type[BaseException]] = set()
 
     def __call__(self, value: T) -> None:
         """Call the function."""
         try:
             result = call_back(self._function, value)
         except ANY_ERROR as error:
-            self._tell(error)
+            self._report(error)
             return
         if inspect.iscoroutine(result):
             result.close()
-            self._tell(_asynchronous(self._what))
+            self._report(_asynchronous(self._what))
 
     def cancel(self) -> None:
-        """Call it no more, also where this is while others are called with the same value."""
+        """End the calls, even if this is called while a value is being passed to several callbacks."""
         self._function = _ignore
 
-    def _tell(self, error: BaseException) -> None:
-        if type(error) in self._told:
+    def _report(self, error: BaseException) -> None:
+        if type(error) in self._reported:
             return
-        self._told.add(type(error))
+        self._reported.add(type(error))
         report(f"{self._what} raised {type(error).__name__} (told once)", error)
 
 
 class Registration:
-    """A callback that is called until `cancel`, or until the ``with`` block of this ends."""
+    """A callback that is called until `cancel` is called, or until the ``with`` block of the registration ends."""
 
     def __init__(self, *ends: Callable[[], None]) -> None:
         self._ends = ends
 
     def cancel(self) -> None:
-        """Call it no more. May be called twice."""
+        """End the calls. May be called twice."""
         for end in self._ends:
             end()
 
@@ -85,7 +85,7 @@ class Registration:
 
 
 def _ignore(_: object) -> None:
-    """Take the place of a function that is not to be called: to look at each call would cost each."""
+    """Do nothing. Replaces the function of a cancelled callback, so that calls need no check."""
 
 
 def _asynchronous(what: str) -> ArgumentError:

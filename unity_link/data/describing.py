@@ -1,4 +1,4 @@
-"""The robot behind a gateway that carries the description of its spec."""
+"""The robot of a gateway that carries a description of its spec."""
 
 from __future__ import annotations
 
@@ -21,20 +21,20 @@ if TYPE_CHECKING:
     from unity_link.spec.model import Interface, Spec
 
 ATTEMPTS = 5
-"""Readings of a description: another program that reads it at the same time turns its pages, too."""
+"""Attempts to read a description; another program that reads it may select other pages in between."""
 MOST_DIFFERENCES = 5
-"""Differences that an error says."""
+"""Most differences that an error lists."""
 _LONGEST_REASON = 300
-"""Characters of a description's error that are shown; its names may be longer."""
+"""Most characters of an error in a description that are shown; names in the description may be longer."""
 R = TypeVar("R", bound=Robot)
 
 
 class DescribedBus(Protocol):
-    """A link, as far as reading a description needs it."""
+    """The methods of a link that reading a description needs."""
 
     @property
     def gateway(self) -> GatewayInfo:
-        """Description of the gateway."""
+        """Configuration of the gateway."""
 
     async def post(self, address: int, value: int, /) -> None:
         """Write a word."""
@@ -50,11 +50,12 @@ async def robot_behind(link: Link, spec: type[R], **parameters: int | None) -> R
 async def robot_behind(
     link: Link, spec: str | Path | Spec | type[Robot] | None = None, **parameters: int | None
 ) -> Robot:
-    """Return the robot behind a link; `unity_link.robot` says more.
+    """Return the robot behind a link; see `unity_link.robot`.
 
     Raises:
-        UnsupportedError: as by `read_spec`; a SpecMismatchError where the gateway was generated from another spec.
-        LinkLostError: when the link has ended.
+        UnsupportedError: as for `read_spec`.
+        SpecMismatchError: if the gateway was generated from another spec.
+        LinkLostError: if the link has ended.
     """
     robot_type: type[Robot]
     if spec is None:
@@ -68,14 +69,14 @@ async def robot_behind(
 
 
 async def check_board(interface: Interface, link: Link) -> None:
-    """Compare an interface with that of a gateway's description, where the fingerprints are not the same.
+    """Compare an interface with the gateway's description of itself, if their fingerprints differ.
 
-    Where it carries none, `check_gateway` compares what can be.
+    If the gateway has no description, only the checks of `check_link` are made.
 
     Raises:
-        SpecMismatchError: where the gateway does not have all of the interface alike.
-        UnsupportedError: where its description cannot be read here.
-        LinkLostError: when the link has ended.
+        SpecMismatchError: if the gateway lacks a part of the interface, or has a different one.
+        UnsupportedError: if its description cannot be read or used.
+        LinkLostError: if the link has ended.
     """
     check_link(interface, link)
     info = link.gateway
@@ -91,7 +92,7 @@ async def check_board(interface: Interface, link: Link) -> None:
 
 
 def shown_differences(differences: tuple[str, ...]) -> str:
-    """Return differences as a part of a sentence, the first of them where they are many."""
+    """Return differences as a part of a sentence; at most `MOST_DIFFERENCES` of them, and the number of the others."""
     more = len(differences) - MOST_DIFFERENCES
     return "; ".join(differences[:MOST_DIFFERENCES]) + (f"; and {more} more" if more > 0 else "")
 
@@ -105,11 +106,11 @@ def _refusal(differences: tuple[str, ...], name: str) -> str:
 
 
 async def read_spec(link: DescribedBus) -> Spec:
-    """Return the spec that a gateway was built from, with one interface: from the description that it carries.
+    """Read the description that a gateway carries, and return the spec that it was built from, with one interface.
 
     Raises:
-        UnsupportedError: where it carries none, or one that cannot be read here.
-        LinkLostError: when the link has ended.
+        UnsupportedError: if the gateway has no description, or one that cannot be read or used.
+        LinkLostError: if the link has ended.
     """
     from unity_link.spec import SpecError, compile_description
 
@@ -127,7 +128,7 @@ async def read_spec(link: DescribedBus) -> Spec:
             return compile_description(description, info.address_bits, info.data_bits)
         except SpecError as error:
             reason = error.diagnostics[0].message[:_LONGEST_REASON]
-            raise UnsupportedError(f"the gateway's description is none of this version: {reason}") from None
+            raise UnsupportedError(f"the gateway's description cannot be read by this version: {reason}") from None
         except ValueError as error:
             advice = "give the spec that it was built from"
             raise UnsupportedError(f"the gateway's description cannot be used ({error}): {advice}") from None
@@ -142,10 +143,10 @@ async def _words(link: DescribedBus) -> list[int]:
 
 
 async def _page(link: DescribedBus, number: int) -> list[int]:
-    """Return the words of a page.
+    """Select a page and return its words.
 
     Raises:
-        ValueError: where another program has turned to another page in between.
+        ValueError: if another program has selected another page in between.
     """
     address = page_address(link.gateway.address_bits)
     await link.post(address, number)

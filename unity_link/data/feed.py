@@ -1,8 +1,8 @@
-"""Samples that several share: however many loops and callbacks want a group's samples, the gateway sends them once.
+"""Samples with several consumers: for any number of loops and callbacks, the gateway sends a group's samples once.
 
-A feed subscribes when the first one listens, and ends when the last one has left. Each listener has a buffer of its
-own, so a slow one takes nothing from the others. A polled read that the gateway refuses ends loops with its error, as
-does a shared gateway that is away; callbacks, which have no way to begin again, wait for the next turn.
+A feed subscribes when its first listener begins, and ends the subscription when the last one has left. Each listener
+has a buffer of its own, so a slow one does not affect the others. If the gateway refuses a polled read, or a gateway
+behind a server is away, loops end with the error. Callbacks cannot be restarted by a loop, so the feed tries again.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 
 log = logging.getLogger("unity_link.data")
 LOOK_EVERY = 1.0
-"""Seconds between looks whether a gateway is there that was away when the samples were to begin."""
+"""Seconds between attempts to subscribe if the gateway is away."""
 
 
 class Listener:
@@ -50,7 +50,7 @@ class Listener:
         self._batches: deque[Batch] = deque()
         self._waiting = 0
         self._lost: Counter[GroupLayout] = Counter()
-        """Samples of each gateway that were dropped since the last batch of it was taken."""
+        """Samples of each gateway that were dropped since its last batch was taken."""
         self._waiter: Waiter | None = None
         self._error: Exception | None = None
         self._is_overflow_logged = False
@@ -59,9 +59,9 @@ class Listener:
         """Wait for the next batch.
 
         Raises:
-            SamplesLostError: where more samples came than the buffer holds.
-            GatewayError: where the gateway refused a polled read, after the batches that had come before.
-            LinkLostError: when the link ends, after the batches that had come before.
+            SamplesLostError: if more samples arrived than the buffer holds.
+            GatewayError: if the gateway refused a polled read; raised after the batches that had arrived before.
+            LinkLostError: if the link ends; raised after the batches that had arrived before.
         """
         while not self._batches:
             if self._error is not None:
@@ -76,7 +76,7 @@ class Listener:
         return batch.behind(0, self._lost.pop(batch.layout, 0))
 
     def leave(self) -> None:
-        """Want no more samples. May be called twice."""
+        """End the listener: it receives no more samples. May be called twice."""
         self._feed.leave(self)
 
     def __enter__(self) -> Self:
@@ -90,7 +90,7 @@ class Listener:
     # Called by the feed
 
     def deliver(self, batch: Batch) -> None:
-        """Take a batch."""
+        """Receive a batch."""
         if self._callback is not None:
             self._callback(batch)
             return
@@ -107,24 +107,24 @@ class Listener:
         self._wake()
 
     def fail(self, error: Exception) -> None:
-        """End with an error, behind the batches that wait; a callback is called on, where there are more."""
+        """End with an error, which `next` raises after the waiting batches. A callback still receives later batches."""
         if self._error is None:
             self._error = error
         self._wake()
 
     def is_deaf(self) -> bool:
-        """Return whether an error would reach no listener."""
+        """Return whether no caller of `next` would receive an error."""
         return self._callback is not None or not self._buffer
 
     def _log_overflow(self) -> None:
-        """Log that samples are dropped, once, unless the listener wants only the newest one."""
+        """Log once that samples are dropped, unless the listener wants only the newest sample."""
         if self._buffer > 1 and not self._is_overflow_logged:
             self._is_overflow_logged = True
             text = "the reader of %s is too slow: its buffer (samples: %d) drops the oldest (logged once)"
             log.warning(text, self._feed.name, self._buffer)
 
     def _drop(self, count: int) -> None:
-        """Drop the oldest samples; the first that is left of their gateway tells how many."""
+        """Drop the oldest samples. The next sample of their gateway counts them as lost."""
         self._waiting -= count
         while count:
             batch = self._batches.popleft()
@@ -141,7 +141,7 @@ class Listener:
 
 
 class Feed:
-    """The samples of one group, for all who listen."""
+    """The samples of one group, for all listeners."""
 
     def __init__(self, name: str, subscribe: Callable[[], GroupSubscription]) -> None:
         self.name = name
@@ -151,18 +151,18 @@ class Feed:
         self._task: Job | None = None
         self._began = self._deserted = False
         self._starts = 0
-        """Number of times a task was begun, or cancelled before it began."""
-        self._told: set[type[UnityLinkError]] = set()
+        """Number of tasks that were started, plus those cancelled before they began."""
+        self._reported: set[type[UnityLinkError]] = set()
 
     def listen(
         self, callback: Callable[[Batch], object] | None = None, *, buffer: int = 0, overflow: Overflow = "fail"
     ) -> Listener:
-        """Begin to listen.
+        """Add a listener; the first one starts the subscription.
 
         Args:
-            callback: is called with each batch.
-            buffer: most samples that wait for `Listener.next`; 0 for one who only wants proxies to see them.
-            overflow: what happens when they are more.
+            callback: called with each batch.
+            buffer: most samples that wait for `Listener.next`; 0 if only the proxies need the values.
+            overflow: what to do with more samples.
         """
         listener = Listener(self, callback, buffer, overflow)
         if self._task is None:
@@ -171,25 +171,26 @@ class Feed:
         return listener
 
     def leave(self, listener: Listener) -> None:
-        """Take a listener's name off; the last one ends the subscription."""
+        """Remove a listener; the last one ends the subscription."""
         self._listeners.pop(listener, None)
         if not self._listeners and self._task is not None:
             self._deserted = True
             self._task.cancel()
             if not self._began:
-                # What is cancelled before it begins does not run in asyncio, and runs to its first wait elsewhere.
+                # Asyncio never runs a task that is cancelled before it begins; other event loops run it up to its first
+                # wait. `_starts` makes such a task return at once.
                 self._task = None
                 self._starts += 1
 
     def _start(self) -> None:
         self._began = self._deserted = False
-        self._told.clear()
+        self._reported.clear()
         self._starts += 1
         self._task = running().create_task(self._run(self._starts))
 
     def _stopped(self) -> None:
         self._task = None
-        # A listener that came while the subscription was being ended needs another one.
+        # A listener that was added while the subscription was ending needs another subscription.
         if self._deserted and self._listeners:
             self._start()
 
@@ -209,13 +210,13 @@ class Feed:
                     async with self._subscribe() as subscription:
                         await self._deliver_all(subscription)
                 except (BusTimeoutError, GatewayResetError) as error:
-                    # Of a gateway behind a server that is away, or was reset just then.
+                    # The gateway is behind a server and away, or was reset during the subscription.
                     what = f"the samples of {self.name}, which callbacks wait for, do not come yet (told once)"
                     self._refuse(what, error)
                 await running().sleep(LOOK_EVERY)
         except StopAsyncIteration:
             self._end(LinkLostError(f"the samples of {self.name} have ended", Outcome.NO_REQUEST))
-        except Exception as error:  # noqa: BLE001  (whatever it is, no listener may wait for samples that don't come)
+        except Exception as error:  # noqa: BLE001  (no listener may wait for samples forever)
             self._end(error)
 
     async def _deliver_all(self, subscription: GroupSubscription) -> None:
@@ -229,9 +230,9 @@ class Feed:
                 listener.deliver(batch)
 
     def _refuse(self, what: str, error: UnityLinkError) -> None:
-        """Pass on what keeps samples from coming that may come later."""
-        if _fail(self._listeners, error) and type(error) not in self._told:
-            self._told.add(type(error))
+        """Pass on an error after which samples may come again: it ends loops, and is logged once for callbacks."""
+        if _fail(self._listeners, error) and type(error) not in self._reported:
+            self._reported.add(type(error))
             report(what, error)
 
     def _end(self, error: Exception) -> None:
@@ -241,7 +242,7 @@ class Feed:
 
 
 def _fail(listeners: Collection[Listener], error: Exception) -> bool:
-    """End listeners with an error, and return whether there is one that it does not reach."""
+    """Pass an error to listeners, and return whether one of them has no caller that receives it."""
     for listener in listeners:
         listener.fail(error)
     return any(listener.is_deaf() for listener in listeners)

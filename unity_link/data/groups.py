@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
 
 class Plan(msgspec.Struct, frozen=True, kw_only=True):
-    """Rate and form of sampling; as the arguments of `unity_link.Link.subscribe`."""
+    """Rate and form of sampling; the fields are those of the arguments of `unity_link.Link.subscribe`."""
 
     rate_hz: float | None = None
     divisor: int | None = None
@@ -46,15 +46,15 @@ class Plan(msgspec.Struct, frozen=True, kw_only=True):
     immediate: bool = False
     timestamps: bool | None = None
     group: int | None = None
-    """The number in the gateway, where its own trigger counts."""
+    """Number of the group in the gateway, if the group has a trigger of its own."""
     polled: bool = False
-    """True if the host is to read by itself, though the gateway may have groups."""
+    """True if the host reads the signals, even if the gateway has groups."""
     nearest: bool = False
-    """True if a gateway that can't send at once may do without."""
+    """True if `immediate` is ignored on a gateway that cannot send at once."""
 
     @classmethod
     def declared(cls, group: model.GroupSpec) -> Self:
-        """Return that of a group that a spec declares."""
+        """Return the plan of a group that a spec declares."""
         return cls(
             rate_hz=group.rate_hz,
             divisor=group.divisor,
@@ -68,23 +68,23 @@ class Plan(msgspec.Struct, frozen=True, kw_only=True):
 
     @classmethod
     def of(cls, proxy: Proxy[Any]) -> Plan | None:
-        """Return that by which the spec has a signal sampled; None where it does not say."""
+        """Return the plan by which the spec samples a signal; None if the spec has none."""
         signal = proxy.signal
         if signal.group is not None:
             return cls.declared(next(one for one in proxy.robot.interface.groups if one.name == signal.group))
         return None if signal.poll_hz is None else cls(rate_hz=signal.poll_hz, polled=True)
 
     def is_known(self) -> bool:
-        """Return whether this tells when samples are taken."""
+        """Return whether the plan determines when samples are taken."""
         return self.rate_hz is not None or self.divisor is not None or self.trigger
 
 
 class Part(Protocol):
-    """A component of a robot, as far as groups know it."""
+    """The attribute of a robot's component that groups use."""
 
     @property
     def signals(self) -> tuple[Proxy[Any], ...]:
-        """All signals in it and in its parts."""
+        """All signals of the component and of its parts."""
 
 
 class Group(Sealed):
@@ -96,20 +96,20 @@ class Group(Sealed):
         values = await arm.get()
         print(values[robot.j1.cpos])
 
-    Those that a spec declares are in `Robot.groups`.
+    A spec can declare groups, too: they are in `Robot.groups`.
     """
 
     def __init__(self, *members: Proxy[Any] | Part, rate_hz: float | None = None, name: str = "a group") -> None:
         """Make a group.
 
         Args:
-            members: signals, of one or several robots; a component stands for all of its own, of which those that
-                cannot be read together, as they can only be written or are queues, are left out of reads and samples.
-            rate_hz: how often they are sampled for iteration and callbacks; without it, as their spec says.
-            name: what messages call it.
+            members: signals of one or several robots, or components. A component adds all its signals; those that
+                can only be written, and queues, are left out of reads and samples.
+            rate_hz: sampling rate for iteration and callbacks, in Hz; None for the rate that the spec has.
+            name: name of the group in messages.
 
         Raises:
-            ArgumentError: where there are no members, or one is there twice.
+            ArgumentError: if there are no members, or one appears twice.
         """
         wrong: list[object] = [
             member for member in members if not (isinstance(member, Proxy) or "signals" in dir(type(member)))
@@ -146,13 +146,13 @@ class Group(Sealed):
 
     @classmethod
     def polled(cls, rate_hz: float, proxies: Sequence[Proxy[Any]]) -> Group:
-        """Make a group that the host reads by itself.
+        """Make a group whose signals the host reads by itself.
 
         Raises:
-            ArgumentError: if `rate_hz` is no rate.
+            ArgumentError: if `rate_hz` is out of range or no number.
         """
-        rate = _host_rate(rate_hz, "what is polled")
-        made = cls(*proxies, name=f"what is polled at {rate:g} Hz")
+        rate = _host_rate(rate_hz, "polled signals")
+        made = cls(*proxies, name=f"the signals polled at {rate:g} Hz")
         made._plan = Plan(rate_hz=rate, polled=True)
         return made
 
@@ -182,7 +182,7 @@ class Group(Sealed):
         """Read all signals, in one pipelined batch for each gateway.
 
         Raises:
-            ArgumentError: where one can only be written, or is a queue.
+            ArgumentError: if a signal can only be written, or is a queue.
         """
         layouts = self._lay_out()
         if len(layouts) == 1:
@@ -202,11 +202,11 @@ class Group(Sealed):
         """Write many signals, in one pipelined batch for each gateway.
 
         Args:
-            values: by their proxies, of some or all; or of all, in the order of the group.
+            values: values by their proxies, for some or all signals; or a value for each, in the group's order.
 
         Raises:
-            ArgumentError: for a value that its signal does not take, or one of another group. Nothing was sent.
-            GatewayError: the first error; the other writes are done all the same.
+            ArgumentError: for a value that its signal cannot have, or a signal of another group; nothing was sent.
+            GatewayError: the first error. The other writes are executed all the same.
         """
         await write_values(self._by_proxy(values))
 
@@ -214,9 +214,9 @@ class Group(Sealed):
     def post(self, values: Mapping[Proxy[Any], Any] | Sequence[Any] | NDArray[Any]) -> Coroutine[Any, Any, None]:
         """Write many signals without waiting for the execution.
 
-        Errors are raised by the next `fence` of the task that calls it, on the link of the signal.
+        Errors are raised by the next `fence` of the calling task, on the link of the signal.
 
-        Fields, and values of several words, need an answer and are written as by `set`.
+        Fields and values of several words need an answer: they are written as by `set`.
 
         Raises:
             ArgumentError: as by `set`.
@@ -255,14 +255,14 @@ class Group(Sealed):
         latest: bool = False,
         overflow: Overflow = "drop_oldest",
     ) -> GroupSubscription:
-        """Subscribe to all signals, sampled by the gateway where it has groups, else by reads of the host.
+        """Subscribe to all signals, sampled by the gateway if it has groups, otherwise by reads of the host.
 
-        Without a rate, a divisor or a trigger, when and how is what the spec says of the group. The arguments are those
-        of `unity_link.Link.subscribe`; a host that reads by itself is late where it is busy, has no timestamps, and
-        reads when it is asked for the next sample.
+        Without a rate, a divisor or a trigger, the spec's declaration of the group determines the sampling. The
+        arguments are those of `unity_link.Link.subscribe`. A host that reads by itself reads when the next sample is
+        requested; its samples are late if it is busy, and have no timestamps.
 
         Raises:
-            ArgumentError: where nothing tells when to sample; and as `unity_link.Link.subscribe`.
+            ArgumentError: if no rate, divisor or trigger is known; and as `unity_link.Link.subscribe`.
             UnsupportedError: as `unity_link.Link.subscribe`.
         """
         given = Plan(
@@ -287,28 +287,28 @@ class Group(Sealed):
 
     @property
     def feed(self) -> Feed:
-        """Its samples, shared by all who iterate and by callbacks."""
+        """The samples of the group, shared by all its loops and callbacks."""
         if self._feed is None:
             self._feed = Feed(self.name, self.subscribe)
         return self._feed
 
     def __aiter__(self) -> AsyncIterator[GroupSample]:
-        """Iterate over the samples, as `samples` does."""
+        """Iterate over the samples; see `samples`."""
         return self.samples()
 
     async def samples(self, *, buffer: int = BUFFER, overflow: Overflow = "fail") -> AsyncIterator[GroupSample]:
-        """Iterate over its samples, which several loops and callbacks may share.
+        """Iterate over the samples of the group. Several loops and callbacks share them.
 
         Args:
             buffer: most samples that wait for the loop's body.
-            overflow: what happens when they are more: ``"fail"`` or ``"drop_oldest"``.
+            overflow: what to do with more samples: ``"fail"`` or ``"drop_oldest"``.
 
         Raises:
-            ArgumentError: where nothing tells when to sample.
-            SamplesLostError: where the loop's body is too slow.
-            GatewayError: where a gateway refused a read of one that is polled, or one behind a server is away at the
-                beginning; another loop begins anew.
-            LinkLostError: when a link ends.
+            ArgumentError: if no rate, divisor or trigger is known.
+            SamplesLostError: if the loop's body is too slow.
+            GatewayError: if a gateway refused a polled read, or one behind a server is away at the beginning. A new
+                loop begins again.
+            LinkLostError: if a link ends.
         """
         self._default_plan()
         with self.feed.listen(buffer=check_buffer(buffer, overflow), overflow=overflow) as listener:
@@ -317,11 +317,11 @@ class Group(Sealed):
                     yield sample
 
     def on_sample(self, callback: Callable[[GroupSample], object]) -> Registration:
-        """Call a function with each sample, until `Registration.cancel`. To be called where an event loop runs.
+        """Call a function with each sample, until `Registration.cancel`. An event loop must be running.
 
-        What a callback raises is logged under ``unity_link.link``, the first exception of each type; that a link was
-        lost, too, and that a gateway refused a read of a polled group, which goes on at its next turn, or that one
-        behind a server is away at the beginning, which is waited for.
+        Exceptions of the callback are logged under ``unity_link.link``, the first one of each type. The loss of a
+        link is logged, too. If a gateway refuses a read of a polled group, or one behind a server is away at the
+        beginning, the error is logged and the group tries again.
 
         Raises:
             ArgumentError: for an asynchronous function.
@@ -335,11 +335,11 @@ class Group(Sealed):
         return self._register(made, call_each)
 
     def on_batch(self, callback: Callable[[Batch], object]) -> Registration:
-        """Call a function with all samples that have come together: the same for many samples a second."""
+        """Call a function with all samples that arrived together: `on_sample` for many samples per second."""
         made = Callback(callback, f"a callback for batches of {self.name}")
         return self._register(made, made)
 
-    # The inside
+    # Internals
 
     def _register(self, made: Callback[Any], listen: Callable[[Batch], object]) -> Registration:
         self._default_plan()
@@ -378,7 +378,7 @@ def _host_rate(rate_hz: float, name: str) -> float:
 
 
 def _readable(members: Sequence[Proxy[Any] | Part]) -> tuple[Proxy[Any], ...]:
-    """Return the signals that are named, and of components those that can be read together."""
+    """Return the signals named themselves, and those of components that can be read together."""
     return tuple(
         proxy
         for member in members
@@ -390,11 +390,11 @@ def _readable(members: Sequence[Proxy[Any] | Part]) -> tuple[Proxy[Any], ...]:
 def _source(
     layout: GroupLayout, plan: Plan, buffer: int, overflow: Overflow, name: str, *, latest: bool
 ) -> SampleSource:
-    """Return what samples one gateway."""
+    """Return the source of samples of one gateway: a subscription, or reads by the host."""
     info = layout.link.gateway
     layout.check_sampled()
     if not plan.trigger or plan.divisor is not None or plan.rate_hz is not None or plan.on_change:
-        # A sample takes a word of a queue, so that one must be there.
+        # A sample takes a word from each queue, and only a trigger of the queue ensures that one is available.
         layout.check_registers()
     if plan.polled or Feature.GROUPS not in info.features:
         if plan.trigger:
@@ -420,7 +420,7 @@ def _source(
 
 
 def _check_reach(rate_hz: float, base_hz: float, name: str) -> None:
-    """Raise `ArgumentError` where a gateway, of another design than the spec's, has no rate near that of a group."""
+    """Raise `ArgumentError` if a gateway has no rate near that of a group: its design may differ from the spec's."""
     lowest = base_hz / LARGEST_DIVISOR
     if not lowest <= rate_hz <= base_hz:
         expected = f"this gateway has {lowest:.3g} to {base_hz:g} Hz"

@@ -1,8 +1,9 @@
-"""Values that count on where their registers go round: signals with WRAPS.
+"""Values of signals with WRAPS, which count on when their registers wrap around.
 
-A value is the one nearest to the last value that was seen, of all that its bits may mean. So less than half a round may
-pass between two values that a program sees, whatever is lost between them. A new session begins with the value of the
-register, since the gateway may have been reset.
+The register determines a value except for a multiple of its range (a round). Of these values, a program gets the one
+nearest to the last value seen. So the true value may change by less than half a round between two values that a program
+sees, even if samples in between are lost. In a new session the first value is that of the register itself, because the
+gateway may have been reset.
 """
 
 from __future__ import annotations
@@ -25,10 +26,10 @@ if TYPE_CHECKING:
 
 
 class Laps:
-    """The rounds of one signal.
+    """Counts the rounds of one signal.
 
     Args:
-        signal: with WRAPS, of its own.
+        signal: a signal with WRAPS that counts its own rounds.
     """
 
     __slots__ = ("_span", "_was", "at", "signal")
@@ -36,36 +37,36 @@ class Laps:
     def __init__(self, signal: Signal) -> None:
         self.signal = signal
         self.at = -math.inf
-        """Instant by `time.monotonic` of the last value."""
+        """Instant of `time.monotonic` of the last value."""
         self._span = signal.kind.span
         self._was: tuple[int, Any] | None = None
         """Session and value that were seen last."""
 
     def last(self, epoch: int) -> Any:
-        """Return the last value of a session; None before the first one."""
+        """Return the last value seen in a session; None if there was none."""
         return None if self._was is None or self._was[0] != epoch else self._was[1]
 
     def begin(self, other: Laps) -> None:
-        """Go on from the last value of the same signal elsewhere."""
+        """Continue from the last value that another object saw of the same signal."""
         self._was, self.at = other._was, other.at
 
     def see(self, value: Any, epoch: int, at: float) -> None:
-        """Keep a value as the last one, unless a later one was seen."""
+        """Store a value as the last one, unless a later one was seen."""
         if at >= self.at:
             self._was, self.at = (epoch, value), at
 
     def near(self, value: Any, epoch: int) -> Any:
-        """Return the value nearest to the last one of a session that is whole rounds from a value."""
+        """Return a value plus the whole rounds that bring it nearest to the last one of the session."""
         last = self.last(epoch)
         return value if last is None else value + self._span * round((last - value) / self._span)
 
     def count(self, values: NDArray[Any], epochs: NDArray[np.int64], at: float) -> NDArray[Any]:
-        """Return values that follow one another with their rounds; the last one is kept.
+        """Return consecutive values with their rounds counted, and store the last one.
 
         Args:
-            values: as the register has them, shape (n,).
+            values: values of the register, shape (n,).
             epochs: their sessions, shape (n,).
-            at: instant by `time.monotonic` of the last one.
+            at: instant of `time.monotonic` of the last one.
         """
         if not len(values):
             return values
@@ -79,7 +80,7 @@ class Laps:
         return counted
 
     def near_each(self, values: NDArray[Any], others: NDArray[Any]) -> NDArray[Any]:
-        """Return the values nearest to those of another signal that are whole rounds from some; each of shape (n,)."""
+        """Return values, each plus the whole rounds that bring it nearest to that of another signal; shape (n,)."""
         rounds = np.rint((others - values) / self._span).astype(values.dtype)
         nearest: NDArray[Any] = values + rounds * values.dtype.type(self._span)
         return nearest
@@ -89,8 +90,8 @@ class Laps:
 
         Args:
             value: a finite number.
-            epoch: the session.
-            name: of the signal that the value is for, in the error.
+            epoch: number of the current session.
+            name: name, in the error, of the signal that the value is for.
 
         Raises:
             ArgumentError: for a value farther away.
@@ -101,18 +102,18 @@ class Laps:
             raise ArgumentError(f"{name}: {value} {away}, which was {last:.12g} when read last")
 
     def register_value(self, value: Any, epoch: int, name: str) -> Any:
-        """Return the value of the register for one that counts rounds.
+        """Return the value of the register for a value that counts rounds.
 
-        In the range of the register a value stays as it is while the last one that was read is in it, too: that may be
-        long ago.
+        A value within the register's range is returned unchanged if no value was read yet, or the last one read is
+        within the range, too. The distance is not checked then, because the last read may be long ago.
 
         Args:
             value: a finite number.
-            epoch: the session.
-            name: of the signal that is written.
+            epoch: number of the current session.
+            name: name of the signal that is written.
 
         Raises:
-            ArgumentError: for another value, unless it is less than half a round from the last one that was read.
+            ArgumentError: for any other value that is half a round or more away from the last one read, or if none was.
         """
         low, high = self.signal.kind.range
         last = self.last(epoch)
@@ -126,14 +127,14 @@ class Laps:
 
 
 class ColumnLaps:
-    """The rounds of those signals of a stream of samples that have WRAPS.
+    """Counts the rounds of those signals of a stream of samples that have WRAPS.
 
     Args:
-        signals: of the samples.
-        addresses: of the words of a sample.
-        keys: the key of each signal in `bases` and `known`; its path without them.
-        bases: keys of the signals whose rounds are counted for each; by the paths of the spec without them.
-        known: laps of signals by their keys, which the stream goes on from and keeps up to date.
+        signals: signals of the samples.
+        addresses: addresses of the words of a sample.
+        keys: key of each signal in `bases` and `known`; None for the paths.
+        bases: for each signal, the key of the signal whose rounds it follows; None for those in the spec.
+        known: last values of signals by their keys. The stream continues from them, and updates them.
     """
 
     def __init__(
@@ -147,7 +148,7 @@ class ColumnLaps:
         keys = [signal.path for signal in signals] if keys is None else keys
         bases = [signal.laps_of for signal in signals] if bases is None else bases
         self._known = {} if known is None else known
-        # Those that count for others first.
+        # Signals that other signals follow come first.
         places = [place for place, signal in enumerate(signals) if signal.laps_of is not None]
         self._places = sorted(places, key=lambda place: bases[place] != keys[place])
         self._keys = [(keys[place], bases[place]) for place in self._places]
@@ -156,12 +157,12 @@ class ColumnLaps:
         self._has_begun = False
 
     def count(self, words: Words, epochs: NDArray[np.int64], at: float = 0.0) -> dict[int, NDArray[Any]]:
-        """Return the values of samples that follow one another, by the places of their signals; of these alone.
+        """Return the values of consecutive samples, by the places of their signals, for signals with WRAPS only.
 
         Args:
             words: shape (samples, addresses).
             epochs: sessions of the samples, shape (samples,).
-            at: instant by `time.monotonic` at which the last sample arrived.
+            at: instant of `time.monotonic` at which the last sample arrived.
         """
         if not self._places or not len(words):
             return {}
@@ -170,7 +171,7 @@ class ColumnLaps:
             if base != key and base in counted:
                 counted[key] = laps.near_each(column, counted[base])
                 continue
-            # A signal whose base is not in the samples goes on from the last value of the base that was read elsewhere.
+            # A signal whose base is not in the samples continues from the base's last value, which was read elsewhere.
             if base in self._known and (base != key or not self._has_begun):
                 laps.begin(self._known[base])
             counted[key] = laps.count(column, epochs, at)

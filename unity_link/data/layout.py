@@ -1,4 +1,4 @@
-"""The words of some signals of one gateway, read and decoded together."""
+"""The words of several signals of one gateway, read and decoded together."""
 
 from __future__ import annotations
 
@@ -65,13 +65,13 @@ class _Requests(NamedTuple):
 
 
 class GroupLayout:
-    """Signals behind one link, and the words that they stand in, each address once."""
+    """Signals behind one link, and the words that contain them, each address once."""
 
     def __init__(self, proxies: Sequence[Proxy[Any]]) -> None:
         """Lay out signals of one link.
 
         Raises:
-            ArgumentError: for one that cannot be read like a register.
+            ArgumentError: for a signal that can only be written.
         """
         self.proxies = tuple(proxies)
         self.places = {proxy: place for place, proxy in enumerate(proxies)}
@@ -83,29 +83,29 @@ class GroupLayout:
         self._parts = tuple(dict.fromkeys(signal.addresses for signal in signals))
         self._requests: _Requests | None = None
         self._columns = Columns(signals, self.addresses)
-        # Thousands of batches of dozens of signals may come a second, and to find an attribute of a class that has a
-        # `__getattr__` takes longer than all else that `Batch.see` does.
-        self.lasts = [(proxy, proxy._last) for proxy in proxies]  # noqa: SLF001  (once; nobody else is to see it)
-        # Those that count for others first.
+        # Look up `_last` here, once: dozens of signals in thousands of batches per second would look it up, and an
+        # attribute of a class with `__getattr__` takes longer to find than the rest of `Batch.see` takes.
+        self.lasts = [(proxy, proxy._last) for proxy in proxies]  # noqa: SLF001  (private to the package)
+        # Signals that other signals follow come first.
         self._wrapping = sorted(
             (proxy for proxy in proxies if proxy.laps is not None), key=lambda proxy: proxy.signal.laps_of != proxy.path
         )
         self._named = [(place, proxy) for place, proxy in enumerate(proxies) if proxy.signal.kind.enumeration]
 
     def __reduce__(self) -> Any:
-        # What signals have seen last is theirs.
+        # The last values stay with the proxies of this program.
         return GroupLayout, (self.proxies,)
 
     @property
     def link(self) -> Link:
-        """Link that they are behind; raise an error where they come out of a pickle."""
+        """Link of the signals. Raise an error if they were unpickled, because they have none."""
         return self.proxies[0].link
 
     def check_registers(self) -> None:
-        """Check that all can be read again and again.
+        """Check that all signals can be read repeatedly.
 
         Raises:
-            ArgumentError: for the port of a queue, and for what a read clears.
+            ArgumentError: for the port of a queue, and for a signal that a read clears.
         """
         self.check_sampled()
         for proxy in self.proxies:
@@ -113,10 +113,10 @@ class GroupLayout:
                 raise ArgumentError(f"{proxy.path} is the port of a queue, from which each read takes a word")
 
     def check_sampled(self) -> None:
-        """Check that a sample takes nothing for good but words of queues.
+        """Check that reading the signals loses nothing but words of queues.
 
         Raises:
-            ArgumentError: for what a read clears.
+            ArgumentError: for a signal that a read clears.
         """
         for proxy in self.proxies:
             if proxy.signal.effect is Effect.CLEAR_ON_READ:
@@ -146,7 +146,7 @@ class GroupLayout:
         return words if order is None else words[order]
 
     def row(self, words: Words) -> list[Any]:
-        """Return the values in words of shape (addresses,), in the order of the proxies."""
+        """Return the values decoded from words of shape (addresses,), in the order of the proxies."""
         row = self._columns.row(words)
         for place, proxy in self._named:
             row[place] = proxy.scalar(row[place])
@@ -156,7 +156,7 @@ class GroupLayout:
         return row
 
     def laps(self) -> ColumnLaps | None:
-        """Return the rounds of a stream of samples, from the last values; None without a signal with WRAPS."""
+        """Return counters of rounds for a new stream of samples, starting from the last values; None without WRAPS."""
         if not self._wrapping:
             return None
         bases = [
@@ -167,5 +167,5 @@ class GroupLayout:
         return ColumnLaps([proxy.signal for proxy in self.proxies], self.addresses, self.proxies, bases, known)
 
     def columns(self, words: Words) -> dict[Proxy[Any], NDArray[Any]]:
-        """Return the values in words of shape (samples, addresses), by their proxies, each of shape (samples,)."""
+        """Return the values decoded from words of shape (samples, addresses), by proxy, each of shape (samples,)."""
         return dict(zip(self.proxies, self._columns.columns(words), strict=True))

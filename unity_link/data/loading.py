@@ -1,4 +1,4 @@
-"""Loading of specs: the class of a spec's robot."""
+"""Loading of specs as classes of robots."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class LoadedRobot(Robot):
-    """A robot whose class was made at run time: type checkers know nothing of its attributes."""
+    """A robot whose class was made at run time; type checkers do not know its attributes."""
 
     if TYPE_CHECKING:
 
@@ -25,11 +25,11 @@ class LoadedRobot(Robot):
 
 
 def load(spec: str | Path | Spec, interface: str | None = None) -> type[LoadedRobot]:
-    """Return the class of a public interface; `unity_link.load` says more.
+    """Return the class of a public interface; see `unity_link.load`.
 
     Raises:
-        SpecError: with everything that is wrong with the spec.
-        ArgumentError: for an interface that there is not, and where the Python of a core cannot be imported.
+        SpecError: with all errors of the spec.
+        ArgumentError: if the spec has no such interface, or the Python of a core cannot be imported.
     """
     if not isinstance(spec, Spec):
         if not isinstance(spec, (str, os.PathLike)):
@@ -56,5 +56,5 @@ def load(spec: str | Path | Spec, interface: str | None = None) -> type[LoadedRo
 
 
 def read_interface(text: str) -> Interface:
-    """Read an interface as a generated module holds it: as JSON."""
+    """Decode an interface from the JSON that a generated module contains."""
     return msgspec.json.decode(text, type=Interface)

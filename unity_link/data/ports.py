@@ -1,4 +1,4 @@
-"""A signal that is the port of a queue: reads take values from it, writes append some."""
+"""Signals that are ports of queues: a read takes values out, a write appends values."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ if TYPE_CHECKING:
 
 
 class ReadPort(SampledSignal[T]):
-    """A queue that can be read. Where its group is published on a trigger, each sample has a word that it took."""
+    """A queue that can be read. If its group is published on a trigger, each sample takes one word out of it."""
 
     __slots__ = ()
 
     async def take(self, count: int) -> NDArray[Any]:
-        """Take `count` values; shape (count,), those of an enumeration as numbers.
+        """Take `count` values; shape (count,). Values of an enumeration are numbers.
 
         Raises:
-            BusError: where the queue had fewer, if the gateware says so; those that it had are gone.
+            BusError: if the queue had fewer values and the gateware reports that; the values that it had are lost.
         """
         signal = self.signal
         size = whole_number(count, "a number of words")
@@ -42,7 +42,7 @@ class ReadPort(SampledSignal[T]):
 
 
 class WritePort(Proxy[T], Generic[T, S]):
-    """A queue that can be written, of values `T`; it takes `S`, as `Writable`."""
+    """A queue of values of type `T` that can be written; its methods accept the type `S`, as those of `Writable`."""
 
     __slots__ = ()
 
@@ -50,8 +50,8 @@ class WritePort(Proxy[T], Generic[T, S]):
         """Append values.
 
         Raises:
-            ArgumentError: for a value outside of the limits, or that the kind cannot say. Nothing was sent.
-            BusError: where there was no room for all, if the gateware says so; the first ones were appended.
+            ArgumentError: for a value outside of the limits, or one that the kind cannot represent; nothing is sent.
+            BusError: if the queue had no room for all and the gateware reports that; the first values were added.
         """
         signal = self.signal
         given = np.atleast_1d(signal.kind.array(values))
@@ -69,7 +69,7 @@ class WritePort(Proxy[T], Generic[T, S]):
 
     def _check_limits(self, values: NDArray[Any]) -> None:
         low, high = self.signal.limits
-        # NaN lies within no limits.
+        # NaN is outside of all limits.
         outside = ~((values >= low) & (values <= high))
         if outside.any():
             raise self.signal.beyond_limits(values[outside][0])

@@ -1,7 +1,7 @@
-"""One signal of a robot, its last value and its callbacks; `signals` has those that can be read or written.
+"""One signal of a robot, with its last value and its callbacks; `signals` has those that can be read or written.
 
-A proxy remembers the newest value that it has seen, by whatever way: a read, a write, a group, a subscription. Of
-samples it keeps only the batch that they came in, and decodes when it is asked.
+A proxy stores the newest value that was seen in any way: by a read, a write, a group or a subscription. If that value
+was in a batch of samples, the proxy stores the batch, and decodes the value when it is requested.
 """
 
 from __future__ import annotations
@@ -30,18 +30,18 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 S = TypeVar("S", default=T)
-"""Type of the values that a signal takes: an enumeration is written by names, too, and never read as one."""
+"""Type of the values that writes accept: an enumeration also accepts names, which reads never return."""
 
 BUFFER = 16_384
-"""Samples that wait for a reader, as in `unity_link.Link.subscribe`."""
+"""Most samples that wait for a reader, as in `unity_link.Link.subscribe`."""
 
 
 MOST_ROWS = 60
-"""Signals that a notebook shows."""
+"""Most signals that a notebook shows."""
 
 
 class Owner(Protocol):
-    """A robot, as far as its signals know it."""
+    """The attributes of a robot that its signals use."""
 
     interface: ClassVar[Interface]
 
@@ -60,26 +60,26 @@ class SampledColumns(Protocol):
 
 
 class _Last(Generic[T]):
-    """The last value of a signal that was seen, with each read or batch another one, and what is called for it."""
+    """The last value of a signal that was seen, or the batch with it, and the callbacks for new values."""
 
     __slots__ = ("at", "batch", "callbacks", "value", "words")
 
     def __init__(self) -> None:
         self.callbacks: tuple[Callback[T], ...] = ()
-        """Callbacks for values that differ from the one before."""
+        """Callbacks for values that differ from the last one."""
         self.value: T | None = None
         self.at = -math.inf
-        """Instant by `time.monotonic`."""
+        """Instant of `time.monotonic` at which the value arrived or was written."""
         self.batch: SampledColumns | None = None
-        """Batch with the value, if the last one came in a batch."""
+        """Batch of samples that ends with the value, if the value came in a batch."""
         self.words: Sequence[int] | None = None
-        """Words of the value, if the last one was written and nothing has asked for it."""
+        """Words of the value, if it was written and has not been decoded yet."""
 
 
 class Proxy(Sealed, Generic[T]):
-    """A signal of a robot; `Readable`, `Writable`, `ReadWrite` and the ports of queues are.
+    """A signal of a robot; the base of `Readable`, `Writable`, `ReadWrite` and the ports of queues.
 
-    A copy of it is itself. Out of a pickle, which links do not go through, it has its path and unit alone.
+    A copy of a proxy is the proxy itself. An unpickled proxy has no robot and no link, only its path, ID and unit.
     """
 
     __slots__ = ("_laps", "_last", "_names", "bus", "link", "robot", "signal")
@@ -89,7 +89,7 @@ class Proxy(Sealed, Generic[T]):
         """Declaration of the signal in the spec."""
         self.robot = robot
         self.bus = bus
-        """Bus that it is reached over: the link, or what a module puts before it."""
+        """Bus for its accesses: the link, or the bus of the module that contains the signal."""
         self.link = link_under(bus)
         self._names: dict[int, Any] | None = None
         if signal.kind.enumeration is not None:
@@ -98,7 +98,7 @@ class Proxy(Sealed, Generic[T]):
         self._last: _Last[T] = _Last()
         self._laps = Laps(signal) if signal.laps_of == signal.path else None
 
-    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+    if not TYPE_CHECKING:  # A type checker reports such errors by itself.
 
         def __getattr__(self, name: str) -> Any:
             raise _no_attribute(self, name)
@@ -106,7 +106,7 @@ class Proxy(Sealed, Generic[T]):
         def __setattr__(self, name: str, value: object) -> None:
             if name == "value":
                 written = f"`await {self.path}.set({value!r})` writes it"
-                raise ArgumentError(f"{self.path}.value is what was seen last: {written}")
+                raise ArgumentError(f"{self.path}.value is the value seen last: {written}")
             super().__setattr__(name, value)
 
         def __eq__(self, other: object) -> Any:
@@ -123,22 +123,22 @@ class Proxy(Sealed, Generic[T]):
         return _alone, (self.signal, self._names)
 
     def is_alone(self) -> bool:
-        """Return whether it comes out of a pickle and belongs to no robot."""
+        """Return whether the proxy was unpickled, and belongs to no robot."""
         return type(self) is Proxy
 
     @property
     def path(self) -> str:
-        """Path from its robot: ``legs[2].coxa.cpos``."""
+        """Path of the signal in its robot: ``legs[2].coxa.cpos``."""
         return self.signal.path
 
     @property
     def id(self) -> str:
-        """The name that the spec gives it for people and other systems."""
+        """Name of the signal in the spec for people and other systems."""
         return self.signal.id
 
     @property
     def unit(self) -> str:
-        """The unit of its values; empty where they have none."""
+        """Unit of the values; empty if they have none."""
         return self.signal.unit
 
     def __repr__(self) -> str:
@@ -148,16 +148,16 @@ class Proxy(Sealed, Generic[T]):
         return f"<{self.path}: {seen}>"
 
     def _repr_html_(self) -> str:
-        """Return what is known of it as a table; it is not read for that."""
+        """Return the last value and the declaration as a table, without a read."""
         return signals_table(self.path, [self])
 
-    # What was seen
+    # Last value
 
     @property
     def value(self) -> T | None:
-        """The last value that was seen, by whatever way; None where there was none yet."""
+        """The last value that was seen in any way; None before the first one."""
         last = self._last
-        # Read once: the link may live in another thread, and bring the next batch meanwhile.
+        # Get the three once: if the link is in another thread, the next batch may replace them at any time.
         batch, words, value = last.batch, last.words, last.value
         if batch is not None:
             return self.scalars(batch[self][-1:])[0]
@@ -165,17 +165,17 @@ class Proxy(Sealed, Generic[T]):
 
     @property
     def age(self) -> float:
-        """Seconds since that value arrived, or was written; infinite where there was none yet."""
+        """Seconds since that value arrived or was written; infinite before the first one."""
         return time.monotonic() - self._last.at
 
     def on_change(self, callback: Callable[[T], object]) -> Registration:
-        """Call a function with the value whenever another one is seen than before.
+        """Call a function with each value that differs from the last one seen, until `Registration.cancel`.
 
-        A signal that is published or polled is from now on, until `Registration.cancel`; any other one is seen when it
-        is read or written. To be called where an event loop runs. What a callback raises is logged under
-        ``unity_link.link``, the first exception of each type; that the link was lost, too, and that the gateway refused
-        a read of one that is polled, which goes on at its next turn, or that one behind a server is away at the
-        beginning, which is waited for.
+        If the signal is published or polled, its samples are received from now on; otherwise, values are seen only when
+        the signal is read or written. An event loop must be running. Exceptions of the callback are logged under
+        ``unity_link.link``, the first one of each type. The loss of the link is logged, too. If the gateway refuses a
+        read of a polled signal, or is behind a server and away at the beginning, the error is logged and the read or
+        subscription is tried again.
 
         Raises:
             ArgumentError: for an asynchronous function.
@@ -190,13 +190,13 @@ class Proxy(Sealed, Generic[T]):
         self._last.callbacks = tuple(other for other in self._last.callbacks if other is not callback)
 
     def _listen(self) -> tuple[Callable[[], None], ...]:
-        """Keep its samples seen, where it has some, until all that is returned is called."""
+        """Receive the signal's samples, if there are any, until all returned functions are called."""
         return ()
 
     # Called by groups and subscriptions
 
     def scalars(self, values: NDArray[Any]) -> list[T]:
-        """Make Python's values of an array of this signal's; shape (n,)."""
+        """Return the values in an array, shape (n,), as Python's values; numbers with names as enumeration members."""
         numbers = values.tolist()
         if self._names is not None:
             names = self._names
@@ -204,21 +204,21 @@ class Proxy(Sealed, Generic[T]):
         return cast("list[T]", numbers)
 
     def scalar(self, value: Any) -> T:
-        """Return the member of its enumeration for a number that has a name; any other value as it is."""
+        """Return the member of the enumeration for a number that has a name; any other value unchanged."""
         if self._names is None:
             return cast("T", value)
         return cast("T", self._names.get(int(value), int(value)))
 
     @property
     def laps(self) -> Laps | None:
-        """The rounds that count for its values; None for a signal without WRAPS."""
+        """The counter of rounds for its values; None for a signal without WRAPS."""
         base = self.signal.laps_of
         if self._laps is not None or base is None or self.is_alone():
             return self._laps
         return self.robot[base].laps
 
     def counted(self, value: T) -> T:
-        """Return a value that was just read, or was written, with the rounds of a signal with WRAPS."""
+        """Return a value that was just read or written; for a signal with WRAPS, with its rounds counted."""
         laps = self.laps
         if laps is None:
             return value
@@ -229,15 +229,15 @@ class Proxy(Sealed, Generic[T]):
         return near
 
     def decode(self, words: int | Sequence[int]) -> T:
-        """Return the value of words that were just read, or written."""
+        """Return the value of words that were just read or written."""
         return self.counted(self.scalar(self.signal.decode(words)))
 
     def encode(self, value: Any) -> tuple[int, ...]:
         """Return the words of a value, one for each address, as `Signal.encode`; with WRAPS also beyond the range.
 
         Raises:
-            ArgumentError: for a value that its kind cannot say, outside of the limits, or, with WRAPS, too far from the
-                value that was read last.
+            ArgumentError: for a value that the kind cannot represent, outside of the limits, or, with WRAPS, too far
+                from the value that was read last.
         """
         laps = self.laps
         given: object = value
@@ -246,7 +246,7 @@ class Proxy(Sealed, Generic[T]):
         return self.signal.encode(value)
 
     def see_written(self, words: Sequence[int]) -> None:
-        """Keep the value of words that were written as the last one, unless they are not what is read then."""
+        """Store the value of written words as the last one, unless a read returns something else than was written."""
         if self.signal.effect is not None:
             return
         last = self._last
@@ -256,11 +256,11 @@ class Proxy(Sealed, Generic[T]):
             last.words, last.at, last.batch = words, time.monotonic(), None
 
     def see(self, value: T, at: float | None = None) -> None:
-        """Keep a value as the last one, and call the handlers that wait for another one.
+        """Store a value as the last one, and call the change handlers if it differs from the previous one.
 
         Args:
-            value: what was read or written.
-            at: instant by `time.monotonic`; None for now.
+            value: the value read or written.
+            at: instant of `time.monotonic`; None for now.
         """
         last = self._last
         before = self.value if last.callbacks else None
@@ -275,7 +275,7 @@ class Proxy(Sealed, Generic[T]):
 
 
 def _alone(signal: Signal, names: dict[int, Any] | None) -> Proxy[Any]:
-    """Return a signal of no robot."""
+    """Return an unpickled signal, which belongs to no robot."""
     made: Proxy[Any] = object.__new__(Proxy)
     given: dict[str, Any] = {"signal": signal, "_names": names, "_laps": None, "_last": _Last(), "_is_sealed": True}
     for name, value in given.items():
@@ -284,7 +284,7 @@ def _alone(signal: Signal, names: dict[int, Any] | None) -> Proxy[Any]:
 
 
 def signals_table(title: str, proxies: Sequence[Proxy[Any]]) -> str:
-    """Return what is known of signals as a table in HTML; none is read for that."""
+    """Return the last values and declarations of signals as an HTML table, without a read."""
     from unity_link.link import html
 
     head = ("signal", "value", "unit", "seen", "access", "address", "description")
@@ -292,7 +292,7 @@ def signals_table(title: str, proxies: Sequence[Proxy[Any]]) -> str:
 
 
 def nothing_publishes(proxies: Sequence[Proxy[Any]]) -> ArgumentError:
-    """Return the error for signals of which nothing says when they are sampled."""
+    """Return the error for signals that the spec does not have sampled."""
     names = ", ".join(proxy.path for proxy in proxies[:3]) + (", ..." if len(proxies) > 3 else "")
     return ArgumentError(
         f"nothing says when {names} is to be sampled: give PUBLISH or POLL in the spec, or a rate_hz to a group"
@@ -309,7 +309,7 @@ def _row(proxy: Proxy[Any]) -> tuple[str, ...]:
 
 
 async def refusal(error: BusError, proxies: Iterable[Proxy[Any]]) -> BusError:
-    """Return the error for a write that the bus has refused: where a lease of these signals is not armed, that one."""
+    """Return the error for a refused write: a `NotArmedError` if a lease of its signals is not armed, else `error`."""
     for robot, lease in {(proxy.robot, proxy.signal.safe.lease) for proxy in proxies if proxy.signal.safe is not None}:
         from unity_link.cores.lease import refused
 
@@ -323,7 +323,7 @@ def _refuse_as_value(proxy: Proxy[Any], *_: object) -> Never:
 
 _NAMES = "bool int float index lt le gt ge add radd sub rsub mul rmul truediv rtruediv neg abs round"
 OPERATORS = tuple(f"__{name}__" for name in _NAMES.split())
-"""Operators of values: who uses one on a signal has forgotten to read it."""
+"""Operators of values. On a signal they raise an error, because the program has forgotten to read the signal."""
 for _name in OPERATORS:
     setattr(Proxy, _name, _refuse_as_value)
 

@@ -1,11 +1,10 @@
-"""The tree that a program holds: a robot of components of signals, made from a checked model.
+"""The tree of objects for a program: a robot with components and signals, made from a checked model.
 
-`unity_link.load` makes the classes at run time, `unity_link generate python` writes them into a module where editors
-and type checkers see them; both are subclasses of `Component` and `Robot` with nothing but annotations, and what
-happens is all here.
+`unity_link.load` makes the classes at run time; `unity_link generate python` writes them into a module for editors and
+type checkers. Both make subclasses of `Component` and `Robot` that only have annotations. All methods are here.
 
-Attributes have the names of the spec. One that Python needs for itself (`class`), that `Robot` has (`link`), or that is
-a verb of a core (`armed`), gets ``_`` behind it.
+Attributes have the names of the spec. A name gets ``_`` appended if it is a keyword of Python (`class`), an attribute
+of `Robot` (`link`), or a method of a core API (`armed`).
 """
 
 from __future__ import annotations
@@ -49,7 +48,7 @@ MODULE_TYPES: Mapping[str, type[Module]] = {
     "TOSNET": TosnetNetwork,
     "TOSNET_NODE": TosnetNode,
 }
-"""The classes of hardware modules by their words in a spec."""
+"""Classes of hardware modules by the words for them in a spec."""
 
 
 class Component(OfLink):
@@ -60,7 +59,7 @@ class Component(OfLink):
 
     @property
     def signals(self) -> tuple[Proxy[Any], ...]:
-        """All signals in it and in its parts, in the order of the spec."""
+        """All signals of the component and of its parts, in the order of the spec."""
         return tuple(_walk(self._members))
 
     if not TYPE_CHECKING:  # A type checker knows the names.
@@ -69,8 +68,8 @@ class Component(OfLink):
             """Set an attribute that a subclass declares, or that begins with ``_``.
 
             Raises:
-                ArgumentError: for a signal, a part, a module or a method, which it would hide, and for a name that
-                    nothing declares.
+                ArgumentError: for a signal, a part, a module or a method, which the value would hide, and for a
+                    name that no class declares.
             """
             member = self.__dict__.get(name)
             if isinstance(member, Proxy) and member.signal.access.writes:
@@ -91,7 +90,7 @@ class Component(OfLink):
         return self._model.path or self._model.name
 
     def _missing(self, name: str) -> AttributeError:
-        """Return the error for a name that there is not."""
+        """Return the error for a name that the component does not have."""
         known = [other for other in dir(self) if not other.startswith("_")]
         hint = did_you_mean(name, known) or f"there are {', '.join(sorted(vars(self).keys() & {*known})[:8])}"
         if name in _OF_SIGNALS and self.signals:
@@ -109,33 +108,33 @@ class Component(OfLink):
 
 
 class Robot(Component):
-    """A public interface of a spec, behind a link. `unity_link.load` and generated modules make subclasses."""
+    """A public interface of a spec on a link. `unity_link.load` and generated modules make subclasses."""
 
     interface: ClassVar[model.Interface]
     """Declaration of the robot in the spec."""
     components: ClassVar[Mapping[str, type[Component]]] = {}
-    """The classes of its components by the names of their declarations."""
+    """Classes of the components by the names of their declarations."""
     enumerations: ClassVar[Mapping[str, type[enum.IntEnum]]] = {}
-    """The classes of its enumerations by their names."""
+    """Classes of the enumerations by their names."""
 
     link: Link
-    """The link that it is reached over."""
+    """The link to the robot's gateway."""
     groups: dict[str, Group]
     """The groups that the spec declares, by their names."""
     modules: tuple[Module, ...]
-    """All hardware modules in the order of the spec, those without a name too."""
+    """All hardware modules in the order of the spec, including those without a name."""
 
     def __init__(self, link: Link, /, **parameters: int | None) -> None:
-        """Put the robot of the spec behind a link.
+        """Create the robot of the spec on a link.
 
         Args:
             link: an open link.
-            parameters: those of the interface that have no value; one that is not needed can be left out.
+            parameters: values of the interface's open parameters; those that are not needed can be left out.
 
         Raises:
-            ArgumentError: for a parameter that there is not.
-            UnsupportedError: where the gateway's words are not those of the spec, or its addresses are too few.
-            SpecMismatchError: where it was generated from another spec; `unity_link.robot` says what differs.
+            ArgumentError: for a parameter that the interface does not have.
+            UnsupportedError: if the gateway's words differ in size from the spec's, or its addresses are too few.
+            SpecMismatchError: if it was generated from another spec; `unity_link.robot` reports the differences.
         """
         interface = self.interface
         check_link(interface, link)
@@ -168,7 +167,7 @@ class Robot(Component):
         """Return a signal by its path or its ID.
 
         Raises:
-            ArgumentError: where there is none.
+            ArgumentError: if the robot has no such signal.
         """
         if not isinstance(name, str):
             raise ArgumentError(
@@ -181,7 +180,7 @@ class Robot(Component):
         return proxy
 
     def publishing_group(self, proxy: Proxy[Any]) -> Group | None:
-        """Return the group that the gateway or the host samples a signal with, None where nothing does."""
+        """Return the group with which the gateway or the host samples a signal; None if the spec has it in none."""
         if proxy.signal.group is not None:
             return self.groups[proxy.signal.group]
         return None if proxy.signal.poll_hz is None else self._polled[proxy.signal.poll_hz]
@@ -245,7 +244,7 @@ class _Groups(dict[str, Group]):
         hint = did_you_mean(name, self) or f"there are {', '.join(self) or 'none'}"
         raise UnknownNameError(f"the spec declares no group {name!r}: {hint}")
 
-    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+    if not TYPE_CHECKING:  # A type checker reports unknown attributes by itself.
 
         def __getattr__(self, name: str) -> Never:
             instead = {known: f"write groups[{known!r}]" for known in self}
@@ -253,7 +252,7 @@ class _Groups(dict[str, Group]):
 
 
 def _names_of_addresses(proxies: Mapping[str, Proxy[Any]]) -> dict[int, str]:
-    """Return the paths of the signals at each address, for messages."""
+    """Return the paths of the signals at each address, for error messages."""
     paths: dict[int, list[str]] = {}
     for path, proxy in proxies.items():
         for address in proxy.signal.addresses:
@@ -262,7 +261,7 @@ def _names_of_addresses(proxies: Mapping[str, Proxy[Any]]) -> dict[int, str]:
 
 
 def _annotations(kind: type) -> dict[str, Any]:
-    """Return what a class declares by itself."""
+    """Return the annotations of a class itself, without those of its bases."""
     return dict(vars(kind).get("__annotations__", {}))
 
 
@@ -282,26 +281,26 @@ def proxy_type(signal: model.Signal) -> type[Proxy[Any]]:
 
 
 def class_name(name: str) -> str:
-    """Return the name of the class for something that a spec declares: ``leg_joint`` becomes ``LegJoint``."""
+    """Return the class name for the name of a declaration: ``leg_joint`` becomes ``LegJoint``."""
     joined = "".join(word[:1].upper() + word[1:] for word in name.split("_") if word)
     return joined if joined.isidentifier() else f"_{joined}"
 
 
 def _is_verbs(kind: type) -> bool:
-    """Return whether a class is that of a core's verbs, and not one of a component that has it as a base."""
+    """Return whether a class is the core API of a core, and not that of a component derived from one."""
     return issubclass(kind, (Verbs, RobotVerbs)) and not issubclass(kind, Component)
 
 
 def python_names(names: Iterable[str], verbs: frozenset[str] = frozenset()) -> list[str]:
-    """Return the names of attributes for the members of a component, in the same order.
+    """Return the names of the attributes for the members of a component, in the same order.
 
-    A name that Python, `Robot` or a verb of the component has taken gets ``_`` behind it, as many as it needs.
+    A name that Python, `Robot` or the component's core API uses gets ``_`` appended, several if necessary.
     """
     given = list(names)
     taken = {*given, *verbs}
     made = []
     for name in given:
-        # Two underscores at the front have a meaning of their own in a class.
+        # Python mangles names with two leading underscores in a class body.
         free = "_" + name.lstrip("_") if name.startswith("__") else name
         while (
             keyword.iskeyword(free)
@@ -317,13 +316,13 @@ def python_names(names: Iterable[str], verbs: frozenset[str] = frozenset()) -> l
 
 
 _OF_SIGNALS = frozenset({"get", "post", "samples", "set", "value"})
-"""Methods of signals that are tried on a part."""
+"""Methods of signals that programs try on a component by mistake."""
 _OWN = frozenset(
     {
         *Robot.__annotations__,
         *Component.__annotations__,
         *("_given", "_by_path", "_by_id"),
-        # In a class, annotations behind such a name would mean it.
+        # In a generated class, an attribute of this name would hide the type in later annotations.
         *("bool", "float", "int", "tuple"),
     }
 )
@@ -338,7 +337,7 @@ def _add_module(attributes: dict[str, Any], described: model.ModuleSpec, module:
 
 
 def check_link(interface: model.Interface, link: object) -> None:
-    """Raise ArgumentError where something is no open link."""
+    """Raise ArgumentError if an object is no open link."""
     if isinstance(link, Link):
         return
     from unity_link.blocking import BlockingLink
@@ -352,11 +351,11 @@ def check_link(interface: model.Interface, link: object) -> None:
 
 
 def check_gateway(interface: model.Interface, link: Connection) -> None:
-    """Check, as far as its configuration says, that the gateway of a link is the one that a spec describes.
+    """Compare the configuration of a link's gateway with a spec.
 
     Raises:
-        SpecMismatchError: where it was generated from another spec.
-        UnsupportedError: where its words or addresses are others.
+        SpecMismatchError: if it was generated from another spec.
+        UnsupportedError: if its words or addresses differ in size.
     """
     info = link.gateway
     if info.data_bits != interface.data_bits:
@@ -370,11 +369,11 @@ def check_gateway(interface: model.Interface, link: Connection) -> None:
             f"the spec of {interface.name} has addresses up to {highest:#x}, and those of the gateway end at "
             f"{(1 << info.address_bits) - 1:#x}"
         )
-    is_told = Feature.FINGERPRINT in info.features and info.build_id != interface.fingerprint
-    if is_told and not link.any_map and interface.fingerprint not in link.compatible_maps:
+    is_other = Feature.FINGERPRINT in info.features and info.build_id != interface.fingerprint
+    if is_other and not link.any_map and interface.fingerprint not in link.compatible_maps:
         advice = "load the spec that the gateway was built from, or build it from this one"
         if isinstance(link, Link) and Feature.DESCRIPTION in info.features:
-            advice = f"`await unity_link.robot(link, spec)` says what differs; {advice}"
+            advice = f"`await unity_link.robot(link, spec)` reports the differences; {advice}"
         raise SpecMismatchError(
             f"the gateway was built for the map {info.build_id:08X}, and the spec of {interface.name} describes the "
             f"map {interface.fingerprint:08X}: {advice}, or write map=any in the URL if you know what differs"
@@ -382,7 +381,7 @@ def check_gateway(interface: model.Interface, link: Connection) -> None:
 
 
 def _make_modules(interface: model.Interface, link: Link, given: Mapping[str, int | None]) -> tuple[Module, ...]:
-    """Make the proxies of all hardware modules; one stands on the bus of the one around it."""
+    """Create the proxies of all hardware modules. A module inside another one uses the bus of that module."""
     modules: list[Module] = []
     for described in interface.modules:
         bus: Bus = link if described.parent is None else modules[described.parent].bus

@@ -1,6 +1,6 @@
-"""The sources of samples of a group: subscriptions of the gateway, or reads that the host repeats.
+"""Sources of the samples of a group: subscriptions to the gateway, or reads that the host repeats.
 
-Both give lists of `Sample` by `take`. A group of several gateways has one source each.
+`take` of both returns lists of `Sample`. A group of several gateways has one source for each.
 """
 
 from __future__ import annotations
@@ -42,28 +42,28 @@ if TYPE_CHECKING:
 
 
 class SampleSource(Protocol):
-    """A stream of samples of one gateway: `unity_link.Subscription` is one."""
+    """A stream of samples of one gateway, such as `unity_link.Subscription`."""
 
     @property
     def lost(self) -> int:
-        """Samples lost so far."""
+        """Number of samples lost so far."""
 
     @property
     def received(self) -> int:
-        """Samples that arrived so far."""
+        """Number of samples that have arrived so far."""
 
     @property
     def rate_hz(self) -> float | None:
-        """Samples a second."""
+        """Samples per second; None if they are not periodic."""
 
     async def take(self, count: int | None = None) -> list[Sample]:
-        """Wait until there is a sample, or so many, and return all that wait, or so many."""
+        """Wait for a sample, and return all that have arrived; or wait for `count` samples, and return these."""
 
     def give_back(self, samples: Sequence[Sample]) -> None:
-        """Put the samples that were taken last back, to be taken again."""
+        """Put the samples taken last back, in front; `take` returns them again."""
 
     async def publish(self) -> None:
-        """Ask for one sample now."""
+        """Request one sample now."""
 
     async def __aenter__(self) -> Self: ...
 
@@ -73,7 +73,7 @@ class SampleSource(Protocol):
 
 
 class Poll:
-    """Reads that the host repeats at a rate, each when it is asked for; what comes too late for its turn is lost."""
+    """Reads that the host repeats at a rate, one for each requested sample. Missed turns count as lost samples."""
 
     def __init__(self, layout: GroupLayout, rate_hz: float, *, on_change: bool, overflow: Overflow) -> None:
         low, high = RATE
@@ -94,26 +94,26 @@ class Poll:
         """Samples that were given back."""
         self._lost = 0
         self._cut_off = 0
-        """Reads that were cancelled: lost where others follow, not where that was the end."""
+        """Number of cancelled reads. They count as lost only if another read follows."""
         self._ended = False
 
     @property
     def rate_hz(self) -> float | None:
-        """Samples a second."""
+        """Samples per second."""
         return self._rate_hz
 
     async def take(self, count: int | None = None) -> list[Sample]:
-        """Wait for the next turn, or so many, and read.
+        """Wait for the next turn, or for `count` turns, and read in each.
 
         Raises:
-            StopAsyncIteration: when the ``async with`` block has ended; turns that pass then are not missed.
-            SamplesLostError: where turns were missed, and the overflow is ``"fail"``.
-            GatewayError: where the gateway refused the read; the turn is lost, and there may be others.
+            StopAsyncIteration: if the ``async with`` block has ended. Turns after the end do not count as missed.
+            SamplesLostError: if turns were missed and the overflow is ``"fail"``.
+            GatewayError: if the gateway refused the read. The sample is lost; later reads may succeed.
         """
         return [await self._next()] if count is None else await so_many(self._next, count, self.give_back)
 
     def give_back(self, samples: Sequence[Sample]) -> None:
-        """Put samples back, to be taken again."""
+        """Put samples back; `take` returns them again."""
         self._waiting.extendleft(reversed(samples))
 
     async def _next(self) -> Sample:
@@ -126,7 +126,7 @@ class Poll:
             try:
                 words = await self._layout.read()
             except GatewayResetError:
-                # The link goes on by itself, and so do its other subscriptions.
+                # The link and its other subscriptions continue after a reset, so this one does, too.
                 self._miss(1)
                 continue
             except GatewayError:
@@ -140,7 +140,7 @@ class Poll:
         raise StopAsyncIteration
 
     async def publish(self) -> None:
-        """Read now, besides the turns."""
+        """Make the pending `take` read now, in addition to the turns."""
         self._asked.set()
 
     async def __aenter__(self) -> Self:
@@ -152,7 +152,7 @@ class Poll:
         self._ended = True
 
     async def _wait_for_turn(self) -> int:
-        """Return by how many turns this goes on: none, where it was asked for a sample in between."""
+        """Wait for the next turn, and return the turns passed; return 0 at once if `publish` is called before it."""
         now = running().time()
         if self._began is None:
             self._began = now
@@ -188,8 +188,8 @@ class Poll:
 class GroupSubscription(Sealed):
     """A stream of samples of a group; made by `Group.subscribe`, to be used in an ``async with`` block.
 
-    Iteration gives `GroupSample`, one by one. A group of several gateways gets samples of each as they come, with the
-    values of that one. Iteration ends with `LinkLostError` when a link ends, after the samples that had come before.
+    Iteration yields each `GroupSample`. For a group of several gateways, a sample has the values of one gateway.
+    Iteration ends with `LinkLostError` if a link ends, after the samples that arrived before.
     """
 
     def __init__(self, sources: Sequence[tuple[GroupLayout, SampleSource]]) -> None:
@@ -198,33 +198,33 @@ class GroupSubscription(Sealed):
         self._entered = self._is_over = False
         self._waiting: dict[asyncio.Task[Batch], int] = {}
         self._read = [(layout, source, [-1]) for layout, source in sources]
-        """The same, each with the sequence of the last sample that signals have seen."""
+        """The sources, each with the number of the last sample that the signals have seen."""
         self._laps = [layout.laps() for layout, _ in sources]
         self._batch: Batch | None = None
-        """Batch that iteration took last."""
+        """Batch that the iteration has taken last."""
         self._rest: list[GroupSample] = []
-        """Rest of that batch, the last first."""
+        """Samples of that batch that the iteration has not yielded yet, last one first."""
 
     @property
     def rate_hz(self) -> float | None:
-        """Samples a second, of the first gateway; None where they are not periodic."""
+        """Samples per second of the first gateway; None if they are not periodic."""
         return self._sources[0][1].rate_hz
 
     @property
     def lost(self) -> int:
-        """Samples lost so far."""
+        """Number of samples lost so far."""
         return sum(source.lost for _, source in self._sources)
 
     @property
     def received(self) -> int:
-        """Samples that arrived so far."""
+        """Number of samples that have arrived so far."""
         return sum(source.received for _, source in self._sources)
 
     async def publish(self) -> None:
-        """Ask each gateway for one sample now, besides those that are due by themselves."""
+        """Request one sample from each gateway now, in addition to the periodic ones."""
         await gather(*(source.publish() for _, source in self._sources))
 
-    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+    if not TYPE_CHECKING:  # A type checker reports such uses by itself.
         __await__ = refusing(NOT_OPEN)
         __enter__ = __exit__ = refusing("write `async with` before this subscription: its link is not a blocking one")
         __iter__ = refusing("write `async for` over the samples: their link is not a blocking one")
@@ -235,19 +235,19 @@ class GroupSubscription(Sealed):
         return "a subscription of a group"
 
     def __repr__(self) -> str:
-        """Return what has come of it."""
+        """Return the state, and the numbers of samples received and lost."""
         state = "over" if self._is_over else "open" if self._entered else "not open"
         return f"<subscription of a group, {state}: {self.received} samples, {self.lost} lost>"
 
     async def take(self, count: int | None = None) -> Batch:
-        """Wait until there is a sample, and return all that wait as one batch.
+        """Wait for at least one sample, and return all that have arrived as one batch.
 
         Args:
-            count: wait for so many, and return no more; there are fewer where the samples end. Of one gateway alone.
+            count: wait for this number of samples, and return no more, fewer only at their end; for one gateway only.
 
         Raises:
-            ArgumentError: where the ``async with`` block has not begun.
-            StopAsyncIteration: when it has ended.
+            ArgumentError: if the ``async with`` block has not begun.
+            StopAsyncIteration: if it has ended.
         """
         if not self._entered:
             raise ArgumentError(NOT_OPEN)
@@ -258,17 +258,17 @@ class GroupSubscription(Sealed):
             raise ArgumentError("samples of several gateways cannot be counted together: take without a count")
         for number in set(range(len(self._sources))) - set(self._waiting.values()):
             task = asyncio.create_task(self._take(number))
-            # Nobody may ask for it any more.
+            # Retrieve the exception, if any: possibly no later call of `take` gets the result of the task.
             task.add_done_callback(lambda done: done.cancelled() or done.exception())
             self._waiting[task] = number
         done, _ = await asyncio.wait(self._waiting, return_when=asyncio.FIRST_COMPLETED)
-        # The one whose turn is longest past comes first: a busy gateway must not silence the others.
+        # Take the oldest of the finished tasks first, so that a busy gateway does not starve the others.
         first = next(task for task in self._waiting if task in done)
         del self._waiting[first]
         return first.result()
 
     def _give_back_rest(self) -> None:
-        """Put back the samples that iteration has not reached, so that nothing taken now is ahead of them."""
+        """Put back the samples that the iteration has not yielded, so that the next batch begins with them."""
         if self._rest and self._batch is not None:
             samples = self._batch.samples[-len(self._rest) :]
             self._rest = []
@@ -282,7 +282,7 @@ class GroupSubscription(Sealed):
         batch = Batch(layout, samples)
         batch = fresh = batch if laps is None else batch.with_rounds(laps)
         if samples[0].sequence <= seen[0]:
-            # They were given back, and no change is to be told twice.
+            # These samples were given back: report no change twice.
             again = sum(sample.sequence <= seen[0] for sample in samples)
             if again == len(samples):
                 return batch

@@ -1,4 +1,4 @@
-"""Signals that can be read, written, or both; those that are read are sampled with their group."""
+"""Signals that can be read, written, or both. Readable signals are sampled with their group."""
 
 from __future__ import annotations
 
@@ -24,23 +24,23 @@ if TYPE_CHECKING:
 
 
 class SamplingOwner(Owner, Protocol):
-    """A robot that has its signals sampled."""
+    """A robot that can have its signals sampled."""
 
     def publishing_group(self, proxy: Proxy[Any]) -> Group | None:
-        """Return the group that the gateway or the host samples a signal with, None where nothing does."""
+        """Return the group with which the gateway or the host samples a signal; None if the spec has it in none."""
 
 
 class SampledSignal(Proxy[T]):
-    """A signal of which there are samples, where a group publishes or polls it."""
+    """A readable signal, which has samples if a group publishes it or the host polls it."""
 
     __slots__ = ()
     robot: SamplingOwner
 
-    if not TYPE_CHECKING:  # A type checker refuses it by itself.
+    if not TYPE_CHECKING:  # A type checker reports this by itself.
         __iter__ = refusing("write `async for` over the samples of a signal, or make a blocking robot by `put`")
 
     def feed(self) -> Feed | None:
-        """Return the samples of the group that publishes or polls it; None where nothing does."""
+        """Return the feed of the group that publishes or polls the signal; None if the spec has it in none."""
         group = self.robot.publishing_group(self)
         return None if group is None else group.feed
 
@@ -49,23 +49,23 @@ class SampledSignal(Proxy[T]):
         return () if feed is None else (feed.listen().leave,)
 
     def __aiter__(self) -> AsyncIterator[T]:
-        """Iterate over its samples, as `samples` does."""
+        """Iterate over the signal's samples; see `samples`."""
         return self.samples()
 
     async def samples(self, *, buffer: int = BUFFER, overflow: Overflow = "fail") -> AsyncIterator[T]:
-        """Iterate over the values that its group publishes, or that the host polls.
+        """Iterate over the values that the signal's group publishes, or that the host polls.
 
         Args:
             buffer: most samples that wait for the loop's body.
-            overflow: what happens when they are more: ``"fail"``, or ``"drop_oldest"``. Values alone do not show
-                losses, so the default is not that of `Group.subscribe`.
+            overflow: what to do with more samples: ``"fail"``, or ``"drop_oldest"``. Values alone do not show losses,
+                so the default differs from that of `Group.subscribe`.
 
         Raises:
-            ArgumentError: where nothing publishes or polls it.
-            SamplesLostError: where the loop's body is too slow.
-            GatewayError: where the gateway refused a read of one that is polled, or one behind a server is away at the
-                beginning; another loop begins anew.
-            LinkLostError: when the link ends.
+            ArgumentError: if the spec neither publishes nor polls the signal.
+            SamplesLostError: if the loop's body is too slow.
+            GatewayError: if the gateway refused a polled read, or is behind a server and away at the beginning. A new
+                loop begins again.
+            LinkLostError: if the link ends.
         """
         feed = self.feed()
         if feed is None:
@@ -82,12 +82,13 @@ class Readable(SampledSignal[T]):
     __slots__ = ()
 
     async def get(self) -> T:
-        """Read it from the gateway; one of several words in one bus transaction.
+        """Read the signal; if it has several words, in one bus transaction.
 
-        One that each read clears is read exactly once, whatever the line loses: no event is lost with an answer.
+        A signal that each read clears is read exactly once, whatever the line loses, so no event is lost with an
+        answer.
 
         Raises:
-            UnsupportedError: for one that each read clears, where the gateway was built without queue commands.
+            UnsupportedError: for a signal that each read clears, if the gateway was built without queue commands.
         """
         signal = self.signal
         words = signal.words
@@ -106,7 +107,7 @@ class Readable(SampledSignal[T]):
 
 
 class Writable(Proxy[T], Generic[T, S]):
-    """A signal that can be written, of values `T`; it takes `S`, which is the same without a second argument."""
+    """A signal of values of type `T` that can be written; writes accept the type `S`, by default the same."""
 
     __slots__ = ()
 
@@ -116,25 +117,25 @@ class Writable(Proxy[T], Generic[T, S]):
     def set(self, value: S, *, at: Instant) -> Coroutine[Any, Any, Done]: ...
     @returns_coroutine
     def set(self, value: S, *, at: Instant | None = None) -> Coroutine[Any, Any, Done | None]:
-        """Write it; when this returns it is on the bus. With `at`, it is scheduled for an instant.
+        """Write a value, and wait until the write has been executed on the bus. With `at`, schedule the write.
 
-        One of several words is written in one bus transaction, and a field leaves the other bits of its word alone. Of
-        one that a 1 clears, the bits that are 1 are cleared.
+        A value of several words is written in one bus transaction. Writing a field does not change the other bits of
+        its word. Writing a signal that is cleared by ones clears the bits that are 1.
 
         Args:
-            value: in the signal's unit, it goes to the nearest one that there is; an enumeration takes names too.
-            at: the instant of the gateway's clock at which it is to be written, of a signal that is `TIMED`; behind
-                those that were given before.
+            value: in the signal's unit, rounded to the nearest value possible; an enumeration accepts names, too.
+            at: instant of the gateway's clock for the write, later than those given before; only for `TIMED` signals.
 
         Returns:
-            With `at`, what can be awaited until it has acted: it gives the instant, or raises `LateError`. Where that
-            is not awaited, the next such `set` of the task that calls this one raises it, or its next `fence`.
+            With `at`, an object that can be awaited until the write has been executed: it returns the instant, or
+            raises `LateError`. If it is not awaited, the next such `set` of the same task, or its next `fence`, raises
+            the error.
 
         Raises:
-            ArgumentError: for a value outside of the limits, or that the kind cannot say. Nothing was sent. With `at`,
-                also for a signal that is not timed, and while a timeline feeds its schedule.
-            NotArmedError: where a lease guards it that is not armed. Nothing was written.
-            UnsupportedError: for a field, where the gateway was built without masked write.
+            ArgumentError: for a value outside of the limits, or one that the kind cannot represent; nothing was sent.
+                With `at`, also for a signal that is not timed, and while a timeline feeds its schedule.
+            NotArmedError: if a lease guards the signal and is not armed; nothing was written.
+            UnsupportedError: for a field, if the gateway was built without masked writes.
         """
         if at is not None:
             from unity_link.cores.timeline import set_at
@@ -163,9 +164,9 @@ class Writable(Proxy[T], Generic[T, S]):
 
     @returns_coroutine
     def post(self, value: S) -> Coroutine[Any, Any, None]:
-        """Write it without waiting for the execution; errors are raised by the next `fence` of the task that calls it.
+        """Write a value without waiting for its execution. The next `fence` of the calling task raises errors.
 
-        A field, and a value of several words, need an answer and are written as by `set`.
+        A field, and a value of several words, need an answer: they are written as by `set`.
 
         Raises:
             ArgumentError: as by `set`.
@@ -180,7 +181,7 @@ class Writable(Proxy[T], Generic[T, S]):
 
     @property
     def limits(self) -> tuple[float, float]:
-        """Smallest and largest value that it takes, in its unit."""
+        """Smallest and largest value that writes accept, in the signal's unit."""
         return self.signal.limits
 
 

@@ -1,7 +1,7 @@
-"""Samples of a group as tables of the libraries that people work on data with: numpy, pandas, polars.
+"""Samples of a group as tables for numpy, pandas and polars.
 
-A `Table` has a column for each signal, under its path, and the time. `Batch` makes one of what has just arrived,
-`unity_link.bridges.recording.Recording` of what was recorded, so that both come to a program in the same form.
+A `Table` has a column for each signal, named by its path, and one for the time. `Batch` makes tables of samples that
+have just arrived, `unity_link.bridges.recording.Recording` of recorded samples.
 """
 
 from __future__ import annotations
@@ -27,11 +27,11 @@ Clock = Literal["seconds", "utc"]
 MOST_ROWS, MOST_COLUMNS = 10, 12
 """Most rows and columns that a notebook shows."""
 TIME = "time"
-"""Name of the column that tells when samples were taken."""
+"""Name of the column with the instants of the samples."""
 
 
 class Table(Sealed):
-    """Samples of one group, a column for each signal.
+    """Samples of one group, with a column for each signal.
 
     ``table["j1.cpos"]`` is the column of a signal, ``table.units["j1.cpos"]`` its unit.
     """
@@ -44,17 +44,17 @@ class Table(Sealed):
         instants: NDArray[np.int64],
         counts: Mapping[str, NDArray[np.int64]],
     ) -> None:
-        """Put columns side by side.
+        """Make a table of columns.
 
         Args:
-            signals: what the columns are of.
-            columns: the values of each, shape (samples,).
-            seconds: when the samples were taken, by a clock that never goes back.
-            instants: the same in nanoseconds since 1970.
-            counts: what else is known of each sample, by its name.
+            signals: signal of each column.
+            columns: values of each signal, shape (samples,).
+            seconds: instants of the samples, in seconds of a clock that never goes back.
+            instants: the same instants in nanoseconds since 1970, UTC.
+            counts: other columns, by their names: sequence number, lost samples, epoch.
 
         Raises:
-            ArgumentError: where two signals have the same path.
+            ArgumentError: if two signals have the same path.
         """
         paths = [signal.path for signal in signals]
         if len({*paths}) != len(paths):
@@ -78,11 +78,11 @@ class Table(Sealed):
         return len(self._seconds)
 
     def __repr__(self) -> str:
-        """Return how many samples of which signals it has."""
+        """Return the number of samples, and the paths of the signals."""
         return f"<table of {len(self)} samples of {', '.join(signal.path for signal in self.signals)}>"
 
     def _repr_html_(self) -> str:
-        """Return the first and the last samples, of the first signals, as a table."""
+        """Return the first and last samples of the first signals as a table."""
         shown = list(self._columns.items())[:MOST_COLUMNS]
         more = ["…"] if len(self._columns) > len(shown) else []
         units = self.units
@@ -103,13 +103,13 @@ class Table(Sealed):
 
     @property
     def units(self) -> dict[str, str]:
-        """The units of the columns by their names, of those that have one; the time is in seconds."""
+        """The units of the columns, by column name, without those that have none. The time is in seconds."""
         pairs = zip(self._columns, self.signals, strict=True)
         return {name: signal.unit for name, signal in pairs if signal.unit}
 
     @property
     def names(self) -> dict[str, dict[int, str]]:
-        """The names of the numbers that columns of enumerations have, by the names of the columns."""
+        """The names of the numbers in columns of enumerations, by the names of the columns."""
         pairs = zip(self._columns, self.signals, strict=True)
         return {
             name: {value.value: value.name for value in signal.kind.enumeration.values}
@@ -121,9 +121,9 @@ class Table(Sealed):
         """Return a structured array: ``array["time"]``, ``array["j1.cpos"]``, ``array[array["time"] > 2]``.
 
         Args:
-            time: ``"seconds"`` of a clock that never goes back: the gateway's, where samples have timestamps, else this
-                machine's; or ``"utc"``, instants.
-            counts: also have the columns ``sequence`` and ``lost``, and ``epoch`` where it is known.
+            time: ``"seconds"`` of a clock that never goes back: the gateway's if samples have timestamps, otherwise
+                this machine's; or ``"utc"`` for instants in UTC.
+            counts: add the columns ``sequence`` and ``lost``, and ``epoch`` if it is known.
         """
         columns = self._chosen(time, counts=counts)
         made = np.empty(len(self), [(name, column.dtype) for name, column in columns.items()])
@@ -132,37 +132,37 @@ class Table(Sealed):
         return made
 
     def to_pandas(self, *, time: Clock = "seconds", counts: bool = False) -> pd.DataFrame:
-        """Return a DataFrame of pandas, whose index is the time; it needs the extra ``pandas``.
+        """Return a DataFrame of pandas with the time as its index; it needs the extra ``pandas``.
 
         ``frame.attrs["units"]`` has the units by columns, ``frame.attrs["names"]`` the names of enumerations.
 
         Args:
-            time: as of `to_numpy`; of ``"utc"`` the index is a `DatetimeIndex`.
-            counts: as of `to_numpy`.
+            time: as for `to_numpy`; with ``"utc"`` the index is a `DatetimeIndex`.
+            counts: as for `to_numpy`.
 
         Raises:
-            UnsupportedError: where pandas is not installed.
+            UnsupportedError: if pandas is not installed.
         """
         pandas = _library("pandas")
         columns = self._chosen(time, counts=counts)
         when = columns.pop(TIME)
         index = pandas.Index(when, name=TIME) if time == "seconds" else pandas.DatetimeIndex(when, name=TIME, tz="UTC")
-        # A copy: what is done to the frame is not done to the batch.
+        # Copy the columns, so that changes of the frame do not change the batch.
         frame = pandas.DataFrame(columns, index=index, copy=True)
         frame.attrs |= {"units": self.units, "names": self.names}
         return frame
 
     def to_polars(self, *, time: Clock = "seconds", counts: bool = False) -> pl.DataFrame:
-        """Return a DataFrame of polars, whose first column is the time; it needs the extra ``polars``.
+        """Return a DataFrame of polars with the time as its first column; it needs the extra ``polars``.
 
-        polars keeps nothing beside the columns: `units` has the units.
+        A frame of polars cannot hold units: use `units`.
 
         Args:
-            time: as of `to_numpy`; of ``"utc"`` the column is a ``Datetime`` in nanoseconds, UTC.
-            counts: as of `to_numpy`.
+            time: as for `to_numpy`; with ``"utc"`` the column is a ``Datetime`` in nanoseconds, UTC.
+            counts: as for `to_numpy`.
 
         Raises:
-            UnsupportedError: where polars is not installed.
+            UnsupportedError: if polars is not installed.
         """
         polars = _library("polars")
         frame: pl.DataFrame = polars.DataFrame(self._chosen(time, counts=counts))
@@ -171,7 +171,7 @@ class Table(Sealed):
         return frame
 
     def _chosen(self, time: Clock, *, counts: bool) -> dict[str, NDArray[Any]]:
-        """Return the columns that are asked for, the time first."""
+        """Return the requested columns, the time first."""
         if time not in ("seconds", "utc"):
             raise ArgumentError(f'time is "seconds" or "utc", not {time!r:.80}')
         when = self._seconds if time == "seconds" else self._instants.view("datetime64[ns]")
@@ -179,7 +179,7 @@ class Table(Sealed):
 
 
 def column_names(paths: Iterable[str], taken: Iterable[str]) -> list[str]:
-    """Return names of columns for signals, in the same order: their paths, with ``_`` behind one that is taken."""
+    """Return column names for signals, in the same order: their paths, with ``_`` appended to a name in use."""
     given, used = list(paths), set(taken)
     names = []
     for path in given:
@@ -192,10 +192,10 @@ def column_names(paths: Iterable[str], taken: Iterable[str]) -> list[str]:
 
 
 def _library(name: str) -> Any:
-    """Import what an extra of the same name brings.
+    """Import the library that the extra of the same name installs.
 
     Raises:
-        UnsupportedError: where it is not installed.
+        UnsupportedError: if it is not installed.
     """
     try:
         return importlib.import_module(name)

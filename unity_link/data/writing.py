@@ -1,8 +1,8 @@
-"""Many values written together: all are checked first, then all are sent at once.
+"""Writes of many values at once: all values are checked before the first one is sent.
 
-Fields that make up all that is written in a word go as one word, as those do that a 0 leaves alone; another field alone
-needs a masked write of its own, and a value of several words a bus transaction of its own. All are under way at the
-same time, in order.
+Fields that together make up all writable bits of a word are written as one word; so are fields that a 0 does not
+change. Other fields need a masked write each, and a value of several words a bus transaction of its own. All writes are
+in flight at the same time, in order.
 """
 
 from __future__ import annotations
@@ -28,13 +28,13 @@ async def write_values(values: Mapping[Proxy[Any], Any], *, posted_by: object = 
     """Write values, each to its signal.
 
     Args:
-        values: by their proxies.
-        posted_by: task or thread that posts whole words, and does not wait for their execution.
+        values: values by their proxies.
+        posted_by: task or thread that posts writes of whole words, without waiting for their execution.
 
     Raises:
-        ArgumentError: for a value that its signal does not take. Nothing was sent.
-        NotArmedError: where a lease guards one that is not armed; the writes of others are done all the same.
-        GatewayError: the first error; the other writes are done all the same.
+        ArgumentError: for a value that its signal cannot have; nothing was sent.
+        NotArmedError: if a lease guards one of the signals and is not armed. The other writes are executed.
+        GatewayError: the first error. The other writes are executed all the same.
     """
     encoded = [(proxy, _encode(proxy, value)) for proxy, value in values.items()]
     by_bus: dict[int, tuple[Bus, list[tuple[Proxy[Any], tuple[int, ...]]]]] = {}
@@ -63,7 +63,7 @@ def _encode(proxy: Proxy[Any], value: Any) -> tuple[int, ...]:
 def _writings(
     bus: Bus, items: list[tuple[Proxy[Any], tuple[int, ...]]], posted_by: object
 ) -> list[Coroutine[Any, Any, object]]:
-    """Return what is to be done on one bus, as coroutines that have not begun."""
+    """Return the writes on one bus, as coroutines that have not begun."""
     whole: dict[int, int] = {}
     fields: dict[int, tuple[int, int, int]] = {}
     blocks: list[Coroutine[Any, Any, object]] = []
@@ -74,11 +74,11 @@ def _writings(
             for part, (address, word) in enumerate(zip(signal.addresses, words, strict=True)):
                 value, mask, written = fields.get(address, (0, 0, 0))
                 own = signal.mask >> (part * signal.word_bits) & word_mask
-                # Two robots of one spec may stand on a link: of one field, the last value counts.
+                # Two robots of one spec may write the same field on one link: the last value counts.
                 all_written = written | proxy.robot.interface.written_bits[address]
                 fields[address] = (value & ~own | word, mask | own, all_written)
         elif signal.effect is not None:
-            # Several may stand in one word, where a 0 leaves the others alone.
+            # Several such signals may share a word: a 0 does not change them.
             whole[signal.address] = whole.get(signal.address, 0) | words[0]
         elif len(words) == 1:
             whole[signal.address] = words[0]
