@@ -148,7 +148,7 @@ async def test_nothing_new_is_taken_while_it_runs_out(world: World) -> None:
                     await write
                 assert refused.value.reason == "silence"
             await robot.free.set(3)
-            with pytest.raises(NotArmedError, match=r"cannot be armed: this program has armed it already, .* runs out"):
+            with pytest.raises(NotArmedError, match=r"this program has armed it already, .* are being executed"):
                 async with robot.armed():
                     pytest.fail("the block began")
             with pytest.raises(NotArmedError, match="drive is finishing"):
@@ -225,7 +225,7 @@ async def test_a_program_that_is_there_still_and_leaves_its_block_disarms(world:
 @pytest.mark.parametrize(
     ("change", "says"),
     [
-        (("FINISH=0.3", "FINISH=0"), "drive does not finish what is scheduled: its spec gives it no FINISH"),
+        (("FINISH=0.3", "FINISH=0"), "drive does not finish scheduled writes: its spec has no FINISH"),
         ((", TIMED(plan)", ""), "drive has nothing to finish: no signal that it guards is TIMED"),
         (None, "on_silence='finnish': 'safe' or 'finish' was expected"),
     ],

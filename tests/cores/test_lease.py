@@ -411,7 +411,7 @@ async def test_of_several_leases_none_is_meant_by_itself() -> None:
     world = World(TWO)
     async with unity_link.connect(world.gateway) as link:
         robot = world.kind(link)
-        says = "has 2 leases, and none is meant by itself: drive.armed() or arm.armed()"
+        says = "has 2 leases: call drive.armed() or arm.armed()"
         with pytest.raises(ArgumentError, match=re.escape(says)):
             robot.armed()
         async with robot.arm.armed(), robot.drive.armed():
@@ -427,9 +427,9 @@ async def test_a_group_without_timestamps_or_of_another_gateway_is_refused() -> 
         async with robot.armed() as lease:
             polled = Group(robot.position, rate_hz=100)
             polled._plan = type(polled._plan)(rate_hz=100, timestamps=False)
-            with pytest.raises(ArgumentError, match="a group has no timestamps, of which kicks are made"):
+            with pytest.raises(ArgumentError, match="a group has no timestamps, which kicks need"):
                 await anext(lease.each(polled))
-            with pytest.raises(ArgumentError, match="state has signals of another gateway than drive is of"):
+            with pytest.raises(ArgumentError, match="state has signals of another gateway than that of drive"):
                 await anext(lease.each(other.kind(second).groups["state"]))
 
 

@@ -259,7 +259,7 @@ async def test_what_cannot_be_played_is_told_before_anything_moves() -> None:
             await robot.free.play([0, 1], {robot.wide: [0, 1001.0]})
         with pytest.raises(ArgumentError, match="then='stop': 'hold' or 'safe' was expected"):
             await robot.free.play([0, 1], lamp, then="stop")
-        with pytest.raises(ArgumentError, match="no lease guards what free writes"):
+        with pytest.raises(ArgumentError, match="no lease guards the signals of free"):
             await robot.free.play([0, 1], lamp, then="safe")
         assert gateway.robot.of("lamp") == []
 

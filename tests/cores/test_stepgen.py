@@ -132,7 +132,7 @@ async def test_a_way_that_becomes_another_ends_with_an_error(gantry: tuple[Any, 
             way = asyncio.create_task(robot.x.move_to(20))
             await asyncio.sleep(0.03)
             await robot.x.stop()
-            with pytest.raises(UnityLinkError, match=r"x does not go to 20: it was told something else"):
+            with pytest.raises(UnityLinkError, match=r"x does not go to 20: it was given another command"):
                 await way
 
 

@@ -1,12 +1,12 @@
-"""The Python of cores: verbs for programs, quick models for `sim:`, and what a plant has at the pins on `rtl:`.
+"""The Python of cores: their core APIs, fast models for `sim:`, and adapters between plants and pins on `rtl:`.
 
-A core may bring a module, ``unity_link/cores/NAME.py`` for those that are installed with the package, else ``NAME.py``
-beside its map. It has at most one class of each kind, called as it likes:
+A core may have a module: ``unity_link/cores/NAME.py`` for the cores of this package, otherwise ``NAME.py`` beside its
+map. The module has at most one class of each kind, with any name:
 
 - a subclass of `Verbs`, which becomes a base of the class of its component;
 - a subclass of `RobotVerbs`, which becomes a base of the class of each robot that has such a component;
-- a subclass of `Model`, of which `sim:` makes one for each placement;
-- a subclass of `AtPins`, of which `rtl:` makes one for each placement that a model of a plant is joined to.
+- a subclass of `Model`, of which `sim:` makes one object for each placement;
+- a subclass of `AtPins`, of which `rtl:` makes one object for each placement that is connected to a model of a plant.
 
 A module is imported when a robot is loaded, generated or simulated, and never to check or show a spec.
 """
@@ -32,25 +32,25 @@ V = TypeVar("V")
 
 
 class Verbs:
-    """Base of classes with what a program does with one component of a core.
+    """Base of core APIs: the methods for a component of a core.
 
-    Their public names go before those of signals: such a signal gets ``_`` behind it.
+    Their public names take precedence over those of signals: such a signal gets ``_`` appended.
     """
 
 
 class RobotVerbs:
-    """Base of classes with what a program does with a robot that has a core."""
+    """Base of the core API for a whole robot that has a core."""
 
 
 class CoreRegisters:
-    """The registers of one placement of a core, as a program's robot has them.
+    """The registers of one placement of a core, in the robot of a program.
 
     Args:
-        robot: with the core.
-        name: path of the placement in it.
+        robot: robot with the core.
+        name: path of the placement in the robot.
 
     Raises:
-        UnsupportedError: if the robot is that of a board whose core differs from the one that this version has.
+        UnsupportedError: if the robot's board has a core that differs from that of this version.
     """
 
     def __init__(self, robot: Any, name: str) -> None:
@@ -62,7 +62,7 @@ class CoreRegisters:
 
     @classmethod
     def of(cls, component: Any) -> Self:
-        """Return the registers of a component with verbs.
+        """Return the registers of a component with a core API.
 
         Raises:
             UnsupportedError: as for the class, and if the component has no registers.
@@ -73,12 +73,12 @@ class CoreRegisters:
         return cls(component.signals[0].robot, path)
 
     def find(self, register: str) -> Any:
-        """Return a register by its name in the core."""
+        """Return the proxy of a register by its name in the core."""
         return self.robot[f"{self.name}.{register}"]
 
 
 def path_of(component: Any) -> str:
-    """Return the path of a component with verbs in its robot."""
+    """Return the path of a component with a core API in its robot."""
     path: str = component._model.path  # noqa: SLF001  (verbs are bases of its class)
     return path
 
@@ -100,35 +100,35 @@ class Surroundings(Protocol):
 
     @property
     def clock_hz(self) -> int:
-        """Frequency of the gateway's clock."""
+        """Frequency of the gateway's clock, in Hz."""
 
     @property
     def now(self) -> int:
-        """Cycles of the gateway's clock since its reset, 64 bits, as its timestamps count them."""
+        """Cycles of the gateway's clock since its reset, 64 bits, as in its timestamps."""
 
     def trigger(self, group: str) -> None:
         """Publish a group that is declared with TRIGGER."""
 
     @property
     def is_armed(self) -> bool:
-        """Return whether the lease of what the component times, or of its own signals, is armed; True without one."""
+        """True if the lease that guards the component's timed signals, or its own, is armed; True without a lease."""
 
     @property
     def is_finishing(self) -> bool:
-        """Return whether that lease takes nothing more, and is armed for what is scheduled; False without one."""
+        """True if that lease accepts no new requests, and is armed until the schedule is empty; False without one."""
 
     @property
     def is_empty(self) -> bool:
-        """Return whether nothing waits in the schedules of what the component guards, as a lease does."""
+        """True if no batch is waiting in the schedules of the signals that the component guards; for leases."""
 
     def put(self, name: str, value: Any) -> None:
-        """Set what programs read of a signal; a plant goes on with the value that it has set."""
+        """Set the value that programs read from a signal. A plant continues with the value that it has set."""
 
     def commit(self, words: Mapping[int, int]) -> None:
-        """Write words of 32 bits to signals that the component times, by their places on its stage."""
+        """Write words of 32 bits to the signals that the component times, by their places on its stage."""
 
     def make_safe(self) -> None:
-        """Set all signals that the component guards, as a lease does, to their safe values; not those with HOLD."""
+        """Set all signals that the component guards to their safe values, except those with HOLD; for leases."""
 
 
 class Pins(Protocol):
@@ -136,25 +136,25 @@ class Pins(Protocol):
 
     @property
     def clock_hz(self) -> int:
-        """Frequency of the gateware's clock."""
+        """Frequency of the gateware's clock, in Hz."""
 
     @property
     def now(self) -> int:
-        """Clock cycles up to which time has passed, since the reset."""
+        """Number of simulated clock cycles since the reset."""
 
     def has(self, pin: str) -> bool:
-        """Return whether the spec gives the core this pin."""
+        """Return whether the core has this pin in the spec."""
 
     def drive(self, pin: str, level: int, cycle: int) -> None:
-        """Set an input to 0 or 1 from a clock cycle on; at once, where that has passed."""
+        """Set an input to 0 or 1 from a clock cycle on; at once if that cycle has passed."""
 
     def duty(self, pin: str) -> float | None:
-        """Return in which part of the clock cycles since the last call a pin was 1; None where there were none."""
+        """Return the share of the clock cycles since the last call in which a pin was 1; None if there were none."""
 
     def steps(self, pulse: str, direction: str) -> int:
-        """Return the pulses of an output that began while another one was 0, less those that did while it was 1.
+        """Return the pulses of an output that began while another output was 0, minus those that began while it was 1.
 
-        They are those since the reset, or since the first call for these pins.
+        Pulses are counted from the reset, or from the first call for these pins.
         """
 
     def show(self, name: str, value: Any) -> None:
@@ -162,11 +162,11 @@ class Pins(Protocol):
 
 
 class _Placement:
-    """Common base of what belongs to one placement of a core.
+    """Base of the objects for one placement of a core.
 
     Args:
-        component: its declaration.
-        part: its signals, and its pins as the numbers 0 and 1, by attribute; values of signals are in their units.
+        component: declaration of the component.
+        part: its signals in their units, and its pins as the numbers 0 and 1; both as attributes.
     """
 
     def __init__(self, component: ComponentSpec, part: Any) -> None:
@@ -175,29 +175,29 @@ class _Placement:
 
     @property
     def generics(self) -> dict[str, int | bool | str]:
-        """Generics of the entity that the spec gives."""
+        """Generics of the entity that the spec sets."""
         assert self.component.core is not None
         return self.component.core.generics
 
     def reset(self) -> None:
-        """Begin anew, as at a reset of the gateway."""
+        """Begin again, as at a reset of the gateway."""
 
     def step(self, dt: float) -> None:
-        """Let time pass, up to `around.now`.
+        """Simulate up to `around.now`.
 
         Args:
-            dt: seconds, 0 or more: up to the next step of the user's model, or to an access of the bus. It is called
-                again behind each step of that model.
+            dt: seconds since the last call, 0 or more. The method is called before each step of the user's model,
+                before each access of the bus, and again after each step of that model.
         """
 
 
 class Model(_Placement):
-    """Base of quick models: a core on `sim:`, of one placement.
+    """Base of fast models: one placement of a core on `sim:`.
 
     Args:
-        component: its declaration.
-        part: its signals, and its pins as the numbers 0 and 1, by attribute; values of signals are in their units.
-        around: the clock, and what else the model reaches.
+        component: declaration of the component.
+        part: its signals in their units, and its pins as the numbers 0 and 1; both as attributes.
+        around: the clock, and the rest of the simulation that the model uses.
     """
 
     def __init__(self, component: ComponentSpec, part: Any, around: Surroundings) -> None:
@@ -205,48 +205,48 @@ class Model(_Placement):
         self.around = around
 
     def is_wired(self, pin: str) -> bool:
-        """Return whether a pin is not `none` in the spec; an input that is stays at its level without a wire."""
+        """Return whether the spec connects a pin (not `none`); an input that is not connected keeps its idle level."""
         assert self.component.core is not None
         return any(one.name == pin and one.is_used for one in self.component.core.pins)
 
     def show(self, **values: Any) -> None:
-        """Set the values of signals, by their names. It costs little where a signal has that value."""
+        """Set the values of signals, by their names. A call without changes is cheap."""
         for name, value in values.items():
             if getattr(self.part, name) != value:
                 setattr(self.part, name, value)
 
     @property
     def due(self) -> int | None:
-        """Cycle of the clock at which something happens by itself; `step` is called up to there. None for nothing."""
+        """Clock cycle of the model's next event; `step` is called for that cycle. None if there is no event."""
         return None
 
     @property
     def is_empty(self) -> bool:
-        """Return whether nothing that was accepted is still to act; of a schedule."""
+        """True if no accepted batch is still to be executed; for schedules."""
         return True
 
     def disarmed(self) -> None:
-        """Do as the core does when the lease has ended that guards what it writes."""
+        """React to the end of the lease that guards the signals that the core writes."""
 
     def written(self, name: str) -> None:
-        """Take the value that a program has written to a signal, or a model to a pin."""
+        """React to a value that a program has written to a signal, or a model to a pin."""
 
 
 class AtPins(_Placement):
-    """Base of the pin sides of cores: on `rtl:`, the values of a plant that reads and sets signals as on `sim:`.
+    """Base of pin adapters of cores: on `rtl:`, they convert between pins and the signals that a plant uses on `sim:`.
 
-    Signals of neither `shows` nor `takes` are refused to the plant: the compiled core has them.
+    A plant cannot use signals that are neither in `shows` nor in `takes`, because they are inside of the compiled core.
 
     Args:
-        component: its declaration.
-        part: its signals, and its pins as the numbers 0 and 1, by attribute; values of signals are in their units.
-        around: the clock, and the pins.
+        component: declaration of the component.
+        part: its signals in their units, and its pins as the numbers 0 and 1; both as attributes.
+        around: the clock and the pins.
     """
 
     shows: frozenset[str] = frozenset()
-    """Names of signals that a plant may read: `step` gives them by `around.show`."""
+    """Names of the signals that a plant may read: `step` sets them by `around.show`."""
     takes: frozenset[str] = frozenset()
-    """Names of signals that a plant sets: `step` looks at them, and drives pins."""
+    """Names of the signals that a plant sets: `step` reads them, and drives pins."""
 
     def __init__(self, component: ComponentSpec, part: Any, around: Pins) -> None:
         super().__init__(component, part)
@@ -254,13 +254,13 @@ class AtPins(_Placement):
 
 
 def robot_verbs_of(interface: Interface) -> tuple[type[RobotVerbs], ...]:
-    """Return the classes with verbs of a robot, each once."""
+    """Return the classes with the core APIs for a whole robot, each once."""
     found = (kind for component in interface.cores for kind in classes_of(component.core, RobotVerbs))
     return tuple(dict.fromkeys(found))
 
 
 def names_of(kinds: Iterable[type]) -> frozenset[str]:
-    """Return the names that verbs take from the signals of a component, or of a robot."""
+    """Return the public names of core APIs, which signals of a component or robot cannot have."""
     return frozenset(
         name
         for kind in kinds
@@ -272,10 +272,10 @@ def names_of(kinds: Iterable[type]) -> frozenset[str]:
 
 
 def classes_of(core: Core | None, base: K) -> tuple[K, ...]:
-    """Return the class of a core's module with one of the bases above; empty where it has none.
+    """Return the class in a core's module that has one of the bases above; empty if it has none.
 
     Raises:
-        ArgumentError: where the module has several, or cannot be imported.
+        ArgumentError: if the module has several, or cannot be imported.
     """
     if core is None or not core.python:
         return ()
@@ -296,7 +296,7 @@ def _module(python: str) -> ModuleType:
     """Import the module of a core, by its name or its file.
 
     Raises:
-        ArgumentError: where that fails.
+        ArgumentError: if the import fails.
     """
     try:
         if not python.endswith(".py"):

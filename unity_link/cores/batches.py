@@ -1,4 +1,4 @@
-"""The words by which a schedule is told what to write, and when."""
+"""Words of batches: they define which signals a schedule writes, and at which instant."""
 
 from __future__ import annotations
 
@@ -8,25 +8,25 @@ if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
 TIME = 1 << 40
-"""Instants are modulo this."""
+"""Instants are counted modulo this number of clock cycles."""
 AHEAD = TIME // 2
-"""Ticks that are more than an instant can be ahead of the clock: the gateway takes one further ahead for a past one."""
+"""Clock cycles by which an instant can never be ahead of the clock: the gateway would take it for a past one."""
 BEHIND = TIME // 4
-"""Ticks by which an instant can have passed when its words are made; they may be under way for as long again."""
+"""Cycles by which an instant may have passed when its words are made; they may be in flight for as long again."""
 FRAME = 2
-"""Words of a batch beside its runs: a header, and the lower part of the instant."""
+"""Words of a batch without its runs: a header, and the lower part of the instant."""
 MOST_WORDS = 255
-"""Words that the runs of a batch can have."""
+"""Most words in the runs of a batch."""
 FATES = 48
-"""Batches whose end can be read."""
+"""Number of batches whose outcome can be read."""
 
 
 def batch_of(instant: int, words: Mapping[int, int]) -> list[int]:
     """Return the words of a batch.
 
     Args:
-        instant: cycle of the clock in which the values stand in their registers.
-        words: 32 bits for each place on the stage.
+        instant: clock cycle from which the values are in their registers.
+        words: words of 32 bits by their places on the stage.
     """
     runs: list[int] = []
     head = previous = -1
@@ -42,7 +42,7 @@ def batch_of(instant: int, words: Mapping[int, int]) -> list[int]:
 
 
 def values_of(runs: Sequence[int]) -> dict[int, int] | None:
-    """Return the words of runs by their places on the stage; None where they are malformed."""
+    """Return the words of runs by their places on the stage; None if the runs are malformed."""
     values: dict[int, int] = {}
     rest = list(runs)
     while rest:
@@ -55,5 +55,5 @@ def values_of(runs: Sequence[int]) -> dict[int, int] | None:
 
 
 def cycles_to(instant: int, now: int) -> int:
-    """Return the cycles to an instant, negative for one that has passed."""
+    """Return the clock cycles until an instant; negative for a past one."""
     return (instant - now + TIME // 2) % TIME - TIME // 2

@@ -1,4 +1,4 @@
-"""The clock of a gateway as a program knows it: bounds of its ticks by this machine's clock, and instants of it."""
+"""Estimates of a gateway's clock: bounds of its ticks at times of this machine's clock, and instants."""
 
 from __future__ import annotations
 
@@ -18,28 +18,28 @@ if TYPE_CHECKING:
     from unity_link.link.link import Link
 
 READ_AGAIN = 10.0
-"""Seconds after which the gateway's clock is read anew: the estimate is off by what quartzes drift apart meanwhile,
-2 ms, and by the time that the answer was on its way."""
+"""Seconds after which the gateway's clock is read again. The error of the estimate is the delay of the answer plus the
+drift between both clocks, up to 2 ms in this time."""
 _LEAST_APART = 0.1
-"""Seconds between two readings that tell how fast the gateway's clock is."""
+"""Least time between two readings for an estimate of the drift, in seconds."""
 TURN = 1 << 32
-"""Ticks after which a timestamp comes again."""
+"""Ticks after which a timestamp repeats."""
 _MOST_TICKS = 1 << 64
-"""Ticks of the gateway's clock after which it begins again; no instant is further from 0."""
+"""Ticks after which the gateway's clock wraps around; the absolute value of an instant is below this."""
 
 
 class Instant(msgspec.Struct, frozen=True, order=True):
-    """An instant of a gateway's clock: whole cycles since its reset.
+    """An instant of a gateway's clock: clock cycles since its reset.
 
     Raises:
-        ArgumentError: for ticks that are no whole number, or are 2 ** 64 or more from 0, and for no frequency.
+        ArgumentError: if `ticks` is no whole number, or 2 ** 64 or more from 0, or `clock_hz` is below 1.
     """
 
     ticks: int
     clock_hz: int
 
     def __post_init__(self) -> None:
-        """Check the numbers, and keep those of other types, as numpy's, as `int`."""
+        """Check the numbers, and convert those of other types, such as numpy's, to `int`."""
         ticks = whole_number(self.ticks, "the ticks of an instant")
         hertz = whole_number(self.clock_hz, "the clock of an instant in Hz")
         if hertz < 1:
@@ -50,11 +50,11 @@ class Instant(msgspec.Struct, frozen=True, order=True):
 
     @property
     def ns(self) -> int:
-        """Nanoseconds since the reset, the nearest whole number."""
+        """Nanoseconds since the reset, rounded to a whole number."""
         return round(Fraction(self.ticks * 1_000_000_000, self.clock_hz))
 
     def after(self, seconds: float) -> Instant:
-        """Return the instant so much later, in the nearest cycle; earlier, for a number below 0.
+        """Return the instant `seconds` later, in the nearest cycle; an earlier one for a negative number.
 
         Raises:
             ArgumentError: if `seconds` is no finite number, or the instant is 2 ** 64 ticks or more from 0.
@@ -67,10 +67,10 @@ class Instant(msgspec.Struct, frozen=True, order=True):
 
 
 def ticks_after(ticks: int | Fraction, seconds: float, hertz: int) -> Fraction:
-    """Return the ticks of a clock so many seconds after some ticks, before them for a number below 0.
+    """Return the ticks of a clock `seconds` after `ticks`; before them for a negative number.
 
     Raises:
-        ArgumentError: if `seconds` is no finite number, or no clock counts so many ticks.
+        ArgumentError: if `seconds` is no finite number, or the ticks are beyond the range of a clock.
     """
     passed = real_number(seconds, "instants are a finite number of seconds apart")
     after = ticks + Fraction(passed) * hertz
@@ -80,10 +80,10 @@ def ticks_after(ticks: int | Fraction, seconds: float, hertz: int) -> Fraction:
 
 
 class TickBounds:
-    """Bounds of a gateway's clock, in its ticks, of readings of it and of samples that have come.
+    """Bounds of a gateway's clock in ticks, computed from readings of it and from timestamps that have arrived.
 
     Args:
-        hertz: its frequency.
+        hertz: frequency of the clock.
     """
 
     def __init__(self, hertz: int) -> None:
@@ -91,53 +91,54 @@ class TickBounds:
         self.forget()
 
     def forget(self) -> None:
-        """Begin anew, for a clock that was reset."""
+        """Start again, for a clock that was reset."""
         self.read_at: float | None = None
-        """Instant of this machine's clock at which the last reading had come; None before the first."""
+        """Time of this machine's clock at which the last reading arrived; None before the first."""
         self._asked_at = 0.0
         self._ticks = 0
         self._seen, self._seen_at = 0, 0.0
-        """Latest that it is known to have been, and the instant at which that was known."""
+        """Latest known lower bound of the clock in ticks, and the time at which it was known."""
         self._first: tuple[int, float, float] | None = None
-        """Ticks, and the two instants, of the first reading."""
+        """Ticks of the first reading, and the times at which it was requested and arrived."""
 
     def read(self, ticks: int, asked: float, now: float) -> None:
-        """Take a reading that was asked for at an instant and is there now."""
+        """Update the bounds by a reading that was requested at `asked` and has arrived at `now`."""
         if self._first is None or ticks < self._first[0]:
             self._first = ticks, asked, now
             self._seen, self._seen_at = ticks, now
         self._ticks, self._asked_at, self.read_at = ticks, asked, now
-        # A clock that is slower than quartzes are, as that of a simulation that is late, is as it says.
+        # The bounds contradict each other if the clock is slower than a quartz can be, as in a simulation that lags
+        # behind: use the reading itself.
         if self.least(now) > self.most(now):
             self._seen, self._seen_at = ticks, now
         self.see(ticks, now)
 
     def see(self, ticks: int, now: float) -> None:
-        """Take an instant that has passed."""
+        """Update the lower bound by an instant that has passed."""
         if ticks > self.least(now):
             self._seen, self._seen_at = ticks, now
 
     def least(self, now: float) -> int:
-        """Return what it is at least: never ahead of the truth."""
+        """Return the lower bound of the clock at a time, in ticks."""
         return self._seen + int((now - self._seen_at) * (1 - MOST_DRIFT) * self.hertz)
 
     def most(self, now: float) -> int:
-        """Return what it is at most."""
+        """Return the upper bound of the clock at a time, in ticks."""
         return self._ticks + int((now - self._asked_at) * (1 + MOST_DRIFT) * self.hertz) + 1
 
     def nearest(self, timestamp: int, now: float) -> int:
-        """Return what it was at a timestamp of 32 bits, which is the nearest that there is."""
-        # To the most that it is: a compiled gateway is ahead by the cycles that an answer takes.
+        """Return the ticks at a timestamp of 32 bits: those nearest to the upper bound at a time."""
+        # Nearest to the upper bound, because the clock of a compiled gateway is ahead by the cycles of an answer.
         most = self.most(now)
         return most + (timestamp - most + TURN // 2) % TURN - TURN // 2
 
     def is_old(self, now: float) -> bool:
-        """Return whether it should be read anew."""
+        """Return whether the clock should be read again."""
         return self.read_at is None or now - self.read_at > READ_AGAIN
 
     @property
     def drift(self) -> tuple[float, float] | None:
-        """Part by which it is faster than this machine's clock, and how far that may be off; None if not known."""
+        """Relative deviation from this machine's clock, positive if faster, and its uncertainty; None if not known."""
         if self._first is None or self.read_at is None:
             return None
         ticks, asked, came = self._first
@@ -149,29 +150,29 @@ class TickBounds:
 
 
 class TickClock:
-    """The clock of a gateway, by this machine's ``CLOCK_MONOTONIC_RAW`` in seconds.
+    """The clock of a gateway in terms of this machine's ``CLOCK_MONOTONIC_RAW``, in seconds.
 
-    All programs of a machine have that clock in common, as ``time.clock_gettime(time.CLOCK_MONOTONIC_RAW)``, and
-    nothing adjusts it. Where a system has none it is `time.perf_counter`, and in models of time the modelled one.
+    All programs of a machine share that clock, ``time.clock_gettime(time.CLOCK_MONOTONIC_RAW)``, and no time service
+    adjusts it. On systems without it, it is `time.perf_counter`; with simulated time, it is the simulated clock.
     """
 
     def __init__(self, bounds: TickBounds, link: Link) -> None:
         self._bounds = bounds
         self._link = link
         self.time: Callable[[], float] = running().steady
-        """Returns this machine's clock."""
+        """Function that returns the time of this machine's clock in seconds."""
 
     @property
     def clock_hz(self) -> int:
-        """Ticks a second."""
+        """Ticks per second."""
         return self._bounds.hertz
 
     def now(self) -> Instant:
-        """Return the instant that it is now, as near as is known."""
+        """Return the present instant, as an estimate in the middle of the bounds."""
         return self.at(self.time())
 
     def at(self, time: float) -> Instant:
-        """Return the instant at a time of this machine's clock (seconds), as near as is known.
+        """Return the instant at a time of this machine's clock in seconds, as an estimate in the middle of the bounds.
 
         Raises:
             ArgumentError: if `time` is no number of seconds from 0 to 1e9.
@@ -184,16 +185,16 @@ class TickClock:
         """Return the instant at which a sample was taken.
 
         Args:
-            time: of the sample, which has a timestamp.
+            time: time of the sample, which must have a timestamp.
 
         Raises:
-            ArgumentError: for a sample without a timestamp, whose time is None, and one of before the last reset.
+            ArgumentError: for a sample without a timestamp, whose time is None, or one from before the last reset.
         """
         timestamp, link = self._link.timestamp_of(time), self._link
         return Instant(self._bounds.nearest(timestamp, self.time() - link.age_of(time)), self.clock_hz)
 
     def time_of(self, instant: Instant) -> float:
-        """Return when an instant is by this machine's clock (seconds).
+        """Return the time of this machine's clock, in seconds, at an instant.
 
         Raises:
             ArgumentError: if `instant` is no instant, or one of a clock with another frequency.
@@ -203,7 +204,7 @@ class TickClock:
         return now + (instant.ticks - self.at(now).ticks) / self.clock_hz
 
     def check(self, instant: Instant) -> Instant:
-        """Return an instant of this clock.
+        """Check that an instant is of this clock, and return it.
 
         Raises:
             ArgumentError: if the argument is no instant, or one of a clock with another frequency.
@@ -224,18 +225,18 @@ class TickClock:
 
     @property
     def error(self) -> float:
-        """Most seconds by which `now` is off; it grows with the time since the clock was read."""
+        """Largest error of `now` in seconds; it grows with the time since the clock was last read."""
         now = self.time()
         return (self._bounds.most(now) - self._bounds.least(now)) / 2 / self.clock_hz
 
     @property
     def drift(self) -> tuple[float, float] | None:
-        """Part by which the gateway's clock is faster, and how far that may be off.
+        """Relative deviation of the gateway's clock, positive if it is faster than this machine's, and its uncertainty.
 
-        None until the clock was read twice, 0.1 s apart or more.
+        None until the clock was read twice, at least 0.1 s apart.
         """
         return self._bounds.drift
 
     def __repr__(self) -> str:
-        """Return where it is, and how near that is known."""
+        """Return the present instant, and its largest error."""
         return f"<a gateway's clock at {self.now()}, known to {self.error * 1e6:.0f} us>"

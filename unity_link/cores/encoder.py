@@ -1,4 +1,4 @@
-"""An incremental encoder in a simulation: a model of the plant sets its position, and the rest, or its pins, follow."""
+"""Incremental encoders in simulations: a plant sets the position; the other signals, or the pins, follow from it."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ if TYPE_CHECKING:
 
 _LOG = logging.getLogger("unity_link.virtual")
 _LEVELS = ((0, 0), (1, 0), (1, 1), (0, 1))
-"""Levels of a and b, by the last two bits of a count."""
+"""Levels of the pins a and b, by the last two bits of a count."""
 LONGEST = 0.5
 """Seconds without a count after which the velocity is 0."""
 
 
 class EncoderModel(Model):
-    """Velocity by the time between counts, and the index once a turn, from the position that a plant sets.
+    """Sets the velocity, from the time between counts, and the index from the position that a plant sets.
 
-    A pin that is `none` is an input of 0: the model counts the edges of the other pins alone, as the entity does.
+    A pin that is `none` is a constant 0: the model counts only the edges of the other pins, as the entity does.
     """
 
     def __init__(self, component: ComponentSpec, part: Any, around: Surroundings) -> None:
@@ -30,27 +30,27 @@ class EncoderModel(Model):
         signals = {signal.name: signal for signal in component.signals}
         self._scale = signals["position"].kind.step
         self._turn = int(float(component.arguments.get("COUNTS", 0))) if self.is_wired("z") else 0
-        """Counts from one index to the next; 0 without one."""
+        """Counts from one index to the next; 0 without an index."""
         self._limits = signals["velocity"].limits
         self._is_counter = bool(self.generics.get("counter", False))
         self._has_a, self._has_b = self.is_wired("a"), self.is_wired("b")
         self.reset()
 
     def reset(self) -> None:
-        """Begin at 0."""
+        """Set the position and all signals to 0."""
         part = self.part
         part.position, part.velocity, part.index_position, part.index_count, part.errors = 0, 0, 0, 0, 0
         self._plant = 0
         """Position of the plant, in counts."""
         self._position = 0.0
-        """The position that is counted."""
+        """Position as the core counts it, in the signal's unit."""
         self._at = self.around.now
-        """Cycle of the last count."""
+        """Clock cycle of the last count."""
         self._between = 0.0
         """Seconds between the last two counts."""
 
-    def step(self, dt: float) -> None:  # noqa: ARG002  (the clock says more)
-        """Follow the position."""
+    def step(self, dt: float) -> None:  # noqa: ARG002  (the clock is more exact)
+        """Update the signals from the position of the plant."""
         part, before = self.part, self._plant
         self._plant = round(part.position / self._scale)
         position = self._counted(self._plant - before)
@@ -60,39 +60,39 @@ class EncoderModel(Model):
         moved, self._position = position - self._position, position
         passed = (self.around.now - self._at) / self.around.clock_hz
         if not moved:
-            # There was no count for so long, so it is no quicker than one in that time. A plant moves in steps, between
-            # which there is none either.
+            # Without a count in this time, the speed is at most one count in it. Wait for 1.5 intervals before the
+            # velocity is reduced, because a plant moves in steps, and makes no counts in between.
             if passed > 1.5 * self._between and part.velocity:
                 most = abs(self._scale) / passed if passed < LONGEST else 0.0
                 self._set_velocity(math.copysign(min(abs(part.velocity), most), part.velocity))
             return
         self._at = self.around.now
-        # An axis that swings over one edge has no velocity.
+        # With one of the pins a and b, the position only alternates over one edge: that is no velocity.
         swings = not self._is_counter and not (self._has_a and self._has_b)
         if passed > 0 and not swings:
             self._between = passed
             self._set_velocity(moved / passed)
 
     def _counted(self, moved: int) -> float:
-        """Return the position that is counted from the pins that there are, when the plant has moved by some counts."""
+        """Return the position that the core counts at the connected pins, after the plant has moved by some counts."""
         if self._has_a and self._has_b:
             return float(self.part.position)
         if self._is_counter:
-            # Each edge of a counts upwards.
+            # Each edge of a counts up.
             return self._position + self._has_a * abs(moved) * self._scale
         return self._of_one_pin(self._plant)
 
     def _of_one_pin(self, count: int) -> float:
-        """Return the position at a count of the plant if one of a and b is at no pin: it swings over one edge."""
+        """Return the position at a count of the plant, with one of a and b connected: it alternates over one edge."""
         a, b = _LEVELS[count % 4]
         return self._scale * (self._has_a * a - self._has_b * b)
 
     def _see_index(self, before: int, position: float) -> None:
-        """Count the edges of z, which is 1 for one count in a turn, on the way of the plant."""
+        """Count the edges of z on the plant's way from `before`; z is 1 during one count of each turn."""
         if not self._turn or self._plant == before:
             return
         way = 1 if self._plant > before else -1
-        # In turns, the first and the last index on the way.
+        # Numbers of the first and the last turn with an index on the way.
         last, first = way * (way * self._plant // self._turn), way * (way * before // self._turn + 1)
         passed = way * (last - first) + 1
         if passed <= 0:
@@ -112,9 +112,9 @@ class EncoderModel(Model):
 
 
 class EncoderAtPins(AtPins):
-    """Edges of a, b and z at the instants at which the position passes them, a step of the plant later.
+    """Drives edges of a, b and z at the instants at which the position passes them, one step of the plant later.
 
-    They are as far apart at least as the filter of the core wants them.
+    The edges are at least as far apart as the filter of the core requires.
     """
 
     takes = frozenset({"position"})
@@ -125,34 +125,34 @@ class EncoderAtPins(AtPins):
         self._turn = int(float(component.arguments.get("COUNTS", 0)))
         self._is_counter = bool(self.generics.get("counter", False))
         samples = int(self.generics.get("filter", 15))
-        # Levels of a and b last two counts, one of the index lasts one, and in a counter a has both in one.
+        # A level of a or b lasts two counts, one of the index lasts one. In a counter, a rises and falls in one count.
         counts = 2.0 if self._is_counter else 1.0 if around.has("z") else 0.5
         self._least = counts * (samples + 1)
-        """Cycles from one count to the next."""
+        """Least number of clock cycles from one count to the next."""
         self._shown = 0
-        """The count of the last edge, which may be one to come."""
+        """Count of the last edge, which may be in the future."""
         self._edge = 0.0
-        """Cycle of that edge."""
+        """Clock cycle of that edge."""
         self._counts = 0.0
-        """Position behind the last step, in counts."""
+        """Position after the last step of the plant, in counts."""
         self._passed, self._span = 0.0, 1.0
-        """Cycles since the last step of the plant, and of that."""
-        self._is_told = False
+        """Clock cycles since the last step of the plant, and the duration of that step in cycles."""
+        self._has_warned = False
         if not (around.has("a") and around.has("b")):
             self.takes = frozenset()
 
     def reset(self) -> None:
-        """Go on from the levels at the pins: edges that were to come are lost."""
+        """Continue from the levels at the pins; edges that were in the future are lost."""
         self._edge = 0.0
         if not self._is_counter and self.takes:
             at = _LEVELS.index((self.part.a, self.part.b))
             self._shown -= (self._shown - at) % 4
 
     def step(self, dt: float) -> None:
-        """Move the pins as the position has moved, over as much time as that took, which begins now."""
+        """Move the pins as the position has moved in the plant's last step, over the same duration, beginning now."""
         self._passed += dt * self.around.clock_hz
         if dt or not self.takes:
-            # The plant has not moved yet.
+            # This call is before the plant's step, so its position has not changed.
             return
         if self._passed:
             self._span, self._passed = self._passed, 0.0
@@ -164,14 +164,14 @@ class EncoderAtPins(AtPins):
             part = (self._shown + way / 2 - begin) / moved if moved else 0.0
             cycle = max(self.around.now + min(max(part, 0.0), 1.0) * self._span, self._edge + self._least)
             if cycle > end:
-                # Counts that are left of an earlier span say nothing of the speed.
+                # Warn only if the counts of this step alone are too many: others may be left from earlier steps.
                 if min(left, abs(moved)) * self._least > self._span:
-                    self._tell()
+                    self._warn()
                 break
             self._move(way, cycle)
 
     def _move(self, way: int, cycle: float) -> None:
-        """Show the next count from a cycle on."""
+        """Drive the pins to the next count, from a clock cycle on."""
         drive, old, new = self.around.drive, self._shown, self._shown + way
         self._shown, self._edge = new, cycle
         if self._is_counter:
@@ -185,12 +185,12 @@ class EncoderAtPins(AtPins):
         if self._turn and self.around.has("z") and 0 in {old % self._turn, new % self._turn}:
             drive("z", int(new % self._turn == 0), int(cycle))
 
-    def _tell(self) -> None:
-        if not self._is_told:
-            self._is_told = True
+    def _warn(self) -> None:
+        if not self._has_warned:
+            self._has_warned = True
             _LOG.warning(
-                "%s turns faster than its pins can: its FILTER wants %g clock cycles for a count, which are %.0f "
-                "counts a second (told once); a quicker clock_hz or a smaller FILTER lets it turn faster",
+                "%s turns faster than its pins can: its FILTER needs %g clock cycles for a count, which are %.0f "
+                "counts a second (told once); a higher clock_hz or a smaller FILTER lets it turn faster",
                 self.component.path,
                 self._least,
                 self.around.clock_hz / self._least,

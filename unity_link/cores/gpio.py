@@ -1,4 +1,4 @@
-"""A general purpose pin on `sim:`: a model of the plant sets its level by `robot.button.pin = 1`."""
+"""General purpose pins in simulations: on `sim:`, a model of the plant sets a level by `robot.button.pin = 1`."""
 
 from __future__ import annotations
 
@@ -6,17 +6,17 @@ from unity_link.cores import AtPins, Model
 
 
 class GpioModel(Model):
-    """The pin, its edges and their instants; it has no bounces, so none are taken out."""
+    """The level of a pin, its edges and their instants. The simulated level never bounces, so no filter is modelled."""
 
     def reset(self) -> None:
-        """Count edges from 0 on."""
+        """Count edges from 0 again."""
         self.part.output, self.part.drive, self.part.edges, self.part.last = False, False, 0, 0
         self.step(0)
 
-    def step(self, dt: float) -> None:  # noqa: ARG002  (edges have their instant by the clock)
-        """See the level of the pin: of what drives it, the core goes before the plant."""
+    def step(self, dt: float) -> None:  # noqa: ARG002  (the clock gives the instants of edges)
+        """Update the level of the pin. If the core drives it, the plant's value has no effect."""
         part = self.part
-        # An input without a pin is 0, also if the core drives its output.
+        # An input without a pin is 0, even if the core drives its output.
         level = part.output if part.drive and self.is_wired("pin") else bool(part.pin)
         if level == part.level:
             return
@@ -28,16 +28,16 @@ class GpioModel(Model):
             if trigger.group is not None:
                 self.around.trigger(trigger.group)
 
-    def written(self, name: str) -> None:  # noqa: ARG002  (all of them may change the level)
-        """Drive the pin, or see that the plant has."""
+    def written(self, name: str) -> None:  # noqa: ARG002  (any of the signals may change the level)
+        """Update the level after a write to a signal, or a change of the pin by the plant."""
         self.step(0)
 
 
 class GpioAtPins(AtPins):
-    """The level of the pin: what drives it, the core before the plant."""
+    """Shows the level of the pin to the plant; if the core drives the pin, this is the core's level."""
 
     shows = frozenset({"level"})
 
-    def step(self, dt: float) -> None:  # noqa: ARG002  (the level of now counts)
-        """Look at the pin."""
+    def step(self, dt: float) -> None:  # noqa: ARG002  (only the present level counts)
+        """Show the level of the pin."""
         self.around.show("level", bool(self.part.pin))

@@ -1,8 +1,8 @@
-"""A lease: the right of one program to move outputs, for as long as it says so.
+"""A lease: the right of one program to move outputs, until an instant that each kick moves ahead.
 
-`LeaseVerbs.armed` makes a `Lease` for an ``async with`` block. Each kick names the end of the lease as an instant of
-the gateway's clock, so what waits in a kernel, a server or a repetition prolongs nothing. Kicks come of the program's
-own loop; nothing runs in the background.
+`LeaseVerbs.armed` makes a `Lease` for an ``async with`` block. Each kick has the end of the lease as an instant of the
+gateway's clock, so a kick that is delayed in a kernel, in a server or by a retransmission does not prolong the lease.
+Only the program's own loop kicks; no task kicks in the background.
 """
 
 from __future__ import annotations
@@ -45,52 +45,52 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 log = logging.getLogger("unity_link.cores")
 TIME_BITS = 40
-"""Bits of an end in a word that arms or kicks; the token stands above."""
+"""Bits of an end in a word that arms or kicks; the token is in the bits above."""
 TOKEN_BITS = 24
 FINISHES = 1 << TOKEN_BITS - 1
-"""Bit of a token whose owner wants what is scheduled to go on behind the end."""
+"""Bit of a token; if it is set, scheduled writes continue after the end of the lease."""
 LONGEST_START = 1.0
 """Seconds for which `Lease.each` kicks while it waits for the first sample of a group."""
 NEAREST = 0.98
-"""Part of TIMEOUT that a kick asks for at most: what is further ahead is refused, and the clock of a compiled gateway
-is ahead by the cycles that its answers took."""
+"""Largest part of TIMEOUT that a kick asks for. The gateway refuses an end that is further ahead than TIMEOUT, and the
+clock of a compiled gateway is ahead by the cycles that its answers took."""
 ATTEMPTS = 3
-"""Arms of a lease whose end has come before they could take effect."""
+"""Attempts to arm a lease, if its end comes before the arm takes effect."""
 MOST_KICKS = 16
-"""Kicks that are under way; the next one waits for the first of them."""
+"""Most kicks in flight; the next kick waits for the first of them."""
 BUFFER = 16_384
-"""Samples that wait for the body of a loop, as in `unity_link.Link.subscribe`."""
+"""Most samples that wait for the body of a loop, as in `unity_link.Link.subscribe`."""
 _ENDED = {"disarmed": "was disarmed", "silence": "has run out", "estop": "was stopped by its e-stop"}
 MOST_ARMS = 1 << 16
-"""Leases after which their count begins again."""
+"""Number of leases after which their count wraps around."""
 _OPEN = "write `async with` before this lease, and `with` where it is one of a blocking link"
 
 
 class _LateError(NotArmedError):
-    """A lease that was over before it could begin."""
+    """The end of the lease came before the lease was armed."""
 
 
 class _Group(Protocol):
-    """A group of signals, as far as a lease knows it."""
+    """The attributes of a group that a lease uses."""
 
     name: str
     proxies: tuple[Any, ...]
 
     @property
     def feed(self) -> Any:
-        """Its samples."""
+        """Shared samples of the group."""
 
 
 class _Condition(NamedTuple):
-    """State of a lease, as its registers tell it."""
+    """State of a lease in its registers."""
 
     armed: bool
-    """True also while it is finishing."""
+    """True also while the lease is finishing."""
     state: str
     reason: str
     estop_open: bool
     arms: int
-    """Leases that have begun since the reset, modulo 2 ** 16."""
+    """Number of leases that have begun since the reset, modulo 2 ** 16."""
 
 
 class LeaseRegisters(CoreRegisters):
@@ -100,9 +100,9 @@ class LeaseRegisters(CoreRegisters):
         super().__init__(robot, name)
         find = self.find
         self.most_seconds = float(self.core.generics["most_us"]) / 1e6
-        """Most seconds that an end may be ahead."""
+        """Most seconds that the end of the lease may be ahead."""
         self.finish_seconds = float(self.core.generics.get("finish_us", 0)) / 1e6
-        """Most seconds for which what is scheduled may go on behind the end."""
+        """Most seconds for which scheduled writes may continue after the end."""
         self.arm, self.kick, self.clock = find("arm"), find("kick"), find("clock")
         self.disarm, self.fault_time = find("disarm"), find("fault_time")
         self._fields = tuple(find(field).signal for field in ("armed", "state", "reason", "estop_open"))
@@ -112,7 +112,7 @@ class LeaseRegisters(CoreRegisters):
 
     @functools.cached_property
     def guarded(self) -> frozenset[int]:
-        """Addresses that the owner of the lease writes: its kick, what it guards, and the queues of its schedules."""
+        """Addresses that only the owner of the lease writes: its kick, guarded signals, and their schedules' queues."""
         addresses: frozenset[int] = self.robot.interface.written_under(self.name)
         return addresses
 
@@ -124,27 +124,27 @@ class LeaseRegisters(CoreRegisters):
         return frozenset(interface.signals[name].address for name in names if name in interface.signals)
 
     def held(self, condition: _Condition) -> Lease | None:
-        """Return the lease of this program that the registers describe; None for another program's."""
+        """Return this program's lease if the registers describe it; None if they describe another program's."""
         lease = guard_of(self.link, self.kick.signal.address)
         return lease if isinstance(lease, Lease) and lease.is_of(condition) else None
 
     def ask(self) -> Asked:
-        """Ask for the words of the state."""
+        """Request the words of the state."""
         return Asked(self.link, self.address, 2)
 
     def condition_of(self, words: Sequence[int]) -> _Condition:
-        """Return what the words of the state say."""
+        """Decode the words of the state."""
         state_word, arms_word = words
         armed, state, reason, estop_open = (signal.decode(state_word) for signal in self._fields)
         arms = int(self._arms.decode(arms_word))
         return _Condition(bool(armed), name_of(state), name_of(reason), bool(estop_open), arms)
 
     async def condition(self) -> _Condition:
-        """Read the state, in one transaction of the bus."""
+        """Read the state, in one bus transaction."""
         return self.condition_of((await self.link.read_block(self.address, 2)).tolist())
 
     async def fault(self, condition: _Condition) -> NotArmedError:
-        """Return the error for a lease that is not armed, or takes nothing any more as it is finishing."""
+        """Return the error for a lease that is not armed, or is finishing and so accepts no more requests."""
         if condition.state == "finishing":
             message = f"{self.name} is finishing: no kick came before its end, and what was scheduled by then runs out"
             return NotArmedError(message, "silence")
@@ -158,12 +158,12 @@ class LeaseRegisters(CoreRegisters):
 
 
 async def refused(error: BusError, robot: Any, lease: str) -> BusError:
-    """Return the error for a write that the bus has refused: another one where the lease that guards it is not armed.
+    """Return the error for a write that the bus has refused; `error`, if the lease allows the write.
 
     Args:
-        error: of the bus.
-        robot: with the lease.
-        lease: its path.
+        error: error of the bus.
+        robot: robot with the lease.
+        lease: path of the lease that guards the signal.
     """
     if isinstance(error, NotArmedError) or lease in robot.interface.misfits:
         return error
@@ -172,7 +172,7 @@ async def refused(error: BusError, robot: Any, lease: str) -> BusError:
     if condition.state == "armed":
         if registers.held(condition) is not None:
             return error
-        # A gateway takes it then: a server between does not.
+        # A gateway would execute the write then; a server refuses it.
         return BusError(
             f"{error}: another program has armed {lease}, and it alone may move what that guards", error.code
         )
@@ -181,21 +181,21 @@ async def refused(error: BusError, robot: Any, lease: str) -> BusError:
 
 
 class LeaseVerbs(Verbs):
-    """Verbs of a LEASE."""
+    """Core API of a LEASE."""
 
     def armed(self, *, timeout: float | None = None, on_silence: Literal["safe", "finish"] = "safe") -> Lease:
-        """Return a lease for an ``async with`` block: it is armed where that begins, and disarmed where it ends.
+        """Return a lease for an ``async with`` block, which arms the lease at its beginning and disarms it at its end.
 
         Args:
-            timeout: seconds from each kick to the end that it names; None for the most, which is 98 % of TIMEOUT in the
-                spec.
-            on_silence: at the end, where no kick came: ``"safe"``: all that it guards is safe at once. ``"finish"``:
-                what its schedule has accepted by then acts first, for FINISH seconds of the spec at most.
+            timeout: seconds from each kick to the end of the lease; None for the longest, 98 % of TIMEOUT in the spec.
+            on_silence: action if the end comes without a kick. ``"safe"``: all guarded outputs become safe at once.
+                ``"finish"``: writes that the schedule has accepted by then are executed first, for at most FINISH
+                seconds of the spec.
 
         Raises:
-            ArgumentError: for a time-out that is not above 0, or is above that of the spec; for ``"finish"`` where the
-                spec has no FINISH, or no schedule writes what the lease guards.
-            UnsupportedError: if the board's LEASE differs from the one of this version.
+            ArgumentError: for a time-out that is not above 0, or above that of the spec; for ``"finish"`` if the spec
+                has no FINISH, or no schedule writes signals that the lease guards.
+            UnsupportedError: if the board's LEASE differs from that of this version.
         """
         registers = LeaseRegisters.of(self)
         most, name = registers.most_seconds, registers.name
@@ -208,20 +208,20 @@ class LeaseVerbs(Verbs):
         finishes = on_silence == "finish"
         if finishes and not registers.finish_seconds:
             raise ArgumentError(
-                f"{name} does not finish what is scheduled: its spec gives it no FINISH, as in LEASE(FINISH=1)"
+                f"{name} does not finish scheduled writes: its spec has no FINISH, as in LEASE(FINISH=1)"
             )
         if finishes and not registers.robot.interface.schedules_of(name):
             raise ArgumentError(f"{name} has nothing to finish: no signal that it guards is TIMED by a SCHEDULE")
         return Lease(registers, min(seconds, NEAREST * most), finishes=finishes)
 
     async def stop(self) -> bool:
-        """Disarm it, whoever has armed it: all that it guards is safe when this returns.
+        """Disarm the lease, whichever program has armed it. All guarded outputs are safe when this returns.
 
         Returns:
-            True if it was armed.
+            True if the lease was armed.
         """
         registers = LeaseRegisters.of(self)
-        # The state is asked for on the way: nothing waits before the write.
+        # Request the state without waiting for it, so that the write is not delayed.
         state = registers.ask()
         try:
             await registers.disarm.set(1)
@@ -233,22 +233,20 @@ class LeaseVerbs(Verbs):
 
 
 class LeasedRobot(RobotVerbs):
-    """Verbs of a robot with a LEASE."""
+    """Core API of a robot with a LEASE."""
 
     def armed(self, *, timeout: float | None = None, on_silence: Literal["safe", "finish"] = "safe") -> Lease:
-        """Return the only lease of the robot, as `LeaseVerbs.armed`.
+        """Return the only lease of the robot; see `LeaseVerbs.armed`.
 
         Raises:
-            ArgumentError: where it has several; and as `LeaseVerbs.armed`.
+            ArgumentError: if the robot has several leases; and as `LeaseVerbs.armed`.
             UnsupportedError: as `LeaseVerbs.armed`.
         """
         leases = leases_of(self)
         if len(leases) != 1:
             robot: Any = self
             calls = " or ".join(f"{path}.armed()" for path in leases)
-            raise ArgumentError(
-                f"{robot.interface.name} has {len(leases)} leases, and none is meant by itself: {calls}"
-            )
+            raise ArgumentError(f"{robot.interface.name} has {len(leases)} leases: call {calls}")
         return next(iter(leases.values())).armed(timeout=timeout, on_silence=on_silence)
 
 
@@ -258,15 +256,15 @@ def leases_of(robot: Any) -> dict[str, LeaseVerbs]:
 
 
 class Lease(Sealed):
-    """The right to move what a LEASE guards, in an ``async with`` block; `LeaseVerbs.armed` makes it.
+    """The right to move the outputs that a LEASE guards, in an ``async with`` block; `LeaseVerbs.armed` makes it.
 
-    In the block the program kicks: by `each` as its loop comes round, or by `kick`. Where the lease has ended, for want
-    of kicks, by an e-stop or because somebody disarmed it, the next of them raises `NotArmedError`.
+    In the block the program kicks: by `each`, once for each sample in its loop, or by `kick`. If the lease has ended,
+    because no kick came, an e-stop was opened or another program has disarmed it, the next kick raises `NotArmedError`.
     """
 
     def __init__(self, registers: LeaseRegisters, seconds: float, *, finishes: bool) -> None:
         self.timeout = seconds
-        """Seconds from each kick to the end that it names."""
+        """Seconds from each kick to the end of the lease."""
         self._finishes = finishes
         self._registers = registers
         self._link = registers.link
@@ -276,33 +274,33 @@ class Lease(Sealed):
         self._token = 0
         self._end = 0
         self._state: Asked | None = None
-        """State that was asked for with the last kick."""
+        """State that was requested with the last kick."""
         self._kicks: deque[Asked] = deque()
-        """Kicks that are under way."""
+        """Kicks in flight."""
         self._arms = 0
-        """Count of leases that have begun, with this one."""
+        """Number of leases that had begun when this one was armed, this one included."""
         self._session: int | None = None
-        """Number of the link's interruptions when it was armed; None before."""
+        """Number of the link's interruptions when the lease was armed; None before."""
         self._is_on = self._was_on = False
         self._ended: tuple[str, str, float | None] | None = None
-        """Message, reason and instant of the end, once it is known: what is armed now is not its own."""
+        """Message, reason and instant of the end, once it is known. A lease that is armed later is another one."""
 
-    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+    if not TYPE_CHECKING:  # A type checker reports such uses by itself.
         __await__ = __enter__ = __exit__ = __aiter__ = __iter__ = refusing(_OPEN)
 
     def _called(self) -> str:
         return "a lease"
 
     def __repr__(self) -> str:
-        """Return what it is of, and whether it is in its block."""
+        """Return the name and the state of the lease."""
         state = "in its block" if self._is_on else "over" if self._was_on else "not begun"
         return f"<lease of {self._registers.name}, {state}: {self.timeout:g} s>"
 
     async def __aenter__(self) -> Self:
-        """Arm, behind all that was asked for before.
+        """Arm the lease, after all earlier requests have been executed.
 
         Raises:
-            NotArmedError: where it could not be armed.
+            NotArmedError: if it could not be armed.
         """
         if self._was_on:
             raise ArgumentError(
@@ -311,7 +309,7 @@ class Lease(Sealed):
         self._was_on = True
         await self._link.fence()
         try:
-            # A machine that is busy may be late once, with an end that is as near as a time-out.
+            # On a busy machine the arm may be late, if its end is only a short time-out ahead: try again.
             for _ in range(ATTEMPTS - 1):
                 with contextlib.suppress(_LateError):
                     await self._arm()
@@ -355,7 +353,7 @@ class Lease(Sealed):
                 one.give_up()
         self._check_session()
         if error is not None and not isinstance(error, BusError):
-            # It may have been executed all the same.
+            # The arm may have been executed all the same.
             raise error
         self._arms = after.arms
         if after.armed and not before.armed and after.arms == (before.arms + 1) % MOST_ARMS and error is None:
@@ -371,17 +369,17 @@ class Lease(Sealed):
         raise _LateError(message, "late")
 
     def _check_free(self, condition: _Condition) -> None:
-        """Check that no program has the lease.
+        """Check that no program holds the lease.
 
         Raises:
-            NotArmedError: if a program has it.
+            NotArmedError: if a program holds it.
         """
         if not condition.armed:
             return
         is_finishing = condition.state == "finishing"
         if self._registers.held(condition) is not None:
             how = "this program has armed it already, in another block"
-            how += ", and what was scheduled there runs out" if is_finishing else ""
+            how += ", and the writes scheduled there are being executed" if is_finishing else ""
         else:
             how = "that of another program is finishing" if is_finishing else "another program has armed it"
         raise NotArmedError(f"{self._registers.name} cannot be armed: {how}", "taken")
@@ -393,9 +391,9 @@ class Lease(Sealed):
     async def __aexit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        """Disarm.
+        """Disarm the lease.
 
-        Where the link is lost the lease runs out by itself, which a note on the error says.
+        If the link is lost, the lease runs out by itself; a note on the error says so.
         """
         self._is_on = False
         for asked in (*self._kicks, *([] if self._state is None else [self._state])):
@@ -408,13 +406,13 @@ class Lease(Sealed):
         finally:
             release(self._link, self)
 
-    # The end
+    # End of the lease
 
     def ended(self) -> NotArmedError | None:
-        """Return the error for a lease that is over for the program; None while the program may have it.
+        """Return the error for a lease that is over for this program; None while the program may hold it.
 
-        It is over once the link has begun another session since it was armed. The gateway may have been reset then, and
-        the registers may describe a lease that another program has armed since, with the same count.
+        The lease is over if the link has begun another session since it was armed: the gateway may have been reset
+        then, and the registers may describe a later lease of another program with the same count.
         """
         if self._ended is None and self._session not in {None, self._link.interruptions}:
             name, why = self._registers.name, self._link.interrupted_by
@@ -436,12 +434,12 @@ class Lease(Sealed):
         return error
 
     def _end_as(self, message: str, reason: str, instant: float | None = None) -> None:
-        """Record why the lease is over, for a call that raises it."""
+        """Store why the lease is over, for the next call to raise, and log it."""
         self._ended = message, reason, instant
         log.info("%s: lease %s: %s", self._link.name, self._registers.name, message)
 
     def _log_silence(self) -> None:
-        """Log that the lease ran out in a block that has not kicked since, so that no call has raised it."""
+        """Log that the lease ran out in a block that did not kick afterwards, so that no call has raised it."""
         if self._ended is None:
             log.warning("%s: lease %s: it ran out, because no kick came in time", self._link.name, self._registers.name)
 
@@ -449,7 +447,7 @@ class Lease(Sealed):
         """Check that the lease is not known to be over.
 
         Raises:
-            NotArmedError: if it is.
+            NotArmedError: if it is over.
         """
         if (error := self.ended()) is not None:
             raise error
@@ -458,7 +456,7 @@ class Lease(Sealed):
         """Wait for an answer about the lease.
 
         Raises:
-            NotArmedError: if another session has begun: the answer may come from it.
+            NotArmedError: if another session has begun, because the answer may belong to that.
         """
         try:
             answered = await answer
@@ -469,14 +467,14 @@ class Lease(Sealed):
         return answered
 
     def is_of(self, condition: _Condition) -> bool:
-        """Return whether the registers describe this lease, which goes on."""
+        """Return whether the registers describe this lease, and it is still armed."""
         return self.ended() is None and condition.armed and condition.arms == self._arms
 
     def _has_ended(self) -> bool:
         return self.ended() is not None or self._clock.least(running().steady()) >= self._end
 
     async def _is_finishing(self) -> bool:
-        """Return whether its end has come, and what was scheduled goes on; nobody else can have armed it then."""
+        """Return whether the lease is past its end and finishing. No other program can have armed it then."""
         if self.ended() is not None or not self._finishes:
             return False
         condition = await self._registers.condition()
@@ -497,20 +495,20 @@ class Lease(Sealed):
             raise
 
     async def _let_go(self, error: BaseException, *, arming: bool = False) -> None:
-        """Disarm after an error, which is not hidden by one of its own; waits no longer than the lease lasts.
+        """Disarm after an error, which takes precedence over errors of the disarming. Wait at most for the time-out.
 
         Args:
-            error: of the block.
-            arming: whether it is not known that the lease is armed.
+            error: error of the block.
+            arming: whether it is unknown if the lease is armed.
         """
-        # A coroutine that is closed cannot wait.
+        # A coroutine that is being closed cannot wait.
         waits = not isinstance(error, GeneratorExit)
         if self._session is None:
             return
         try:
             if arming or self._has_ended():
                 if (arming and not waits) or self._session != self._link.interruptions:
-                    # The gateway may have it armed.
+                    # The lease may still be armed in the gateway.
                     error.add_note(self._note())
                 if not waits or not await self._goes_on(arming=arming):
                     if not arming:
@@ -526,49 +524,49 @@ class Lease(Sealed):
             error.add_note(self._note())
 
     async def _write_disarm(self) -> None:
-        """Disarm; in another session than the one under way this could be the lease of another program."""
+        """Disarm in the present session only: in another one the lease might be that of another program."""
         signal = self._registers.disarm.signal
         await Asked(self._link, signal.address, write=signal.encode(1)).words()
         log.info("%s: lease %s: disarmed", self._link.name, self._registers.name)
 
     async def _goes_on(self, *, arming: bool) -> bool:
-        """Return whether a lease is to be disarmed that may not be armed; waits no longer than the lease lasts."""
+        """Return whether a lease that may have ended must still be disarmed. Wait at most for the time-out."""
         async with running().last_timeout(self.timeout):
             if not arming:
                 return await self._is_finishing()
-            # The gateway may have executed the arm, although its answer was not awaited.
+            # The gateway may have executed the arm, although no answer was received.
             return self.ended() is None and self.is_of(await self._registers.condition())
 
     def _note(self) -> str:
         name = self._registers.name
-        more = f", and finishes what is scheduled, for {self._registers.finish_seconds:g} s at most"
+        more = f", and finishes scheduled writes, for {self._registers.finish_seconds:g} s at most"
         return (
-            f"{name} could not be disarmed for sure: it runs out by itself, {self.timeout:g} s after the last kick"
+            f"{name} may not have been disarmed: it runs out by itself, {self.timeout:g} s after the last kick"
             f"{more if self._finishes else ''}"
         )
 
     # Kicks
 
     async def each(self, group: _Group, *, latest: bool = False) -> AsyncIterator[Any]:
-        """Iterate over the samples of a group, and kick with each: as the loop comes round.
+        """Iterate over the samples of a group, and kick before each one is yielded.
 
-        The end of the lease is a time-out behind the instant at which the gateway took the newest sample that has come:
-        one that has waited on its way prolongs the lease by that much less.
+        The end of the lease is a time-out after the instant at which the gateway took the newest sample received. So a
+        sample that was delayed on its way prolongs the lease by less.
 
         Args:
-            group: of the robot, published with timestamps.
-            latest: keep the newest sample alone, for a controller: a body that is slower than the samples acts on none
-                that is old. Otherwise the samples wait for it, and it loses the lease when they have waited too long.
+            group: group of the robot, published with timestamps.
+            latest: keep only the newest sample, for controllers: a loop body that is slower than the samples never
+                gets an old one. Otherwise samples wait for the body, and if they wait too long the lease runs out.
 
         Raises:
             ArgumentError: for a group of another gateway, or without timestamps.
-            NotArmedError: where the lease has ended.
-            SamplesLostError: where the loop's body is much too slow.
-            LinkLostError: when the link ends.
+            NotArmedError: if the lease has ended.
+            SamplesLostError: if the loop's body is much too slow.
+            LinkLostError: if the link ends.
         """
         self._check_on()
         if any(proxy.link is not self._link for proxy in group.proxies):
-            raise ArgumentError(f"{group.name} has signals of another gateway than {self._registers.name} is of")
+            raise ArgumentError(f"{group.name} has signals of another gateway than that of {self._registers.name}")
         await self._read_clock()
         last: int | None = None
         overflow = "drop_oldest" if latest else "fail"
@@ -579,7 +577,7 @@ class Lease(Sealed):
                 samples = list(batch)
                 if samples[-1].time is None:
                     advice = f"declare it with them, as in group {group.name}(RATE=500, TIMESTAMPS)"
-                    raise ArgumentError(f"{group.name} has no timestamps, of which kicks are made: {advice}")
+                    raise ArgumentError(f"{group.name} has no timestamps, which kicks need: {advice}")
                 last = self._ticks_of(samples[-1].time, last)
                 self._clock.see(last, running().steady())
                 for sample in samples:
@@ -589,7 +587,7 @@ class Lease(Sealed):
                 batch = await listener.next()
 
     async def _first(self, listener: Any) -> Any:
-        """Wait for the first samples, and kick meanwhile: a group begins more slowly than it goes on."""
+        """Wait for the first samples, and kick in the meantime: a group may take long to begin."""
         give_up = running().time() + LONGEST_START
         while running().time() < give_up:
             await self.kick()
@@ -599,7 +597,7 @@ class Lease(Sealed):
         return await listener.next()
 
     def _ticks_of(self, time: float, last: int | None) -> int:
-        """Return the gateway's clock at the time of a sample; `last` is that of the one before."""
+        """Return the ticks of the gateway's clock at the time of a sample; `last` has those of the previous sample."""
         timestamp = self._link.timestamp_of(time)
         if last is not None:
             return last + (timestamp - last) % TURN
@@ -608,14 +606,14 @@ class Lease(Sealed):
     async def kick(self) -> None:
         """Move the end of the lease to a time-out from now.
 
-        The gateway's clock is estimated, never ahead of the truth, and behind it by no more than the answer of its
-        reading was on its way and what the clocks drift apart in `clock.READ_AGAIN` seconds; then it is read again,
-        which is waited for.
+        The gateway's clock is estimated, never too late. The estimate is too early by at most the delay of the answer
+        to its last reading, plus the drift of the clocks in `clock.READ_AGAIN` seconds. After this time the clock is
+        read again, and the call waits for the answer.
 
         Raises:
             ArgumentError: outside of the block.
-            NotArmedError: where the lease has ended.
-            LinkLostError: when the link has ended.
+            NotArmedError: if the lease has ended.
+            LinkLostError: if the link has ended.
         """
         self._check_on()
         if self._clock.is_old(running().steady()):
@@ -628,7 +626,7 @@ class Lease(Sealed):
         self._check_session()
 
     async def _kick(self, end: int) -> None:
-        """Kick, and look at what the gateway has said of the lease since the kick before."""
+        """Send a kick, and check the answers that have arrived since the last one."""
         registers = self._registers
         if self._state is not None and (self._state.done() or self._has_ended()):
             state, self._state = self._state, None
@@ -637,31 +635,31 @@ class Lease(Sealed):
             await self._take_answer(self._kicks.popleft())
         if self._has_ended():
             await self._check_mine(await self._in_session(registers.condition()))
-            # Its clock is behind what was thought of it.
+            # The lease has not ended, so the estimate of its clock was ahead: read the clock again.
             await self._read_clock()
         if end > self._end:
             self._end = end
             signal = registers.kick.signal
-            # The words are one transaction: where they were several, those of another program could come in between.
+            # Write both words in one transaction: otherwise words of another program could come in between.
             self._kicks.append(Asked(self._link, signal.address, write=signal.encode(self._word())))
         if self._state is None:
             self._state = registers.ask()
 
     async def _take_answer(self, kick: Asked) -> None:
-        """Take the answer to a kick: where it was refused, the lease may be another program's."""
+        """Check the answer to a kick. If the kick was refused, the lease may be another program's."""
         refusal = await self._in_session(_refusal_of(kick))
         if refusal is not None:
             await self._check_mine(await self._in_session(self._registers.condition()), refused=True)
 
     async def _check_mine(self, condition: _Condition, *, refused: bool = False) -> None:
-        """Check that it has not ended.
+        """Check that this lease has not ended.
 
         Args:
-            condition: of the registers.
-            refused: whether a kick was refused: a server refuses kicks, a gateway does not.
+            condition: state in the registers.
+            refused: whether a kick was refused: servers refuse kicks, gateways do not.
 
         Raises:
-            NotArmedError: where it has; also where another one has begun since.
+            NotArmedError: if it has ended, also if another lease has begun since.
         """
         name, is_mine = self._registers.name, condition.arms == self._arms
         if condition.state == "armed" and is_mine and not refused:
@@ -679,7 +677,7 @@ class Lease(Sealed):
 
 
 async def _refusal_of(asked: Asked) -> GatewayError | None:
-    """Return the error by which a bus, or a server, has refused a write; None if it was executed."""
+    """Return the error with which a bus or a server has refused a write; None if the write was executed."""
     try:
         await asked.words()
     except GatewayError as error:
@@ -688,7 +686,7 @@ async def _refusal_of(asked: Asked) -> GatewayError | None:
 
 
 class LeaseModel(Model):
-    """A lease on `sim:`, to the cycle as the entity has it, but for the two cycles that a word takes."""
+    """A cycle-accurate lease on `sim:`, except for the two cycles of latency of a word."""
 
     def __init__(self, component: ComponentSpec, part: Any, around: Any) -> None:
         super().__init__(component, part, around)
@@ -696,20 +694,20 @@ class LeaseModel(Model):
         self._emptied: int | None = None
 
     def reset(self) -> None:
-        """Disarm, as if nobody had armed it."""
+        """Disarm, as before the first arm."""
         self._end_as("disarmed", "none_yet")
         self.part.fault_time = 0
         self.part.arms = 0
 
     @property
     def due(self) -> int | None:
-        """Return the end of the lease."""
+        """Cycle of the lease's end, or of the end of its finishing; None if it is not armed."""
         if not self.part.armed:
             return None
         return self._end if self._emptied is None else min(self._end, self._emptied + 1)
 
-    def step(self, dt: float) -> None:  # noqa: ARG002  (the clock says more)
-        """End the lease where its end has come, or nothing is left to finish."""
+    def step(self, dt: float) -> None:  # noqa: ARG002  (the clock is more exact)
+        """End the lease if its end has come, or if it is finishing and the schedules are empty."""
         self.part.clock = now = self.around.now
         if self.part.finishing and self._emptied is None and self.around.is_empty:
             self._emptied = now
@@ -729,7 +727,7 @@ class LeaseModel(Model):
         self._end += self._cycles("finish_us", 0)
 
     def written(self, name: str) -> None:
-        """Arm, kick, disarm, or look at the e-stop."""
+        """Arm, kick or disarm the lease, or read the e-stop."""
         part = self.part
         if name == "arm":
             self._take(part.arm, is_arm=True)
@@ -748,12 +746,12 @@ class LeaseModel(Model):
         if part.finishing or (token & FINISHES and not self.generics.get("finish_us")):
             return
         if part.armed and now + 1 >= self._end:
-            # The word would act one cycle later, when the lease has ended.
+            # The word would take effect one cycle later, after the end of the lease.
             self._run_out()
             if part.finishing:
                 return
         may = token == self._token if part.armed else is_arm
-        # It acts two cycles later, and an end that has come by then is none.
+        # The word takes effect two cycles later, so its end must be later than that.
         if (
             not may
             or part.estop_open
@@ -780,14 +778,14 @@ class LeaseModel(Model):
 
 
 class LeaseAtPins(AtPins):
-    """A lease that a plant sees by its enable pin."""
+    """Shows a plant whether the lease is armed, by its enable pin."""
 
     def __init__(self, component: ComponentSpec, part: Any, around: Pins) -> None:
         super().__init__(component, part, around)
         if around.has("enable"):
             self.shows = frozenset({"armed"})
 
-    def step(self, dt: float) -> None:  # noqa: ARG002  (the level of now counts)
-        """Look at the pin."""
+    def step(self, dt: float) -> None:  # noqa: ARG002  (only the present level counts)
+        """Show the level of the enable pin as `armed`."""
         if self.shows:
             self.around.show("armed", bool(self.part.enable))

@@ -1,4 +1,4 @@
-"""Pulse width modulation at the pins of compiled gateware: a plant reads its value, which is measured there."""
+"""Pulse width modulation on `rtl:`: the value that a plant reads is measured at the pins of the compiled gateware."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class PwmAtPins(AtPins):
-    """The value is the mean of the pins since the step before, whatever has made it: a lease that has ended, too."""
+    """Shows the mean value of the pins since the last step, which includes the safe level after a lease has ended."""
 
     shows = frozenset({"value"})
 
@@ -24,8 +24,8 @@ class PwmAtPins(AtPins):
         if "pwm" not in self._pins:
             self.shows = frozenset()
 
-    def step(self, dt: float) -> None:  # noqa: ARG002  (cycles say more)
-        """Measure."""
+    def step(self, dt: float) -> None:  # noqa: ARG002  (clock cycles are more exact)
+        """Measure the duty cycles of the pins, and show the value."""
         if not self.shows:
             return
         parts = {pin: self.around.duty(pin) for pin in self._pins}

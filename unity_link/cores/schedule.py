@@ -1,4 +1,4 @@
-"""A schedule: writes that happen in the clock cycles that a program gives them."""
+"""A schedule: writes that the gateway executes in given clock cycles."""
 
 from __future__ import annotations
 
@@ -32,22 +32,22 @@ _NO_SLACK, _LEAST_SLACK = 2**31 - 1, -(2**31)
 
 
 class ScheduleVerbs(Verbs):
-    """Verbs of a SCHEDULE."""
+    """Core API of a SCHEDULE."""
 
     async def clock(self) -> TickClock:
-        """Read the gateway's clock, and return how it goes with this machine's."""
+        """Read the gateway's clock, and return its relation to this machine's clock."""
         return await feed_of(ScheduleRegisters.of(self)).clock()
 
     def timeline(self, *, lead: float = 0.05, lease: Lease | None = None) -> Timeline:
-        """Return a line of writes at instants, for an ``async with`` block. What was scheduled before is cancelled.
+        """Return a timeline of writes at instants, for an ``async with`` block. Earlier scheduled writes are cancelled.
 
         Args:
             lead: seconds from the beginning of the block to its first instant.
-            lease: that guards what is written; it is kicked as the line is fed.
+            lease: lease that guards the written signals; it is kicked while the timeline is fed.
 
         Raises:
-            ArgumentError: if the lead is no number of seconds from 0 on, or half the range of the schedule's clock or
-                more: 10995 s at 50 MHz.
+            ArgumentError: if the lead is no number of seconds from 0 on, or is half the range of the schedule's
+                clock or more: 10995 s at 50 MHz.
         """
         registers = ScheduleRegisters.of(self)
         what, most = f"the lead of {registers.name} is a number of seconds", registers.reach_seconds
@@ -68,27 +68,27 @@ class ScheduleVerbs(Verbs):
         """Write a trajectory, each of its rows in the clock cycle nearest to its time.
 
         Args:
-            times: seconds from the beginning, which rise; shape (rows,).
-            values: for each signal its values, shape (rows,). All are checked before anything is sent.
-            then: ``"hold"``: the last values stay. ``"safe"``: the lease is disarmed behind them.
+            times: seconds from the beginning, increasing; shape (rows,).
+            values: the values of each signal, shape (rows,). All values are checked before the first is sent.
+            then: ``"hold"``: the last values stay. ``"safe"``: the lease is disarmed after the last row.
             lead: seconds from now to time 0.
-            lease: that guards what is written; it is kicked meanwhile.
+            lease: lease that guards the written signals; it is kicked in the meantime.
 
         Returns:
-            The number of rows that have acted, which is all.
+            The number of executed rows, which is that of all rows.
 
         Raises:
-            ArgumentError: for times that do not rise, values that signals do not take, or arrays of other shapes.
-            LateError: where a row has not acted. What is behind it is cancelled.
-            NotArmedError: where that is since the lease is not armed.
+            ArgumentError: for times that do not increase, values that signals cannot have, or arrays of other shapes.
+            LateError: if a row was not executed. Later rows are cancelled.
+            NotArmedError: if a row was not executed because the lease is not armed.
         """
         registers = ScheduleRegisters.of(self)
         if then not in {"hold", "safe"}:
             raise ArgumentError(f"then={then!r:.40}: 'hold' or 'safe' was expected")
         if then == "safe" and registers.lease is None:
-            raise ArgumentError(f"no lease guards what {registers.name} writes, so that nothing is safe: then='hold'")
+            raise ArgumentError(f"no lease guards the signals of {registers.name}, so then='safe' has no effect")
         instants = _rising(times)
-        # Nothing is sent before: the last one is the first that no clock could count.
+        # Check the last instant before anything is sent: it is the largest, and must be in the range of a clock.
         ticks_after(TIME, instants[-1], registers.link.gateway.clock_hz)
         columns: dict[int, NDArray[np.uint64]] = {}
         for proxy, column in values.items():
@@ -106,10 +106,10 @@ class ScheduleVerbs(Verbs):
 
 
 def _rising(times: ArrayLike) -> list[float]:
-    """Return times as numbers.
+    """Return times as a list of numbers.
 
     Raises:
-        ArgumentError: for what does not rise from 0 on.
+        ArgumentError: for times that do not increase, begin before 0, or are no numbers in one dimension.
     """
     try:
         given = np.asarray(times)
@@ -126,7 +126,7 @@ def _rising(times: ArrayLike) -> list[float]:
 def _columns(
     registers: ScheduleRegisters, proxy: Proxy[Any], values: ArrayLike, rows: int
 ) -> dict[int, NDArray[np.uint64]]:
-    """Return what a column of values puts on the stage, by places; each of shape (rows,)."""
+    """Return the words that a column of values puts on the stage, by their places; each of shape (rows,)."""
     signal = registers.timed(proxy)
     given = signal.kind.array(values)
     if given.shape != (rows,):
@@ -142,38 +142,38 @@ def _columns(
 
 @dataclasses.dataclass
 class _Batch:
-    """A batch that has come, or is coming."""
+    """A batch that has been received, or is being received."""
 
     header: int
     is_good: bool
-    """False for one that is refused."""
+    """False for a batch that is refused."""
     rest: list[int] = dataclasses.field(default_factory=list)
     came: int = 0
-    """Cycle of its last word."""
+    """Clock cycle in which its last word arrived."""
 
     @property
     def words(self) -> int:
-        """Words of its runs, as the header counts them."""
+        """Number of words of its runs, from the header."""
         return self.header >> 24
 
     @property
     def queued(self) -> int:
-        """Words that it takes in the queue; none where it is refused."""
+        """Number of words that it occupies in the queue; 0 if it is refused."""
         return self.words + FRAME if self.is_good else 0
 
     @functools.cached_property
     def values(self) -> dict[int, int] | None:
-        """Words by their places on the stage, once it is whole; None where it is malformed."""
+        """Words by their places on the stage, after the batch is complete; None if it is malformed."""
         return values_of(self.rest[1:])
 
     @property
     def instant(self) -> int:
-        """Cycle in which it acts, modulo `TIME`."""
+        """Clock cycle in which the batch is executed, modulo `TIME`."""
         return (self.header & 0xFF) << 32 | self.rest[0]
 
 
 class ScheduleModel(Model):
-    """A schedule on `sim:`, to the cycle as the entity has it, but for the cycle that a word takes from the bus."""
+    """A cycle-accurate schedule on `sim:`, except for one cycle of bus latency."""
 
     def __init__(self, component: ComponentSpec, part: Any, around: Any) -> None:
         super().__init__(component, part, around)
@@ -183,26 +183,26 @@ class ScheduleModel(Model):
     def _begin(self) -> None:
         self._coming: _Batch | None = None
         self._ended: deque[_Batch] = deque()
-        """Batches that have come and are not finished."""
+        """Batches that have been received and are not finished."""
         self._free = 0
-        """Cycle from which the next one is taken."""
+        """Clock cycle from which the next batch is read from the queue."""
         self._finished = self._failed = self._late = self._refused = 0
         self._slack = _NO_SLACK
         self._words = 0
-        """Words of the good ones of these."""
+        """Number of words in the queue of the batches that are not refused."""
         self._show()
 
     def reset(self) -> None:
-        """Void the queue."""
+        """Empty the queue."""
         self._begin()
 
     @property
     def due(self) -> int | None:
-        """Return the cycle behind the end of the next batch: its instant, for one that acts."""
+        """Clock cycle after the end of the next batch; for a batch that is executed, this is its instant."""
         return self._end_of(self._ended[0])[0] + 1 if self._ended else None
 
-    def step(self, dt: float) -> None:  # noqa: ARG002  (the clock says more)
-        """End the batches whose cycles have passed."""
+    def step(self, dt: float) -> None:  # noqa: ARG002  (the clock is more exact)
+        """Finish the batches whose last cycle has passed."""
         while self._ended:
             cycle, how, values = self._end_of(self._ended[0])
             if cycle >= self.around.now:
@@ -218,11 +218,11 @@ class ScheduleModel(Model):
         self._show()
 
     def _begins(self, batch: _Batch) -> int:
-        """Return the cycle from which a batch is looked at if it is the next one."""
+        """Return the clock cycle from which a batch is read from the queue, if it is the next one."""
         return max(self._free, batch.came + 1)
 
     def _end_of(self, batch: _Batch) -> tuple[int, str, dict[int, int]]:
-        """Return the cycle in which a batch ends if it is the next one, how it ends, and its values."""
+        """Return the last clock cycle of a batch if it is the next one, its outcome, and its values."""
         begins = self._begins(batch)
         if not batch.is_good:
             return begins + 1, "refused", {}
@@ -235,11 +235,11 @@ class ScheduleModel(Model):
 
     @property
     def is_empty(self) -> bool:
-        """Return whether nothing is in the queue."""
+        """True if the queue has no batch that is still to be executed."""
         return not any(batch.is_good for batch in self._ended)
 
     def written(self, name: str) -> None:
-        """Take a word, or cancel."""
+        """Accept a word of a batch, or cancel all batches."""
         if name == "entry":
             self._take(self.part.entry)
         elif name == "cancel":
@@ -252,7 +252,7 @@ class ScheduleModel(Model):
             self._show()
 
     def disarmed(self) -> None:
-        """Refuse all that has not acted."""
+        """Refuse all batches that have not been executed."""
         if self._coming is not None:
             self._coming.is_good = False
         self._void()
@@ -284,7 +284,7 @@ class ScheduleModel(Model):
         self._show()
 
     def _unread(self) -> int:
-        """Return the words in the queue."""
+        """Return the number of words in the queue that the core has not read."""
         unread = self._words
         if self._ended and self._ended[0].is_good:
             first = self._ended[0]

@@ -1,4 +1,4 @@
-"""A step generator: verbs that wait for a way, its motion on `sim:`, and its steps at the pins of `rtl:`."""
+"""Step generators: the core API, which can wait for a move, the motion on `sim:`, and steps at the pins on `rtl:`."""
 
 from __future__ import annotations
 
@@ -18,34 +18,34 @@ if TYPE_CHECKING:
     from unity_link.spec.model import ComponentSpec
 
 KICKS = 4
-"""Kicks in the time-out of a lease, at least."""
+"""Least number of kicks in the time-out of a lease."""
 LOOK_AGAIN = 0.005
-"""Seconds between two looks at an axis that is on its way."""
+"""Seconds between two reads of the state of an axis that moves."""
 _ROUND = 1 << 24
-"""Steps at which a position goes round."""
+"""Number of steps after which the position wraps around."""
 _SLICE = 0.001
-"""Seconds after which the shortest way is looked for again, if that may be another one."""
+"""Seconds after which the shortest way is determined again, if it may have changed sides."""
 _CLOSE = 1e-9
-"""Part of a way, a speed or a step that is none."""
+"""Relative size below which a distance or a difference of speeds counts as 0."""
 
 
 class StepgenVerbs(Verbs):
-    """Verbs of a STEPGEN."""
+    """Core API of a STEPGEN."""
 
     async def move_to(self, position: float, *, lease: Lease | None = None) -> None:
-        """Go to a position, and return when the axis stands there.
+        """Move to a position, and return after the axis has stopped there.
 
-        It waits for as long as that takes; in ``asyncio.timeout`` no longer than that.
+        There is no time limit; set one by ``asyncio.timeout``.
 
         Args:
             position: in the unit of `position_cmd`; less than half a round of 2 ** 24 steps away.
-            lease: that guards the axis; it is kicked meanwhile.
+            lease: lease that guards the axis; it is kicked in the meantime.
 
         Raises:
-            NotArmedError: where its lease is not armed, or ends on the way: then the axis stops by itself.
-            ArgumentError: for a position that `position_cmd` cannot have, or too far away.
-            UnsupportedError: if the board's STEPGEN differs from the one of this version.
-            UnityLinkError: where `mode` or `position_cmd` was written on the way, or the gateway was reset.
+            NotArmedError: if its lease is not armed, or ends during the move: then the axis stops by itself.
+            ArgumentError: for a position that `position_cmd` cannot have, or one that is too far away.
+            UnsupportedError: if the board's STEPGEN differs from that of this version.
+            UnityLinkError: if `mode` or `position_cmd` was written during the move, or the gateway was reset.
         """
         axis: Any = self
         CoreRegisters.of(self)
@@ -71,7 +71,7 @@ class StepgenVerbs(Verbs):
                 raise await registers.fault(await registers.condition())
             if holds or mode != "position" or number(target) != wanted:
                 name = axis.position_cmd.path.rpartition(".")[0]
-                raise UnityLinkError(f"{name} does not go to {position:g}: it was told something else on the way")
+                raise UnityLinkError(f"{name} does not go to {position:g}: it was given another command on the way")
             if is_there:
                 if laps is not None:
                     laps.see(position, axis.position.link.epoch, time.monotonic())
@@ -79,11 +79,11 @@ class StepgenVerbs(Verbs):
             await running().sleep(LOOK_AGAIN if lease is None else min(LOOK_AGAIN, lease.timeout / KICKS))
 
     async def stop(self) -> None:
-        """Slow down and stand: the mode is `velocity` from now on, and the velocity 0; it does not wait.
+        """Decelerate to a stop: write the velocity 0 and the mode `velocity`. Return without waiting for the stop.
 
         Raises:
-            UnsupportedError: if the board's STEPGEN differs from the one of this version.
-            NotArmedError: where its lease is not armed, so that the axis stops by itself.
+            UnsupportedError: if the board's STEPGEN differs from that of this version.
+            NotArmedError: if its lease is not armed, in which case the axis stops by itself.
         """
         axis: Any = self
         CoreRegisters.of(self)
@@ -92,11 +92,11 @@ class StepgenVerbs(Verbs):
 
 
 async def _check_reach(axis: Any, position: float) -> None:
-    """Check that an axis can go to a position.
+    """Check that an axis can move to a position.
 
     Raises:
-        ArgumentError: for a position that `position_cmd` cannot have, or half a round away or farther: the shortest way
-            would lead to another place, which reads the same.
+        ArgumentError: for a position that `position_cmd` cannot have, or one that is half a round or more away: the
+            axis would take the shortest way to another place with the same register value.
     """
     laps: Laps | None = axis.position.laps
 
@@ -110,15 +110,15 @@ async def _check_reach(axis: Any, position: float) -> None:
     except ArgumentError:
         if laps is None:
             raise
-        # The position that was read last may be an old one.
+        # The last position read may be an old one.
         await axis.position.get()
         check()
 
 
 class StepgenModel(Model):
-    """The motion of an axis, from one instant to another: the same trapezoid as of the entity, without its rounds.
+    """The motion of an axis in continuous time: the same trapezoid as that of the entity, without its rounding.
 
-    The pins stay as they are. Between a velocity and a position it does not stop, as the entity does.
+    The pins do not change. The axis does not stop when it changes between a velocity and a position; the entity does.
     """
 
     def __init__(self, component: ComponentSpec, part: Any, around: Any) -> None:
@@ -128,17 +128,17 @@ class StepgenModel(Model):
         self._is_fresh = False
 
     def disarmed(self) -> None:
-        """Wait for a new command."""
+        """Wait for a new position command."""
         self._is_fresh = False
 
     def reset(self) -> None:
-        """Stand at 0."""
+        """Stop at 0."""
         self._motion = Motion(self._kind.span)
         self._is_fresh = False
         self._move(0)
 
     def step(self, dt: float) -> None:
-        """Move for some time."""
+        """Move for `dt` seconds."""
         if dt:
             self._move(dt)
 
@@ -162,14 +162,14 @@ class StepgenModel(Model):
         )
 
     def written(self, name: str) -> None:
-        """Take a command."""
+        """React to a command."""
         if name == "position_cmd":
             self._is_fresh = True
         self._move(0)
 
 
 class StepgenAtPins(AtPins):
-    """The position is that of the steps that have gone out at the pins, as a motor's driver counts them."""
+    """Shows a plant the position by the steps at the pins, counted as a motor's driver counts them."""
 
     shows = frozenset({"position"})
 
@@ -177,47 +177,47 @@ class StepgenAtPins(AtPins):
         super().__init__(component, part, around)
         step = abs(next(signal for signal in component.signals if signal.name == "maxaccel").kind.scale)
         self._step = -step if self.generics.get("reverse", False) else step
-        """One step with the direction 0, in the unit of the position."""
+        """One step with `dir` at 0, in the unit of the position."""
         if not (around.has("step") and around.has("dir")):
             self.shows = frozenset()
 
-    def step(self, dt: float) -> None:  # noqa: ARG002  (pulses say more)
-        """Count."""
+    def step(self, dt: float) -> None:  # noqa: ARG002  (pulses are more exact)
+        """Show the position of the counted steps."""
         if self.shows:
             steps = self.around.steps("step", "dir")
             self.around.show("position", self._step * ((steps + _ROUND // 2) % _ROUND - _ROUND // 2))
 
 
 class Motion:
-    """A place and a speed that change with time; speeds of either sign, accelerations above 0.
+    """A place and a speed that change with time. Speeds have either sign, accelerations are above 0.
 
-    A new acceleration acts when it stands, or is stopped.
+    A new acceleration takes effect only at speed 0, or by `stop`.
 
     Args:
-        span: after which a target is the same place again; the place itself counts on.
+        span: length of a round; a target is reached at each multiple of it. The place itself does not wrap around.
     """
 
     def __init__(self, span: float = math.inf) -> None:
         self.place = self.speed = 0.0
         self.accel = math.inf
-        """The acceleration that acts."""
+        """The acceleration in effect."""
         self._span = span
 
     def stands_at(self, target: float) -> bool:
-        """Return whether it stands at a place, to what numbers can tell."""
+        """Return whether the speed is 0 and the place is a target, within the accuracy of numbers."""
         return not self.speed and abs(self._way(target)) <= _CLOSE * max(abs(target), abs(self.place), 1)
 
     def stop(self, accel: float, seconds: float) -> None:
-        """Slow down for some time, by an acceleration that acts at once."""
+        """Decelerate for `seconds` with an acceleration that takes effect at once."""
         self.accel = accel
         self._go_at(0.0, seconds)
 
     def go_at(self, speed: float, accel: float, seconds: float) -> None:
-        """Move for some time, and change the speed to another one."""
+        """Move for `seconds`, and change the speed to another one."""
         if not self.speed:
             self.accel = accel
         elif self.speed * speed < 0:
-            # It stands where it turns.
+            # A change of direction has an instant at speed 0, at which the new acceleration takes effect.
             needed = abs(self.speed) / self.accel
             if needed >= seconds:
                 self._go_at(0.0, seconds)
@@ -234,9 +234,9 @@ class Motion:
             self._pass(seconds - taken, 0.0)
 
     def go_to(self, target: float, limit: float, accel: float, seconds: float) -> None:
-        """Move for some time, by the shortest way to a place: without passing it, unless it is too near.
+        """Move for `seconds`, on the shortest way to a place. Pass the place only if it is too near to stop at it.
 
-        To a place exactly opposite it does not go.
+        If the place is exactly opposite, both ways are equally long, and the axis does not move.
         """
         if not self.speed:
             self.accel = accel
@@ -257,24 +257,25 @@ class Motion:
             self.place = self._nearest(target)
 
     def _nearest(self, target: float) -> float:
-        """Return the place nearest to here that is a target."""
+        """Return the target nearest to the present place."""
         return target if math.isinf(self._span) else target + self._span * round((self.place - target) / self._span)
 
     def _way(self, target: float) -> float:
         return self._nearest(target) - self.place
 
     def _is_opposite(self, way: float) -> bool:
-        # To a quarter of the last bit of a position.
+        # The limit is a quarter of the last bit of a position.
         return math.isfinite(self._span) and abs(abs(way) - self._span / 2) < self._span * 2**-34
 
     def _phase(self, way: float, limit: float, accel: float, seconds: float) -> float:
-        """Move in one of the phases of a way, or its part that fits into some time; return the seconds that it took."""
+        """Move in one phase of a way, for `seconds` at most; return the seconds that the phase took."""
         sign = math.copysign(1.0, self.speed or way)
         ahead, speed = -abs(way) if self._is_opposite(way) else sign * way, abs(self.speed)
         stop = speed * speed / (2 * accel)
         slack = _CLOSE * (abs(self.place) + abs(way) + stop)
         if ahead < stop - slack or speed > limit * (1 + _CLOSE):
-            # It cannot stop before, or is too fast. Farther away than half a round, the way ahead is the shorter one.
+            # The axis is too fast, or cannot stop in time. If it would stop more than half a round beyond the target,
+            # the way in its present direction is the shorter one.
             slower = limit if ahead >= stop - slack else 0.0
             return self._change(
                 sign * slower, accel, min(seconds, _SLICE) if stop - ahead > self._span / 2 else seconds
@@ -286,7 +287,7 @@ class Motion:
             return self._change(0.0, accel, seconds)
         if not limit:
             return seconds
-        # To the speed from which it has to slow down at once, or to the limit; then at that.
+        # Accelerate to the speed from which it must decelerate at once, or to the limit; then keep that speed.
         top = math.sqrt(accel * ahead + speed * speed / 2)
         if speed < min(top, limit) * (1 - _CLOSE):
             return self._change(sign * min(top, limit), accel, seconds)

@@ -1,7 +1,7 @@
-"""The program's side of a schedule: it feeds writes for instants, and learns what became of each.
+"""The host's side of a schedule: it sends writes at instants, and determines the outcome of each.
 
-A schedule has one writer at a time, `ScheduleFeed`: it knows which batches are under way, and reads their ends and the
-room in the queue from the registers of the schedule. Nothing runs in the background.
+A schedule has one writer at a time, a `ScheduleFeed`. The feed knows which batches are in flight, and reads their
+outcomes and the room in the queue from the registers of the schedule. No task runs in the background.
 """
 
 from __future__ import annotations
@@ -46,17 +46,17 @@ if TYPE_CHECKING:
     from unity_link.spec.model import Signal
 
 MOST_UNDER_WAY = 64
-"""Queue writes that are sent and not answered."""
+"""Most unanswered queue writes."""
 LOOK_BEHIND = FATES * 2 // 3
-"""Instants that pass before it is looked what became of them."""
+"""Number of batches whose instants pass before their outcomes are read."""
 SHORTEST_PAUSE = 0.0005
-"""Seconds between two looks at the schedule while something of it is waited for."""
+"""Least number of seconds between two reads of the schedule's registers."""
 PARTS = 8
-"""A queue that is full is fed again when this part of it is free."""
+"""Part of the queue, as a divisor, that must be free before a full queue is filled again."""
 KICKS = 4
-"""Kicks in the time-out of a lease."""
+"""Least number of kicks in the time-out of a lease."""
 _NUMBERS = 1 << 16
-"""The number of ended batches is modulo this."""
+"""The number of ended batches is modulo this number."""
 _OPEN = "write `async with` before this timeline, and `with` where it is one of a blocking link"
 
 
@@ -67,41 +67,41 @@ class ScheduleRegisters(CoreRegisters):
         super().__init__(robot, name)
         find = self.find
         self.depth = int(self.core.generics["depth"])
-        """Words of its queue."""
+        """Number of words in its queue."""
         self.entry, self.cancel, self.clock, self.fates = (
             find(register) for register in ("entry", "cancel", "clock", "fates")
         )
         self.counters = tuple(find(register).signal for register in ("late", "refused", "room", "slack"))
-        """Signals that stand side by side."""
+        """Signals at consecutive addresses."""
         self.link: Link = self.entry.link
         timed = {path: signal for path, signal in robot.interface.signals.items() if signal.timed == name}
         self.places: dict[str, range] = {path: robot.interface.stages[path] for path in timed}
-        """Places on its stage, by the paths of the signals that it can write."""
+        """Places on the schedule's stage, by the paths of the signals that it can write."""
         self.lease = next((signal.safe.lease for signal in timed.values() if signal.safe is not None), None)
-        """Path of the lease that guards what it writes."""
+        """Path of the lease that guards the signals that the schedule writes; None without one."""
         self.reach_seconds = AHEAD / self.link.gateway.clock_hz
         """Seconds by which an instant can be ahead of the gateway's clock: half the range of its 40 bits."""
 
     def timed(self, proxy: Proxy[Any]) -> Signal:
-        """Return the declaration of a signal that it can write.
+        """Return the declaration of a signal that the schedule can write.
 
         Raises:
-            ArgumentError: for another one.
+            ArgumentError: for any other signal.
         """
         signal: Signal | None = getattr(proxy, "signal", None)
         if signal is None:
             raise ArgumentError(
-                f"{self.name} writes to signals, which are the keys of what is set, not to {proxy!r:.80}"
+                f"{self.name} writes to signals, so the keys of the values are signals, not {proxy!r:.80}"
             )
         if proxy.robot is not self.robot or signal.path not in self.places:
             raise ArgumentError(f"{signal.path} is not timed by {self.name}: its declaration has no TIMED({self.name})")
         return signal
 
     def words_of(self, values: Mapping[Any, Any]) -> dict[int, int]:
-        """Return what values put on the stage, by places.
+        """Return the words for values, by their places on the stage.
 
         Raises:
-            ArgumentError: for no values, values that signals do not take, and signals that are not of the schedule.
+            ArgumentError: for no values, values that signals cannot have, and signals that the schedule cannot write.
         """
         words: dict[int, int] = {}
         for proxy, value in values.items():
@@ -116,51 +116,51 @@ class ScheduleRegisters(CoreRegisters):
 
 
 class _Look(NamedTuple):
-    """Contents of the registers of a schedule."""
+    """Contents of the registers of a schedule at one time."""
 
     ended: int
     """Number of batches that have ended, modulo 2 ** 16."""
     failed: int
-    """A bit for each of the last 48: 1 for one that has not acted; the newest one lowest."""
+    """One bit for each of the last 48 ended batches, the newest lowest: 1 if the batch was not executed."""
     late: int
     refused: int
     room: int
 
 
 class Done(OfLink):
-    """A write at an instant, whose end can be awaited: the instant in which it acted."""
+    """A write at an instant. Awaiting it returns the instant after the write has been executed."""
 
     def __init__(self, feed: ScheduleFeed, instant: Instant, size: int, poster: object) -> None:
         self.instant = instant
         self.size = size
-        """Words that it takes in the queue."""
+        """Number of words that its batch occupies in the queue."""
         self.acted: bool | None = None
-        """True if it has acted, False if it will not; None where that is not known yet."""
+        """True if it was executed, False if it will never be; None if the outcome is not known yet."""
         self.error: UnityLinkError | None = None
-        """Error that says why it has not, where the gateway does not."""
+        """Reason, if the host knows more than the registers: after a reset, or the loss of a connection."""
         self.is_awaited = False
-        """True if its error is raised there."""
+        """True if a program awaits the write, so that the error is raised there."""
         self.poster = poster
-        """Task or thread that has written it."""
+        """Task or thread that has made the write."""
         self._feed = feed
 
     def __repr__(self) -> str:
-        """Return its instant, and what is known of it."""
+        """Return the instant, and the outcome."""
         known = {None: "not known yet", True: "it acted", False: "it did not act"}[self.acted]
         return f"<a write at {self.instant}: {known}>"
 
     def __await__(self) -> Generator[Any, Any, Instant]:
-        """Wait for it, as `wait` does."""
+        """Wait for the write; see `wait`."""
         return self.wait().__await__()
 
     async def wait(self) -> Instant:
-        """Wait until it has acted, and return its instant.
+        """Wait until the write has been executed, and return its instant.
 
         Raises:
-            LateError: where it has not, and will not.
-            NotArmedError: where that is since the lease of what it writes is not armed.
-            GatewayResetError: where the gateway was reset, which voids what its schedule has.
-            LinkLostError: where the link has ended, or the connection was lost while words of it were under way.
+            LateError: if it was not executed in time, or was cancelled.
+            NotArmedError: if it was not executed because the lease of its signals is not armed.
+            GatewayResetError: if the gateway was reset, which empties its schedules.
+            LinkLostError: if the link has ended, or the connection was lost while words of the write were in flight.
         """
         self.is_awaited = True
         try:
@@ -177,10 +177,10 @@ class Done(OfLink):
 
 
 class ScheduleFeed:
-    """The one writer of a schedule.
+    """The only writer of a schedule.
 
     Args:
-        registers: of the schedule.
+        registers: registers of the schedule.
     """
 
     def __init__(self, registers: ScheduleRegisters) -> None:
@@ -190,37 +190,37 @@ class ScheduleFeed:
         self._bounds = TickBounds(self._link.gateway.clock_hz)
         self.time = TickClock(self._bounds, self._link)
         self.line: object | None = None
-        """The timeline that is open."""
+        """The open timeline; None if no timeline is open."""
         self.has_begun = False
-        """True from the beginning to what cancels it."""
+        """True from `begin` until the batches are cancelled or given up."""
         self._looking = Lock()
         self._is_torn = False
-        """True if words may not have come."""
+        """True if words that were sent may have been lost."""
         self._pending: deque[Done] = deque()
-        """Batches that are sent, and whose end is not known."""
+        """Batches that were sent, and have no outcome yet."""
         self._unsure: list[Done] = []
-        """Batches that have ended, of which the counters have to say whether all have acted."""
+        """Batches that ended so long ago that only the counters show whether all of them were executed."""
         self._queued: deque[Asked] = deque()
         self._failed: list[Done] = []
         self._ended = self._counted = self._base = 0
         self._late = self._refused = 0
         self._room = 0
         self._sent = 0
-        """Words that were sent, ever."""
+        """Number of all words sent so far."""
         self._last: Instant | None = None
         self.acted = 0
-        """Number of batches that have acted since the last flush."""
+        """Number of batches executed since the last flush."""
 
     # Beginning and end
 
     async def begin(self) -> None:
-        """Cancel what is there, and begin."""
+        """Cancel all batches in the schedule, and begin."""
         async with self._looking:
             await self._read_clock()
             await self.cancel()
             look = await self._ask()
             while True:
-                # What was cancelled ends one batch a cycle.
+                # Cancelled batches end one in each cycle: wait until the counters do not change any more.
                 again = await self._ask()
                 if again.ended == look.ended and again.refused == look.refused:
                     break
@@ -231,17 +231,17 @@ class ScheduleFeed:
             self._is_torn, self.has_begun = False, True
 
     async def cancel(self) -> None:
-        """Cancel what was sent and has not acted.
+        """Cancel the batches that were sent and not executed.
 
         Raises:
-            NotArmedError: if a lease guards the schedule that this program does not have, or has no more.
+            NotArmedError: if a lease guards the schedule's signals, and this program does not hold it, or no longer.
         """
         self.give_up()
         self._failed.clear()
         await self._empty()
 
     async def leave(self, error: BaseException) -> None:
-        """Cancel the writes that have not acted, at the end of a block that has failed; its error is not hidden."""
+        """Cancel writes that were not executed, at the end of a block with an error. A failure becomes a note."""
         has_queued = self.has_begun and self._resets == self._link.resets
         self.give_up()
         self._failed.clear()
@@ -249,23 +249,23 @@ class ScheduleFeed:
             try:
                 await self._empty()
             except (NotArmedError, GatewayResetError):
-                # The end of a lease, and a reset, cancel all by themselves.
+                # The end of a lease, and a reset, have cancelled all batches.
                 pass
             except UnityLinkError as failed:
                 error.add_note(
-                    f"writes that wait in {self.registers.name} may act: they could not be cancelled ({failed})"
+                    f"writes in the queue of {self.registers.name} may be executed: cancelling them failed ({failed})"
                 )
 
     async def _empty(self) -> None:
         signal = self.registers.cancel.signal
-        # The write ends with its session: in the next session it could cancel the schedule of another program.
+        # The request ends with its session: in the next session it could cancel the schedule of another program.
         await self._executed(Asked(self._link, signal.address, write=signal.encode(1)))
 
     async def _executed(self, asked: Asked) -> None:
         """Wait for the answer to a write.
 
         Raises:
-            BusError: if a bus, or a server, has refused it; a NotArmedError, if that is because of the lease.
+            BusError: if a bus, or a server, has refused the write; a NotArmedError, if the lease is the reason.
         """
         try:
             await asked.words()
@@ -278,7 +278,7 @@ class ScheduleFeed:
             raise await refused(error, robot, lease) from None
 
     def give_up(self, error: Callable[[Done], UnityLinkError] | None = None) -> None:
-        """Want nothing more of what was sent; `error` returns the one of each write."""
+        """Forget the batches that were sent. They count as not executed; `error` returns the error for each of them."""
         self.has_begun = False
         self.drop_answers()
         for done in (*self._unsure, *self._pending):
@@ -290,23 +290,23 @@ class ScheduleFeed:
         self._unsure.clear()
 
     def drop_answers(self) -> None:
-        """Want no answer to the words that were sent."""
+        """Discard the answers to the words that were sent."""
         for queued in self._queued:
             queued.give_up()
         self._queued.clear()
 
     async def _read_clock(self) -> bool:
-        """Read the gateway's clock; return whether it was reset, which voids what was sent."""
+        """Read the gateway's clock. Return whether the gateway was reset, which empties its schedules."""
         link, bounds = self._link, self._bounds
         session, asked = link.interruptions, running().steady()
         ticks, now = int(await self.registers.clock.get()), running().steady()
         if session != link.interruptions:
             return await self._read_clock()
-        # Behind a server each new connection counts as one after a reset; the clock goes on there.
+        # Behind a server each new connection counts as a reset; the clock shows if the gateway was really reset.
         may_be_reset = link.resets != self._resets and bounds.read_at is not None
         self._session, self._resets = session, link.resets
         was_reset = may_be_reset and ticks < bounds.least(asked)
-        # The last cycle in which something may have acted.
+        # The last cycle in which a batch may have been executed.
         last = bounds.most(now) - (ticks if was_reset else 0)
         if was_reset:
             bounds.forget()
@@ -314,14 +314,14 @@ class ScheduleFeed:
         if was_reset:
             self._void(GatewayResetError, "the gateway was reset", last)
         elif await self._has_lost_words():
-            # Later words would be taken for others.
+            # Later words would be matched to the wrong writes, so cancel the queue.
             with suppress(NotArmedError):
                 await self._empty()
             self._void(LinkLostError, "words were lost on the way", bounds.most(running().steady()))
         return was_reset
 
     async def _has_lost_words(self) -> bool:
-        """Return whether words have not come for sure."""
+        """Return whether words are known to be lost."""
         while self._queued and self._queued[0].done() and not self._is_torn:
             with suppress(UnansweredError):
                 await self._take_answer()
@@ -335,12 +335,12 @@ class ScheduleFeed:
         self.give_up(error)
 
     async def _see_session(self) -> bool:
-        """Return whether the gateway was reset, which voids what was sent."""
+        """Return whether the gateway was reset, which empties its schedules."""
         is_as_before = self._session == self._link.interruptions and not self._is_torn
         return not is_as_before and await self._read_clock()
 
     async def clock(self) -> TickClock:
-        """Read the gateway's clock; return it."""
+        """Read the gateway's clock and return it."""
         await self._read_clock()
         return self.time
 
@@ -350,9 +350,9 @@ class ScheduleFeed:
         """Raise the errors of earlier writes of a task or thread, before its next write at an instant.
 
         Raises:
-            LateError: for an earlier write that has not acted, and whose error was not raised.
-            NotArmedError: where that is since the lease is not armed.
-            GatewayResetError: where the gateway was reset since the last write, and its clock with it.
+            LateError: for an earlier write that was not executed, and whose error was not raised.
+            NotArmedError: if it was not executed because the lease is not armed.
+            GatewayResetError: if the gateway was reset since the last write, and its clock with it.
         """
         was_reset = await self._see_session()
         await self.raise_failures(told_now(running(), poster))
@@ -361,7 +361,7 @@ class ScheduleFeed:
             raise GatewayResetError(reason, Outcome.NOT_EXECUTED)
 
     async def ready(self) -> None:
-        """Begin, if that is still to be done, and see to it that the clock is known."""
+        """Begin, if the feed has not begun yet; otherwise read the clock, if its last reading is old."""
         if not self.has_begun:
             await self.begin()
         elif self._bounds.is_old(running().steady()):
@@ -370,17 +370,17 @@ class ScheduleFeed:
     async def send(
         self, instant: Instant, words: Mapping[int, int], poster: object, lease: Lease | None = None
     ) -> Done:
-        """Send a batch; wait until there is room for it.
+        """Send a batch, after waiting for room in the queue if it is full.
 
         Args:
-            instant: at which it acts.
-            words: by their places on the stage.
-            poster: task or thread that writes it.
-            lease: to be kicked while there is no room.
+            instant: instant at which the batch is executed.
+            words: words by their places on the stage.
+            poster: task or thread that makes the write.
+            lease: lease to kick while the queue is full.
 
         Raises:
-            ArgumentError: for an instant that is not after the one before, or too far from the gateway's clock, and
-                for a batch that never fits.
+            ArgumentError: for an instant that is not after the last one, or too far from the gateway's clock, and for a
+                batch that is larger than the queue.
         """
         batch = batch_of(instant.ticks, words)
         self._check(instant, batch)
@@ -388,7 +388,7 @@ class ScheduleFeed:
         most = most_words(self._link)
         address, queued = self.registers.entry.signal.address, list[Asked]()
         for start in range(0, len(batch), most):
-            # The first one raises if a lease of the program is over: then nothing was sent.
+            # The first one raises if this program's lease is over: then no word was sent.
             queued.append(Asked(self._link, address, write=batch[start : start + most], to_queue=True))
         self._last = instant
         self._room -= len(batch)
@@ -402,7 +402,7 @@ class ScheduleFeed:
 
     async def _wait_for_room(self, instant: Instant, size: int, poster: object, lease: Lease | None) -> None:
         if self._is_passed(LOOK_BEHIND):
-            # The ends of those that are far behind can no longer be told apart.
+            # The outcomes of batches that ended long ago cannot be distinguished, so read them now.
             await self._look(lease)
         while self.has_begun and self._room < size:
             await self._look(lease)
@@ -413,7 +413,7 @@ class ScheduleFeed:
             raise LateError(f"{self.registers.name} was cancelled before the write at {instant}", instant.ticks)
 
     def _is_passed(self, place: int) -> bool:
-        """Return whether the instant of a batch that is under way has passed for sure."""
+        """Return whether the instant of a batch in flight, by its place in the order, has certainly passed."""
         pending = self._pending
         return len(pending) > place and pending[place].instant.ticks < self._bounds.least(running().steady())
 
@@ -432,8 +432,8 @@ class ScheduleFeed:
                 f"a write of {len(batch)} words at one instant is too long: {name} takes {most} at most"
             )
         if self._last is not None and instant.ticks <= self._last.ticks:
-            raise ArgumentError(f"{name} writes in the order of the instants: {instant} is not behind {self._last}")
-        # The words of a batch have the instant modulo 2 ** 40: the gateway takes one that is further away for another.
+            raise ArgumentError(f"{name} writes in the order of the instants: {instant} is not after {self._last}")
+        # The words of a batch have the instant modulo 2 ** 40: one that is further away would mean another instant.
         ahead, hertz = self.ahead(instant), instant.clock_hz
         if not -BEHIND <= ahead < AHEAD:
             side = "after" if ahead > 0 else "before"
@@ -443,11 +443,11 @@ class ScheduleFeed:
             )
 
     def ahead(self, instant: Instant) -> int:
-        """Return by how many ticks an instant is ahead of the gateway's clock; negative for one that has passed."""
+        """Return the ticks by which an instant is ahead of the gateway's clock; negative for a past one."""
         return instant.ticks - self._bounds.least(running().steady())
 
     async def _pause(self, size: int, lease: Lease | None) -> None:
-        """Wait until batches of so many words have ended, or all, but no longer than a lease lasts."""
+        """Wait until batches of `size` words, or all, have ended; with a lease, for a part of its time-out at most."""
         pause = SHORTEST_PAUSE
         for done in self._pending:
             size -= done.size
@@ -458,19 +458,19 @@ class ScheduleFeed:
             pause = min(pause, lease.timeout / KICKS)
         await running().sleep(pause)
 
-    # Ends
+    # Outcomes
 
     async def wait_for(self, done: Done) -> None:
-        """Wait until it is known what became of a batch."""
+        """Wait until the outcome of a batch is known."""
         while done.acted is None:
             left = self.time.time_of(done.instant) - running().steady()
             await running().sleep(max(left, SHORTEST_PAUSE))
             await self._look()
 
     async def drain(self, lease: Lease | None = None) -> None:
-        """Wait until it is known of each batch."""
+        """Wait until the outcome of each batch is known."""
         while self._queued:
-            # It is told below, of the instants for which they were.
+            # The loss is reported below, with the instants of the lost writes.
             with suppress(UnansweredError):
                 await self._take_answer()
         while self._pending or self._unsure:
@@ -479,19 +479,19 @@ class ScheduleFeed:
                 await self._pause(self.registers.depth, lease)
 
     async def see(self, is_told: Callable[[Any], bool], *, is_connected: bool) -> None:
-        """Raise the error of what is known not to have acted, and is not awaited, as a fence does.
+        """Raise the errors of writes that are known not to be executed and are not awaited, as a fence does.
 
-        What has passed is waited for, and what is to act later is not. A timeline tells in its own block of what it
-        writes.
+        Writes whose instants have passed are waited for, later ones are not. While a timeline is open, this raises
+        nothing: the timeline raises the errors in its own block.
 
         Args:
-            is_told: returns whether a task or thread is told now of what it has written.
-            is_connected: False where the gateway cannot be asked.
+            is_told: returns whether errors of a task or thread are raised by this call.
+            is_connected: False if the gateway cannot be read.
 
         Raises:
-            LateError: for what came too late.
-            NotArmedError: for what was refused since its lease is not armed.
-            LinkLostError: for what nothing is known of, since the connection was lost or the gateway reset.
+            LateError: for a write that came too late.
+            NotArmedError: for a write that was refused because its lease is not armed.
+            LinkLostError: for a write of unknown outcome, because the connection was lost or the gateway was reset.
         """
         if self.line is not None:
             return
@@ -507,15 +507,15 @@ class ScheduleFeed:
         await self.raise_failures(is_told)
 
     async def raise_failures(self, is_told: Callable[[Any], bool] | None = None) -> None:
-        """Raise the error of the batches that are known not to have acted, and are not awaited.
+        """Raise the error of batches that are known not to be executed and are not awaited.
 
         Args:
-            is_told: returns whether a task or thread is told now of what it has written; None: all are.
+            is_told: returns whether errors of a task or thread are raised by this call; None for all.
 
         Raises:
-            LateError: for what came too late.
-            NotArmedError: for what was refused since its lease is not armed.
-            LinkLostError: for what was forgotten.
+            LateError: for a write that came too late.
+            NotArmedError: for a write that was refused because its lease is not armed.
+            LinkLostError: for a write that was lost with the connection or the session.
         """
         unseen = [done for done in self._failed if not done.is_awaited]
         failed = [done for done in unseen if is_told is None or is_told(done.poster)]
@@ -524,7 +524,7 @@ class ScheduleFeed:
             raise await self.failure(failed)
 
     async def failure(self, failed: Sequence[Done]) -> Exception:
-        """Return the error for batches that have not acted."""
+        """Return the error for batches that were not executed."""
         first, others = failed[0], len(failed) - 1
         if first.error is not None:
             return first.error
@@ -542,7 +542,7 @@ class ScheduleFeed:
         return LateError(f"{what}: it came too late, or was cancelled", first.instant.ticks)
 
     async def _ask(self) -> _Look:
-        """Read the registers; the counters are as new as the ends, or newer."""
+        """Read the registers. The counters are read after the outcomes."""
         registers, link = self.registers, self._link
         fates = Asked(link, registers.fates.signal.address, registers.fates.signal.words)
         counters = Asked(link, registers.counters[0].address, len(registers.counters))
@@ -556,7 +556,7 @@ class ScheduleFeed:
         return _Look(ends % _NUMBERS, ends >> _NUMBERS.bit_length() - 1, late, refused, room)
 
     async def _look(self, lease: Lease | None = None) -> None:
-        """See which batches have ended, and how much room there is."""
+        """Read which batches have ended, and the room in the queue."""
         if lease is not None:
             await lease.kick()
         async with self._looking:
@@ -564,14 +564,14 @@ class ScheduleFeed:
             try:
                 look = await self._ask()
             except GatewayResetError:
-                # The link goes on, and what was sent is forgotten.
+                # The link has a new session, in which earlier batches no longer exist.
                 look = await self._ask()
             await self._see_session()
             if self.has_begun:
                 await self._take(look, sent)
 
     async def _take(self, look: _Look, sent: int) -> None:
-        """Take what the registers have said, when so many words were sent."""
+        """Process the contents of the registers, which were requested when `sent` words had been sent."""
         self._room = look.room - (self._sent - sent)
         new = (look.ended - self._ended) % _NUMBERS
         if new > len(self._pending):
@@ -588,13 +588,13 @@ class ScheduleFeed:
         self._settle((look.late + look.refused - self._base) % (1 << 32), new)
 
     def _settle(self, counted: int, new: int) -> None:
-        """Settle what the counters have to say: whether all of a stretch have acted."""
+        """Determine by the counters whether all batches of a stretch were executed."""
         if not self._unsure:
             return
         if counted == self._counted:
             stretch, acted = self._unsure, True
         elif new:
-            # What has failed since the ends were read is among them at the next look.
+            # The counters may include failures after the outcomes were read: decide after the next read.
             return
         else:
             stretch, acted = self._unsure, False
@@ -614,13 +614,13 @@ class ScheduleFeed:
 
 
 async def set_at(poster: object, proxy: Proxy[Any], value: Any, at: Instant) -> Done:
-    """Write one signal at an instant, for a task or thread, which gets the errors of its earlier writes.
+    """Write one signal at an instant, for a task or thread. Errors of its earlier writes are raised here.
 
     Raises:
-        ArgumentError: for a signal that no schedule times, a value that it does not take, what is no instant, and while
-            a timeline feeds the schedule.
-        LateError: where an earlier write has not acted.
-        GatewayResetError: where the gateway was reset since the last one: an instant is one of before.
+        ArgumentError: for a signal that no schedule times, a value that it cannot have, no instant, and while a
+            timeline feeds the schedule.
+        LateError: if an earlier write was not executed.
+        GatewayResetError: if the gateway was reset since the last write, because the instant is of the clock before.
     """
     schedule = proxy.signal.timed
     if schedule is None:
@@ -636,7 +636,7 @@ async def set_at(poster: object, proxy: Proxy[Any], value: Any, at: Instant) -> 
 
 
 def feed_of(registers: ScheduleRegisters) -> ScheduleFeed:
-    """Return the writer of a schedule on its link, of which the fences of that tell."""
+    """Return the only writer of a schedule on its link. Fences of the link raise its errors."""
     told = registers.link.told_by_fence
     address = registers.entry.signal.address
     if address not in told:
@@ -648,23 +648,23 @@ def feed_of(registers: ScheduleRegisters) -> ScheduleFeed:
 class Timeline(Sealed):
     """Writes at instants, in an ``async with`` block; `ScheduleVerbs.timeline` makes it.
 
-    `set` takes values for the instant that the line has come to, `delay` moves it on. What does not fit into the queue
-    waits for room. Where the block ends well, all has acted, or `LateError` is raised; where it ends by an error, what
-    has not acted is cancelled.
+    `set` takes values for the present instant of the timeline, `delay` moves that instant. If the queue is full, `set`
+    waits for room. At the end of the block all writes have been executed, or `LateError` is raised. If the block ends
+    with an error, writes that were not executed are cancelled.
     """
 
     def __init__(self, registers: ScheduleRegisters, lead: float, lease: Lease | None) -> None:
         self.lead = lead
-        """Seconds from the beginning to the first instant."""
+        """Seconds from the beginning of the block to the first instant."""
         self._registers = registers
         self._feed = feed_of(registers)
         self._lease = lease
         self._kicked_at: float | None = None
         self._is_on = self._was_on = False
         self._at = Fraction(0)
-        """Ticks that it has come to; whole ones are written at."""
+        """Present instant in ticks; writes round it to whole ticks."""
 
-    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+    if not TYPE_CHECKING:  # A type checker reports such uses by itself.
         __await__ = __enter__ = __exit__ = __aiter__ = __iter__ = refusing(_OPEN)
 
     def _called(self) -> str:
@@ -672,19 +672,19 @@ class Timeline(Sealed):
 
     @property
     def instant(self) -> Instant:
-        """The instant that it has come to."""
+        """The present instant of the timeline."""
         return Instant(round(self._at), self._feed.time.clock_hz)
 
     def __repr__(self) -> str:
-        """Return what it is of, and where it is."""
+        """Return the schedule's name, and the state or the present instant."""
         state = f"at {self.instant}" if self._is_on else "over" if self._was_on else "not begun"
         return f"<timeline of {self._feed.registers.name}, {state}>"
 
     async def __aenter__(self) -> Self:
-        """Begin: cancel what the schedule has, and read the gateway's clock.
+        """Cancel all batches in the schedule, and read the gateway's clock.
 
         Raises:
-            ArgumentError: where another timeline of the link is open.
+            ArgumentError: if another timeline of the link is open.
         """
         name = self._feed.registers.name
         if self._was_on:
@@ -705,10 +705,10 @@ class Timeline(Sealed):
     async def __aexit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        """Wait for what was set; after an error, cancel it.
+        """Wait until all writes have been executed; after an error, cancel those that have not.
 
         Raises:
-            LateError: where a write has not acted.
+            LateError: if a write was not executed.
         """
         try:
             if error is None:
@@ -716,7 +716,7 @@ class Timeline(Sealed):
             elif isinstance(error, Exception):
                 await self._feed.leave(error)
             else:
-                # What ends a program waits for no answer.
+                # Errors that end a program, such as KeyboardInterrupt, must not wait for an answer.
                 self._feed.give_up()
                 with suppress(NotArmedError):
                     await post_in_session(self._registers.link, self._registers.cancel.signal.address, 1)
@@ -726,23 +726,23 @@ class Timeline(Sealed):
 
     @returns_coroutine
     def set(self, values: Mapping[Any, Any], *, at: Instant | None = None) -> Coroutine[Any, Any, Done]:
-        """Write values to signals at an instant, all of them in one clock cycle.
+        """Write values to signals at an instant, all in one clock cycle.
 
         Args:
-            values: by their signals, which all are `TIMED` by the schedule.
-            at: the instant, behind the ones before; the line is there then. None for the one that it has come to.
+            values: values by their signals, all of them `TIMED` by the schedule.
+            at: instant after the last one, which becomes the present instant; None for the present instant.
 
         Returns:
-            What can be awaited to know that they have acted. An error that is not looked at is raised by `flush`, by a
-            later `set`, or where the block ends.
+            An object that can be awaited until the writes have been executed. An error that is not awaited is raised by
+            `flush`, by a later `set`, or at the end of the block.
 
         Raises:
-            ArgumentError: for values that signals do not take, or an instant that is not behind the one before. Nothing
+            ArgumentError: for values that signals cannot have, or an instant that is not after the last one; nothing
                 was sent.
-            LateError: where an earlier write has not acted.
-            NotArmedError: where that is since the lease is not armed.
-            GatewayResetError: where the gateway was reset, which voids what was set and ends the line.
-            LinkLostError: when the link has ended.
+            LateError: if an earlier write was not executed.
+            NotArmedError: if it was not executed because the lease is not armed.
+            GatewayResetError: if the gateway was reset, which empties its schedules and ends the timeline.
+            LinkLostError: if the link has ended.
         """
         return self._set(caller_on(self._registers.link), values, at)
 
@@ -755,36 +755,36 @@ class Timeline(Sealed):
         return done
 
     async def approach(self, at: Instant) -> None:
-        """Wait until an instant is near enough for the schedule to take it."""
+        """Wait until an instant is near enough for the schedule to accept it."""
         while (beyond := (self._feed.ahead(at) - AHEAD // 2) / at.clock_hz) > 0:
             await self._kick()
             await running().sleep(beyond if self._lease is None else min(beyond, self._lease.timeout / KICKS))
 
     async def put(self, words: Mapping[int, int], at: Instant, poster: object) -> Done:
-        """Write words to places of the stage at an instant, for a task or thread; like `set` otherwise."""
+        """Write words to places of the stage at an instant, for a task or thread; otherwise as `set`."""
         await self._kick()
         await self._feed.check(at, poster)
         return await self._feed.send(at, words, poster, self._lease)
 
     def delay(self, seconds: float) -> None:
-        """Move the line on; below 0, back.
+        """Move the present instant by `seconds`; back, for a negative number.
 
         Raises:
-            ArgumentError: if `seconds` is no finite number, if no clock counts the ticks of the new instant, and
+            ArgumentError: if `seconds` is no finite number, if the ticks of the new instant are out of range, and
                 outside of the block.
         """
         self._check_on()
         self._at = ticks_after(self._at, seconds, self._feed.time.clock_hz)
 
     async def flush(self) -> int:
-        """Wait until everything that was set has acted.
+        """Wait until all writes have been executed.
 
         Returns:
-            The number of instants that have, since the last flush.
+            The number of instants whose writes were executed since the last flush.
 
         Raises:
-            LateError: where one has not.
-            NotArmedError: where that is since the lease is not armed.
+            LateError: if a write was not executed.
+            NotArmedError: if it was not executed because the lease is not armed.
         """
         self._check_on()
         await self._feed.drain(self._lease)
