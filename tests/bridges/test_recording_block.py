@@ -201,7 +201,7 @@ def test_a_full_disk_ends_the_block_and_leaves_whole_samples_or_no_file(tmp_path
     result = subprocess.run(
         command, capture_output=True, text=True, timeout=100, check=True, env=unmeasured_environment()
     )
-    said = f"{RecordingError.__name__} {path} cannot be written on: File too large; what was recorded before is in it\n"
+    said = f"{RecordingError.__name__} {path} cannot be written on: File too large; earlier samples are in it\n"
     assert (result.stdout, result.stderr) == (said, "")
     if room == 100:
         assert list(tmp_path.iterdir()) == []

@@ -399,7 +399,7 @@ def test_a_full_disk_ends_the_recording_with_one_sentence_and_keeps_what_is_in_i
 
     sequence = sequence_in(path)
     assert result.returncode == 1
-    assert f"error: {path} cannot be written on: File too large; what was recorded before is in it" in result.stderr
+    assert f"error: {path} cannot be written on: File too large; earlier samples are in it" in result.stderr
     assert result.stderr.count("\n") == 2
     assert sequence == list(range(len(sequence)))
     assert samples_said(result.stderr) == len(sequence) > 0

@@ -1,8 +1,8 @@
-"""Values that come from other threads, as those of ROS do, on their way to the robot: in order, each once.
+"""Values from other threads, such as those of ROS, on their way to the robot: in order, each once.
 
-All that have come together are checked one by one and posted together; values that belong together, as those of all
-joints, are written together or, where one is wrong, not at all. While the gateway is away nothing is kept for
-it: a value that was meant for now must not move the robot a minute later.
+All values that have arrived together are checked one by one and posted together. Values of one message, such as those
+of all joints, are written together; if one of them is wrong, none is written. While the gateway is away, values are
+discarded: a value that was meant for now must not move the robot a minute later.
 """
 
 from __future__ import annotations
@@ -26,9 +26,9 @@ if TYPE_CHECKING:
     from unity_link.link.link import Link
 
 MOST_WAITING = 4096
-"""Values that wait for the link, beyond which the giving thread blocks, and so the sender."""
+"""Most values that wait for the link; with more, the calling thread blocks, and so does the sender."""
 LOOK_EVERY = 0.5
-"""Seconds between looks whether the gateway is away."""
+"""Seconds between checks whether the gateway is away."""
 AWAY = "the gateway is away: values that come meanwhile are not written"
 BACK = "the gateway is back: values are written again"
 
@@ -65,11 +65,11 @@ class SignalCommands:
     """Writes values to signals, as posted writes.
 
     Args:
-        link: what they are written through.
-        report: is told in a sentence, with its level, of a value that cannot be written, once for each signal and kind
+        link: link to the gateway of the signals.
+        report: called with a sentence and its level about a value that cannot be written, once for each signal and kind
             of fault.
-        check_allowed: raises an ArgumentError if a signal may not be written now.
-        accept: is called with the values that were written.
+        check_allowed: called before each write; raises an ArgumentError if the signal may not be written now.
+        accept: called with the values that were written.
     """
 
     def __init__(
@@ -80,7 +80,7 @@ class SignalCommands:
         accept: Callable[[Sequence[Value]], None] = lambda _: None,
     ) -> None:
         self.written = 0
-        """Values that were posted."""
+        """Number of values that were posted."""
         self._link = link
         self._report = report
         self._check_allowed = check_allowed
@@ -94,16 +94,16 @@ class SignalCommands:
         self._limit: asyncio.Timeout | None = None
 
     def give(self, *commands: Command) -> None:
-        """Write values; to be called from another thread, which waits while too many are under way."""
+        """Write values. Call it from another thread: it blocks while too many values are waiting."""
         self._inbox.give(*((command,) for command in commands))
 
     def give_together(self, commands: Sequence[Command]) -> None:
-        """Write values together; as `give`."""
+        """Write values together; otherwise as `give`."""
         if commands:
             self._inbox.give(commands)
 
     async def run(self) -> None:
-        """Write what is given, until it is cancelled; what was given before is written then, too."""
+        """Write the given values until it is cancelled. Values given before are still written then."""
         working, looking = asyncio.ensure_future(self._work()), asyncio.ensure_future(self._look())
         try:
             await asyncio.shield(working)
@@ -117,7 +117,7 @@ class SignalCommands:
                 await self._learn()
 
     def _take(self, commands: list[Sequence[Command]]) -> None:
-        # The next ones come together when these are written; so a sender that is too fast blocks in the end.
+        # The inbox collects further values until these are written; if it is full, a sender that is too fast blocks.
         self._inbox.hold()
         self._taken = commands
         self._woken.set()
@@ -127,7 +127,7 @@ class SignalCommands:
             await self._woken.wait()
             self._woken.clear()
             commands, self._taken = self._taken, []
-            # A task of its own, so that the fence of `_look` is told of its errors: it is over then.
+            # Run the writes in a task of their own: the fence of `_look` also raises errors of tasks that are over.
             await asyncio.create_task(self._write(commands))
             self._inbox.release()
 
@@ -164,19 +164,19 @@ class SignalCommands:
             proxy.see(proxy.decode(words))
 
     async def _look(self) -> None:
-        """Look again and again what has become of what was posted, and whether the gateway is away."""
+        """Check repeatedly for errors of posted values, and whether the gateway is away."""
         was_connected = True
         while True:
             connected = self._link.connected
             if self._away and connected:
                 self._away = False
                 self._report(BACK, level=logging.INFO)
-            # For a moment only, and the link goes on where it was.
+            # Ignore an interruption that is shorter than the time between two checks: the link then goes on.
             elif not (self._away or connected or was_connected):
                 self._away = True
                 self._report(AWAY, level=logging.WARNING)
                 if self._limit is not None:
-                    # What was not sent by now never is.
+                    # Cancel the writes that were not sent yet: they must never be sent.
                     self._limit.reschedule(0)
             if connected:
                 await self._learn()
@@ -184,7 +184,7 @@ class SignalCommands:
             await asyncio.sleep(LOOK_EVERY)
 
     async def _learn(self) -> None:
-        """Report the errors of what was posted, unless that takes long."""
+        """Report the errors of posted values; try again later if that takes too long."""
         if not self._posted:
             return
         self._posted = False

@@ -16,14 +16,14 @@ if TYPE_CHECKING:
 
 TOPIC = "/diagnostics"
 EVERY = 1.0
-"""Seconds, as ROS's own programs have it."""
+"""Seconds between two statuses, as in ROS's own programs."""
 OK, WARN, ERROR, STALE = range(4)
 _OF_LEASES = {"disarmed": WARN, "armed": OK, "fault": ERROR, "finishing": WARN}
 """Levels by the state of a lease."""
 
 
 class Status(NamedTuple):
-    """State at one instant, as the fields of ``diagnostic_msgs/DiagnosticStatus``."""
+    """State at one instant; the fields are those of ``diagnostic_msgs/DiagnosticStatus``."""
 
     level: int
     name: str
@@ -56,12 +56,12 @@ def array_of(
 
 
 class Diagnostics:
-    """Tells how a link and its bridge are.
+    """Makes the status of a link and its bridge.
 
     Args:
-        name: of the bridge.
-        link: what it is on.
-        hardware: names the gateway.
+        name: name of the bridge.
+        link: link of the bridge.
+        hardware: name of the gateway.
     """
 
     def __init__(self, name: str, link: Link, hardware: str) -> None:
@@ -71,13 +71,13 @@ class Diagnostics:
         self._troubles = 0
 
     def status(self, published: int, lost: int, written: int, *, away: bool = False) -> Status:
-        """Return how it is now.
+        """Return the present status.
 
         Args:
-            published: samples.
-            lost: samples and messages.
-            written: values.
-            away: whether the gateway is, though the link is connected.
+            published: number of samples published.
+            lost: number of samples and messages lost.
+            written: number of values written.
+            away: True if the gateway is away although the link is connected (to a server).
         """
         seen = self._link.statistics
         troubles = lost + seen.repetitions + seen.damaged_frames + seen.errors
@@ -103,17 +103,17 @@ class Diagnostics:
             "bytes sent": seen.bytes_sent,
             "bytes received": seen.bytes_received,
         }
-        told = [(key, str(value)) for key, value in values.items()]
-        return Status(level, f"{self._name}: link", message, self._hardware, told)
+        rows = [(key, str(value)) for key, value in values.items()]
+        return Status(level, f"{self._name}: link", message, self._hardware, rows)
 
 
 class LeaseDiagnostics:
-    """Tells how the leases of a robot are; each in a status of its own.
+    """Makes the statuses of the leases of a robot, one for each lease.
 
     Args:
-        name: of the bridge.
-        robot: with the leases, if it has any.
-        hardware: names the gateway.
+        name: name of the bridge.
+        robot: robot with any number of leases.
+        hardware: name of the gateway.
     """
 
     def __init__(self, name: str, robot: Robot, hardware: str) -> None:
@@ -123,7 +123,7 @@ class LeaseDiagnostics:
         self._hardware = hardware
 
     async def statuses(self, *, away: bool) -> list[Status]:
-        """Ask the gateway, and return how they are now; ``STALE`` where it does not answer, or is `away`."""
+        """Read the leases, and return their present statuses; ``STALE`` if the gateway does not answer or is `away`."""
         return await asyncio.gather(*(self._status(lease, away=away) for lease in self._leases))
 
     async def _status(self, lease: LeaseRegisters, *, away: bool) -> Status:
@@ -131,15 +131,15 @@ class LeaseDiagnostics:
         if not away:
             try:
                 async with asyncio.timeout(EVERY):
-                    level, message, values = await self._told(lease)
+                    level, message, values = await self._read(lease)
             except UnityLinkError as error:
                 message = str(error)
             except TimeoutError:
                 message = f"no answer came within {EVERY:g} s"
-        told = [(key, str(value)) for key, value in values.items()]
-        return Status(level, f"{self._name}: lease {lease.name}", message, self._hardware, told)
+        rows = [(key, str(value)) for key, value in values.items()]
+        return Status(level, f"{self._name}: lease {lease.name}", message, self._hardware, rows)
 
-    async def _told(self, lease: LeaseRegisters) -> tuple[int, str, dict[str, object]]:
+    async def _read(self, lease: LeaseRegisters) -> tuple[int, str, dict[str, object]]:
         condition = await lease.condition()
         values: dict[str, object] = {
             "state": condition.state,

@@ -1,9 +1,9 @@
-"""Instants at which samples were taken, on this machine's clock, as exact as a link allows.
+"""Instants at which samples were taken, in terms of this machine's clock, as exact as a link allows.
 
-The gateway's clock tells the distances exactly, and nothing of where it began; an arrival tells the instant, late by as
-much as the sample was on its way. Of all samples the one that was on its way for the shortest time says best when the
-gateway's clock was 0, which grows old by as much as quartzes drift apart. What is said of samples follows that slowly:
-instants never jump, and never go back in a group, unless this machine's clock is set.
+The gateway's clock gives the exact differences between samples, but not its own zero. The arrival of a sample is later
+than its instant by the sample's delay. So the sample with the shortest delay gives the best estimate of the zero of the
+gateway's clock, which grows inaccurate by the drift between the clocks. The instants follow the estimate slowly: they
+never jump, and never go back within a group, unless this machine's clock is set.
 """
 
 from __future__ import annotations
@@ -22,27 +22,27 @@ if TYPE_CHECKING:
     from unity_link.link.link import Link
 
 TURN_ON = 10.0
-"""Seconds that a sample has come too early: the gateway's clock was read a turn on."""
+"""Seconds by which a sample has arrived too early: the timestamps were unwrapped one turn too late."""
 SET = 0.1
-"""Seconds by which this machine's clock was set; less is what passes between two looks at two clocks."""
+"""Least change, in seconds, that counts as a setting of this machine's clock; reading two clocks takes less."""
 
 
 class SteadyClock:
-    """The time since 1970 as this machine's clock told it at first: later settings of that clock are not followed."""
+    """The time since 1970 by this machine's clock at the start; later settings of that clock have no effect."""
 
     def __init__(self) -> None:
         self.began = time.time() - time.monotonic()
-        """Instant since 1970 at which `time.monotonic` was 0."""
+        """Instant in seconds since 1970 at which `time.monotonic` was 0."""
         self._last: dict[int, float] = {}
 
     def now(self) -> float:
-        """Return the instant in seconds since 1970."""
+        """Return the present instant in seconds since 1970."""
         return self.began + time.monotonic()
 
     def arrivals(self, group: int, batch: Batch) -> NDArray[np.float64]:
-        """Return when the samples of a batch arrived, shape (samples,); they do not go back in a group.
+        """Return the arrival times of a batch's samples, shape (samples,); within a group they never go back.
 
-        Where the machine's clock was set while they arrived, their distances within the batch are lost.
+        If this machine's clock was set while they arrived, their differences within the batch are wrong.
         """
         latest = self.began + batch.at
         instants: NDArray[np.float64] = np.clip(
@@ -53,13 +53,13 @@ class SteadyClock:
 
 
 class GatewayTime:
-    """The time of one gateway; for all its groups the same, so that they stay side by side.
+    """The time of one gateway, the same for all its groups, so that these stay aligned.
 
     Args:
-        link: to the gateway; with each new session the gateway may have been reset, and its clock with it.
-        most_slew: seconds a second by which instants are corrected, below 1: with more of it they are true sooner, and
-            with less of it their distances are.
-        clock: tells arrivals; without it they are those of this machine's clock, which may be set meanwhile.
+        link: link to the gateway. In a new session the gateway may have been reset, and its clock with it.
+        most_slew: seconds per second by which instants are corrected, below 1. A higher rate corrects the instants
+            sooner, a lower one keeps the differences between them more exact.
+        clock: clock for arrivals; None for this machine's clock, which may be set in the meantime.
     """
 
     def __init__(self, link: Link, *, most_slew: float = MOST_DRIFT, clock: SteadyClock | None = None) -> None:
@@ -68,18 +68,18 @@ class GatewayTime:
         self._most_slew = most_slew
         self._session = -1
         self._monotonic_began = 0.0
-        """Instant since 1970 at which `time.monotonic` was 0."""
+        """Instant in seconds since 1970 at which `time.monotonic` was 0."""
         self._earliest = 0.0
-        """Instant by `time.monotonic` at which the gateway's clock was 0, by the quickest of all samples."""
+        """Instant of `time.monotonic` at which the gateway's clock was 0, by the sample with the least delay."""
         self._epoch = 0.0
-        """The same, as it is used."""
+        """The same estimate, followed slowly; `instants` uses this one."""
         self._latest = 0.0
         self._last: dict[int, float] = {}
 
     def instants(self, group: int, batch: Batch) -> NDArray[np.float64]:
         """Return the instants of samples of a group, in seconds since 1970, shape (samples,).
 
-        Of samples without timestamps, that is when they arrived.
+        For samples without timestamps, these are their arrival times.
         """
         if batch.time is None:
             return batch.arrived if self._clock is None else self._clock.arrivals(group, batch)

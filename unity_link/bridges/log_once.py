@@ -1,4 +1,4 @@
-"""Log messages of faults: each kind of them once, however often it comes."""
+"""Reports of faults that may repeat: one for each kind of fault."""
 
 from __future__ import annotations
 
@@ -9,25 +9,25 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 MOST_KINDS = 1000
-"""Kinds that are reported; of a source of ever new ones no more is reported."""
+"""Most kinds that are reported, in case a source produces ever new ones."""
 _NUMBER = re.compile(r"(?<![\w\[.])-?(?:\d[\d.]*(?:e[-+]?\d+)?|nan|inf)\b")
-"""A number that is no part of a name: ``500`` in ``j1.pos_sp: 500.0 is outside``, and nothing else."""
+"""A number that is no part of a name: ``500.0`` in ``j1.pos_sp: 500.0 is outside``, but not ``1``."""
 
 
 class Faults:
-    """Tells of faults.
+    """Reports each kind of fault once.
 
     Args:
-        report: is told in a sentence.
+        report: called with a sentence.
     """
 
     def __init__(self, report: Callable[[str], None]) -> None:
         self._report = report
-        self._told: set[str] = set()
+        self._reported: set[str] = set()
 
     def tell(self, text: str) -> None:
-        """Log a fault, unless one was logged that differs in nothing but numbers."""
+        """Report a fault, unless one was reported that differs only in numbers."""
         kind = _NUMBER.sub("#", text)
-        if kind not in self._told and len(self._told) < MOST_KINDS:
-            self._told.add(kind)
+        if kind not in self._reported and len(self._reported) < MOST_KINDS:
+            self._reported.add(kind)
             self._report(f"{text} (told once)")

@@ -1,4 +1,4 @@
-"""Many values on their way to the robot: written in their order, with as few requests as that takes."""
+"""Writes of many values to a robot: in order, with as few requests as possible."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ if TYPE_CHECKING:
 
 
 FEWEST = 12
-"""Words that are worth a batch; fewer are quicker one by one."""
+"""Least number of words for a batch; fewer words are written faster one by one."""
 
 
 class Value(NamedTuple):
-    """A value to be written to one signal: checked, and encoded once."""
+    """A value to be written to one signal, checked and encoded."""
 
     proxy: Proxy[Any]
     value: Any
@@ -31,24 +31,24 @@ class Value(NamedTuple):
         """Check a value.
 
         Raises:
-            ArgumentError: for one that the signal does not take.
+            ArgumentError: for a value that the signal cannot have.
         """
         return cls(proxy, value, proxy.encode(value))
 
 
 Objects = list[list[Value]]
-"""Values to be written, object by object; those of one object together."""
+"""Values to be written, in objects; the values of one object are written together."""
 
 
 async def write_in_order(objects: Objects, *, posted: bool) -> list[UnityLinkError]:
-    """Write objects in order; whole words of several go as one batch.
+    """Write objects in order. Whole words of several objects are written as one batch.
 
     Args:
-        objects: what is written.
-        posted: whether words are not to be waited for; then errors are those of the link's next `fence`.
+        objects: objects to write.
+        posted: True to write without waiting for the execution; the link's next `fence` raises the errors.
 
     Returns:
-        Why some were not written, or perhaps not; the others were.
+        The errors of the values that were not written, or perhaps not. All others were written.
     """
     errors: list[UnityLinkError] = []
     for run in _runs(objects):
@@ -58,7 +58,7 @@ async def write_in_order(objects: Objects, *, posted: bool) -> list[UnityLinkErr
             except UnityLinkError as error:
                 errors.append(error)
             continue
-        # They get into the line in the order in which they begin.
+        # The requests are queued in the order in which the coroutines begin.
         posted_by = asyncio.current_task() if posted else NOT_POSTED
         writing = [write_values({proxy: value for proxy, value, _ in one}, posted_by=posted_by) for one in run]
         for outcome in await asyncio.gather(*writing, return_exceptions=True):
@@ -81,7 +81,7 @@ async def _send(run: _Words, *, posted: bool) -> None:
 
 
 class _Words(NamedTuple):
-    """Whole words on one bus."""
+    """Whole words to write on one bus."""
 
     bus: Bus
     addresses: list[int]
@@ -89,7 +89,7 @@ class _Words(NamedTuple):
 
 
 def _runs(objects: Objects) -> Iterator[_Words | Objects]:
-    """Join what follows each other and is nothing but whole words on one bus, or else one request each."""
+    """Join consecutive objects of whole words on one bus; and other objects, if they need one request each."""
     words: _Words | None = None
     others: Objects = []
     for one in objects:

@@ -4,11 +4,11 @@
 
     {"sequence": 7, "time": 0.07, "lost": 0, "epoch": 0, "words": "000003E8", "signals": {"j1": {"cpos": 1.5}}}
 
-``signals`` is the tree of the spec, so that what a program calls ``legs[2].coxa.cpos`` has the same name in the tools
-that open the file. ``words`` has the words of the group, in the order of its addresses, each as hex digits of whole
-bytes: the values again, exactly, without the rounds that are counted of signals with WRAPS. ``epoch`` is the number of
-the session, in which these are counted. ``time`` is left out without a clock, and so is a value that is no number of
-JSON, NaN or an infinity; in a row of signals that value is null.
+``signals`` is the tree of the spec, so the signal ``legs[2].coxa.cpos`` has the same path in the tools that open the
+file. ``words`` has the words of the group in the order of its addresses, each as hex digits of whole bytes. They encode
+the exact values, but without the rounds that are counted for signals with WRAPS. ``epoch`` is the number of the session
+in which rounds are counted. ``time`` is missing without timestamps, and so is a value that JSON cannot represent (NaN,
+an infinity); in an array of signals such a value is null.
 """
 
 from __future__ import annotations
@@ -34,12 +34,12 @@ if TYPE_CHECKING:
 
 _STEP = re.compile(r"([^.\[\]]+)|\[(\d+)\]")
 _ALWAYS = ("sequence", "lost", "epoch", "words")
-"""Fields of each message, beside its values."""
+"""Fields of each message, in addition to the time and the values."""
 _TYPES = {"b": "boolean", "i": "integer", "u": "integer", "f": "number"}
 
 
 class RecordedMessage(msgspec.Struct):
-    """A message as it is read back."""
+    """A message as it is read back from a recording."""
 
     sequence: int
     lost: int
@@ -49,7 +49,7 @@ class RecordedMessage(msgspec.Struct):
 
 
 class Encoder:
-    """Writes the samples of one group, all of a batch at once."""
+    """Writes the samples of one group as JSON, a batch at a time."""
 
     def __init__(self, signals: Sequence[Signal]) -> None:
         self._tree: dict[str, Any] = {}
@@ -58,8 +58,8 @@ class Encoder:
         self._floats = [
             place for place, signal in enumerate(signals) if signal.kind.name is KindName.FLOAT and signal.index is None
         ]
-        """Places of the values that are left out if JSON has no number for them."""
-        # Values come and go, in as many ways as there are sets of them.
+        """Places of the values that are left out if they are NaN or infinite."""
+        # Cache a template for each set of values that are left out.
         self._template = functools.lru_cache(256)(self._make_template)
         self.schema = _message_schema(self._tree, signals)
         """JSON schema of a message."""
@@ -86,12 +86,12 @@ class Encoder:
         return messages
 
     def _fill(self, missing: NDArray[np.bool_], head: Sequence[list[Any]], texts: Sequence[list[bytes]]) -> list[bytes]:
-        """Return messages, of which all lack the same values, from their columns of texts."""
+        """Return messages that lack the same values, made from columns of texts."""
         template, order = self._template(len(head), missing.tobytes())
         return [template % row for row in zip(*head, *(texts[place] for place in order), strict=True)]
 
     def _make_template(self, fields: int, missing: bytes) -> tuple[bytes, list[int]]:
-        """Return the template of messages with so many fields before their values, and the places of the values."""
+        """Return the template of messages with `fields` fields before their values, and the places of the values."""
         order: list[int] = []
         absent = {place for place, is_missing in zip(self._floats, missing, strict=True) if is_missing}
         values = _template(self._tree, order, absent)
@@ -100,7 +100,7 @@ class Encoder:
 
 
 def words_to_hex(words: Words, word_bits: int) -> list[bytes]:
-    """Write words of shape (samples, addresses); return a text for each sample."""
+    """Return a text of hex digits for each sample of words of shape (samples, addresses)."""
     size = _word_bytes(word_bits)
     big_endian = np.ascontiguousarray(words.astype(">u8")).view(np.uint8).reshape(*words.shape, 8)[..., 8 - size :]
     text = big_endian.tobytes().hex().upper().encode()
@@ -109,10 +109,10 @@ def words_to_hex(words: Words, word_bits: int) -> list[bytes]:
 
 
 def hex_to_words(texts: Sequence[str], addresses: int, word_bits: int) -> Words:
-    """Read what `words_to_hex` wrote; shape (samples, addresses).
+    """Parse texts that `words_to_hex` has made; return words of shape (samples, addresses).
 
     Raises:
-        ValueError: for text that is something else.
+        ValueError: for any other text.
     """
     size = _word_bytes(word_bits)
     given = np.frombuffer(bytes.fromhex("".join(texts)), np.uint8).reshape(len(texts), addresses, size)
@@ -126,12 +126,12 @@ def _word_bytes(word_bits: int) -> int:
 
 
 def _texts(values: NDArray[Any]) -> list[bytes]:
-    """Write numbers as JSON does; NaN and infinities are null."""
+    """Return numbers as JSON texts; NaN and infinities become null."""
     return msgspec.json.encode(values.tolist())[1:-1].split(b",")
 
 
-# The tree of names: objects are dicts, arrays are lists with {} where the group has nothing, leaves are places.
-# In a row of signals, what the group has not is null.
+# The tree of names: objects are dicts, arrays of components are lists, leaves are the places of signals. Items of a
+# list that are not in the group are {}; in an array of signals, they become null.
 
 
 def _steps(path: str) -> list[str | int]:
@@ -161,9 +161,9 @@ def _template(tree: Any, order: list[int], missing: Collection[int]) -> str:
     return f"{{{','.join(f'{name}:{_template(item, order, missing)}' for name, item in there)}}}"
 
 
-# Foxglove wants one type for each property and for the items of an array, properties for each object, and no arrays in
-# arrays. So a property is never null, but left out; and items that may be null are `prefixItems`, which Foxglove does
-# not read, and which a validator takes instead of `items`.
+# Foxglove needs one type for each property and for the items of an array, properties for each object, and no nested
+# arrays. So a property is left out instead of being null. Items that may be null are declared in `prefixItems`, which
+# validators use instead of `items`, and Foxglove ignores.
 
 
 def _message_schema(tree: Any, signals: Sequence[Signal]) -> dict[str, Any]:
@@ -188,7 +188,7 @@ def _schema(tree: Any, signals: Sequence[Signal]) -> dict[str, Any]:
         value = _value_of(tree)
         if value is not None:
             return _row_schema(tree, signals[value])
-        # Readers want one schema for all items; an item may lack what the group has only of others.
+        # Readers need one schema for all items; an item may lack properties that the group only has for other items.
         merged: dict[str, Any] = {}
         for item in tree:
             merged.update(item)
@@ -198,12 +198,12 @@ def _schema(tree: Any, signals: Sequence[Signal]) -> dict[str, Any]:
 
 
 def _value_of(items: list[Any]) -> int | None:
-    """Return the place of the first value of a row of signals; None for an array of components."""
+    """Return the place of the first value in an array of signals; None for an array of components."""
     return next((item for item in items if isinstance(item, int)), None)
 
 
 def _row_schema(items: list[Any], signal: Signal) -> dict[str, Any]:
-    """Return the schema of a row of signals like one of them; an item without a place is not in the group."""
+    """Return the schema of an array of signals of one kind; an item without a place is not in the group."""
     value = _value_schema(signal)
     schema: dict[str, Any] = {"type": "array", "items": value}
     if signal.kind.name is KindName.FLOAT or not all(isinstance(item, int) for item in items):

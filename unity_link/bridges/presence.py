@@ -1,8 +1,8 @@
-"""The state of a gateway, away or there, as its link and its samples show it.
+"""The connection monitor: whether a gateway is away, as its link and its samples show.
 
-A link whose connection is lost says so itself. Behind a server the connection stays while the gateway is away, and all
-that tells is that samples do not come which come by themselves. Where none do, the gateway is asked: a server answers
-by an error while it is away.
+If a connection is lost, the link reports that. Behind a server the connection remains while the gateway is away. Then
+the only sign is that periodic samples stop arriving. Without periodic samples, the monitor sends requests: while the
+gateway is away, a server answers them with an error.
 """
 
 from __future__ import annotations
@@ -18,50 +18,50 @@ if TYPE_CHECKING:
     from unity_link.link.link import Link
 
 SILENCE = 1.0
-"""Seconds without a sample after which a gateway is away, at least."""
+"""Least number of seconds without a sample after which a gateway counts as away."""
 PERIODS = 5
-"""Periods of the quickest samples after which it is, at least."""
+"""Least number of periods of the fastest samples, without a sample, after which a gateway counts as away."""
 LONGEST_LOOK = 0.2
-"""Seconds between two looks that count as silence, at most: in the rest this program stood still, so that it polled
-nothing and took nothing of what came."""
+"""Most seconds between two calls of `look` that count as silence: in a longer time this program was suspended, and did
+not read the samples that arrived."""
 ASK_EVERY = 0.2
-"""Seconds between questions to a gateway of which no samples tell."""
+"""Seconds between requests to a gateway without periodic samples."""
 
 
 def silence_at(rate_hz: float) -> float:
-    """Return after how many seconds without a sample a gateway is away that gives so many a second."""
+    """Return the seconds without a sample after which a gateway with this sample rate counts as away."""
     return max(SILENCE, PERIODS / rate_hz)
 
 
 def rate_whatever_happens(group: Group, rate_hz: float | None) -> float | None:
-    """Return the rate of a group's samples; None where they come of changes or requests, so that silence says nothing.
+    """Return the rate of a group's samples; None if they are only sent on changes, so that silence means nothing.
 
     Args:
-        group: what is sampled.
-        rate_hz: of a subscription of it.
+        group: the group.
+        rate_hz: rate of a subscription to it; None if it is not periodic.
     """
     return None if group.model is not None and group.model.on_change else rate_hz
 
 
 class Interruption(NamedTuple):
-    """Time for which a gateway was away, in seconds of the clock of who looks."""
+    """Time for which a gateway was away, in seconds of the caller's clock."""
 
     began: float
-    """Instant at which it was heard last."""
+    """Instant at which the last sample or answer arrived."""
     ended: float
 
 
 class Presence:
-    """State of a gateway, away or there, for callers that look repeatedly.
+    """State of a gateway, away or not, for callers that check repeatedly.
 
     Args:
-        link: to the gateway.
-        now: the time.
+        link: link to the gateway.
+        now: present time in seconds.
     """
 
     def __init__(self, link: Link, now: float) -> None:
         self.away_since: float | None = None
-        """Instant at which it was heard last; None while it is there."""
+        """Instant of the last sample or answer before the gateway went away; None if it is not away."""
         self._link = link
         self._reconnections = link.statistics.reconnections
         self._signs = self._answers = 0
@@ -70,12 +70,12 @@ class Presence:
         self._heard = self._looked = now
 
     def look(self, now: float, samples: int, rate_hz: float | None) -> Interruption | None:
-        """Look how things stand; return an interruption that has ended.
+        """Update the state; return an interruption that has ended, if any.
 
         Args:
-            now: the time.
-            samples: that have come until now.
-            rate_hz: of the quickest that come by themselves; None where none do, so that `ask` has to run.
+            now: present time in seconds.
+            samples: number of samples received so far.
+            rate_hz: rate of the fastest periodic samples; None if there are none: then `ask` must be running.
         """
         self._asks = rate_hz is None
         signs = samples if rate_hz is not None else self._answers
@@ -94,17 +94,17 @@ class Presence:
         return Interruption(began, now)
 
     async def ask(self) -> None:
-        """Ask the gateway again and again, while no samples come by themselves."""
+        """Send requests repeatedly, while there are no periodic samples."""
         while True:
             await asyncio.sleep(ASK_EVERY)
-            # A link that has ended for good says so to all others.
+            # If the link has ended for good, its other users get that error.
             with contextlib.suppress(UnityLinkError):
                 if self._asks:
                     await self._ask()
 
     async def _ask(self) -> None:
         try:
-            await self._link._ping()  # noqa: SLF001  (of no use to programs, whose calls tell the same)
+            await self._link._ping()  # noqa: SLF001  (private: programs need no ping)
         except BusTimeoutError:
             self._refuses = True
         else:

@@ -1,4 +1,4 @@
-"""The samples that a robot gives by itself: the groups whose samples bridges carry elsewhere."""
+"""Groups with periodic samples, which bridges carry to other programs."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from unity_link.errors import ArgumentError
 
 
 class SampledGroup(NamedTuple):
-    """A group that is sampled again and again."""
+    """A group that is sampled repeatedly."""
 
     name: str
-    """The spec's, or ``poll_10_hz`` for what the spec has polled, or ``rest`` for what is polled besides."""
+    """Name in the spec; or ``poll_10_hz`` for signals with POLL, or ``rest`` for other polled signals."""
     group: Group
 
 
@@ -21,11 +21,11 @@ def sampled_groups(robot: Robot, poll_hz: float | None = None, *, is_needed: boo
 
     Args:
         robot: a robot of any spec.
-        poll_hz: also poll, so often, every register that can be read and is in none of them.
-        is_needed: False where there may be none.
+        poll_hz: rate at which all other readable registers are polled, too; None not to poll them.
+        is_needed: False if an empty list is allowed.
 
     Raises:
-        ArgumentError: where there is none that is needed.
+        ArgumentError: if there is no group, and one is needed.
     """
     from unity_link.data.blocking import View
 

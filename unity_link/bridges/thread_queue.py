@@ -1,4 +1,4 @@
-"""Samples carried from the event loop to a thread that writes or sends them, so that neither waits for the other."""
+"""Transfer of samples from the event loop to a thread that writes or sends them, so that neither blocks the other."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ if TYPE_CHECKING:
 
 
 class Carrier:
-    """Carries the samples of groups, all that have come together at a time.
+    """Transfers the samples of groups to a thread, as batches of all that have arrived.
 
     Args:
-        groups: what is sampled.
-        hand_over: takes the number of a group and samples of it; called in the thread, it may block.
-        report: is told in a sentence, once for each kind of fault, of polled reads that the gateway refused, as a
-            shared one refuses all while it is away; they are lost samples.
-        buffer: most samples of each group that wait meanwhile; then the oldest are lost, and counted.
+        groups: groups to sample.
+        hand_over: called in the thread with the number of a group and a batch of its samples; it may block.
+        report: called with a sentence, once for each kind of fault, if the gateway refuses a polled read (a server
+            refuses all while its gateway is away). Such reads count as lost samples.
+        buffer: most samples of each group that may wait; if there are more, the oldest are dropped and counted.
     """
 
     def __init__(
@@ -40,9 +40,9 @@ class Carrier:
         buffer: int,
     ) -> None:
         self.carried = 0
-        """Samples that were handed over."""
+        """Number of samples handed over."""
         self.begun = asyncio.Event()
-        """Set when all groups are sampled."""
+        """Set when all groups are being sampled."""
         self._groups = groups
         self._hand_over = hand_over
         self._buffer = buffer
@@ -51,31 +51,31 @@ class Carrier:
 
     @property
     def lost(self) -> int:
-        """Samples that the gateway took and that were not handed over."""
+        """Number of samples that the gateway took and that were not handed over."""
         return sum(subscription.lost for subscription in self._subscriptions)
 
     @property
     def received(self) -> int:
-        """Samples that have come."""
+        """Number of samples received."""
         return sum(subscription.received for subscription in self._subscriptions)
 
     @property
     def rate_hz(self) -> float | None:
-        """Samples a second of the quickest group that gives some whatever happens; None where none does."""
+        """Samples per second of the fastest periodic group; None if no group is periodic."""
         several = zip(self._groups, self._subscriptions, strict=False)
         rates = [rate_whatever_happens(group, samples.rate_hz) for group, samples in several]
         return max((rate for rate in rates if rate is not None), default=None)
 
     async def run(self, thread: Executor, *beside: Coroutine[Any, Any, None]) -> None:
-        """Carry until it is cancelled or something fails; where it is cancelled, all that has come by then is carried.
+        """Transfer samples until this is cancelled or fails. After a cancellation, transfer those that have arrived.
 
         Args:
-            thread: where samples are handed over; of one thread, so that they keep their order.
-            beside: what runs, and ends, at the same time.
+            thread: executor with one thread, so that samples keep their order.
+            beside: coroutines to run at the same time, and to cancel at the end.
 
         Raises:
-            LinkLostError: where the link ends.
-            Exception: whatever `hand_over` or one beside raised first.
+            LinkLostError: if the link ends.
+            Exception: the first error of `hand_over` or of a coroutine.
         """
         self._subscriptions = []
         try:
@@ -102,11 +102,11 @@ class Carrier:
             except GatewayError as error:
                 self._faults.tell(str(error))
                 continue
-            # What was taken is handed over, also where the waiting task was cancelled.
+            # A batch that was taken is handed over, even if this task is cancelled while it waits.
             await asyncio.shield(loop.run_in_executor(thread, self._give, number, batch))
 
     async def _drain(self, number: int, subscription: GroupSubscription, thread: Executor) -> None:
-        """Carry what waits in a subscription that has ended, behind what the thread was given before."""
+        """Transfer the samples that wait in an ended subscription, after those that the thread already has."""
         loop = asyncio.get_running_loop()
         with contextlib.suppress(StopAsyncIteration, LinkLostError):
             while True:

@@ -1,9 +1,9 @@
-"""Topics: how the signals of a robot are named, typed and grouped in ROS, 1 and 2 alike.
+"""Topics: names, types and groups of a robot's signals in ROS 1 and ROS 2.
 
-A signal that is sampled is published at its path, ``legs[2].coxa.cpos`` as ``legs_2/coxa/cpos``; one that can be
-written is subscribed to at its path, or, where that is taken by what it publishes itself, at ``PATH/set``. A group that
-the spec declares as joints is a ``sensor_msgs/JointState`` besides, in radians and metres (REP 103); where it names
-their set points, one topic sets them all, ``joint_commands``, and one those of each kind, ``position_commands``.
+A sampled signal is published at its path: ``legs[2].coxa.cpos`` as ``legs_2/coxa/cpos``. A writable one is subscribed
+to at its path, or at ``PATH/set`` if the robot publishes the path itself. A group that the spec declares as joints is
+also published as ``sensor_msgs/JointState``, in radians and metres (REP 103). If the joints have set points, the topic
+``joint_commands`` sets all of them, and topics such as ``position_commands`` those of one kind.
 """
 
 from __future__ import annotations
@@ -39,14 +39,14 @@ class Topic(NamedTuple):
     """One signal as a topic."""
 
     name: str
-    """Relative to the namespace of the bridge."""
+    """Name relative to the namespace of the bridge."""
     type: str
-    """Type of ``std_msgs``: ``Float64``."""
+    """Type in ``std_msgs``, such as ``Float64``."""
     proxy: Proxy[Any]
 
 
 class CommandTopic(NamedTuple):
-    """One signal that is written by a topic; the fields are those of `Topic`."""
+    """One signal that messages of a topic write; the fields are those of `Topic`."""
 
     name: str
     type: str
@@ -54,10 +54,10 @@ class CommandTopic(NamedTuple):
 
 
 class VelocitySigns:
-    """The signs of velocities of which a gateway gives the magnitude: each has that of the last move of its joint.
+    """Signs for velocities of which a gateway only gives the magnitude: the direction of the joint's last move.
 
     Args:
-        joints: which ones' velocities are magnitudes, as numbers without a sign are; they have positions.
+        joints: numbers of the joints whose velocities are magnitudes; they also have positions.
     """
 
     def __init__(self, joints: Sequence[int]) -> None:
@@ -66,14 +66,14 @@ class VelocitySigns:
         self._sign = np.ones(len(self._joints))
 
     def signed(self, positions: NDArray[np.float64], velocities: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the velocities of samples with their signs; of shape (samples, joints), in the order of sampling."""
+        """Return velocities with their signs; both arrays of shape (samples, joints), in the order of sampling."""
         if not self._joints or not len(positions):
             return velocities
         seen = positions[:, self._joints]
         before = seen[0] if self._position is None else self._position
         moves = np.sign(np.diff(seen, axis=0, prepend=before[np.newaxis]))
         signs = np.vstack([self._sign, moves])
-        # Where a joint has not moved, the row of its last move.
+        # For a joint that has not moved, use the row of its last move.
         rows = np.maximum.accumulate(np.where(signs != 0, np.arange(len(signs))[:, np.newaxis], 0), axis=0)
         signs = np.take_along_axis(signs, rows, axis=0)
         self._position, self._sign = seen[-1], signs[-1]
@@ -82,7 +82,7 @@ class VelocitySigns:
 
 
 class JointTopic(NamedTuple):
-    """A group as the states of joints."""
+    """A group as states of joints."""
 
     name: str
     kind: str
@@ -93,15 +93,15 @@ class JointTopic(NamedTuple):
     positions: list[Any]
     velocities: list[Any]
     efforts: list[Any]
-    """Columns by joint; empty where no joint of the group has such a signal."""
+    """Signals by joint, None for a joint without one; empty if no joint of the group has such a signal."""
     direction: VelocitySigns
 
     def rows(self, batch: Batch) -> Iterator[tuple[list[float], list[float], list[float]]]:
-        """Return positions, velocities and efforts of each sample, in SI units; NaN where a joint has none."""
+        """Yield positions, velocities and efforts of each sample, in SI units; NaN if a joint has no such signal."""
         return zip(*(column.tolist() for column in self.columns(batch).values()), strict=True)
 
     def columns(self, batch: Batch) -> dict[str, NDArray[np.float64]]:
-        """Return the same as arrays by ``position``, ``velocity`` and ``effort``, of shape (samples, joints or 0)."""
+        """Return arrays for ``position``, ``velocity`` and ``effort``, in SI units, of shape (samples, joints or 0)."""
         parts = {"position": self.positions, "velocity": self.velocities, "effort": self.efforts}
         columns = {name: _in_si(proxies, batch) for name, proxies in parts.items()}
         columns["velocity"] = self.direction.signed(columns["position"], columns["velocity"])
@@ -128,22 +128,22 @@ def joint_fields(names: Sequence[str], parts: Mapping[str, NDArray[np.float64]])
 
 
 class JointCommands(NamedTuple):
-    """The set points of all joints of a group, to be given together, in SI units."""
+    """The set points of all joints of a group, which one message sets in SI units."""
 
     names: list[str]
-    """Names of the joints, as in their states."""
+    """Names of the joints, as in the topic of their states."""
     parts: dict[str, list[Writable[Any] | None]]
-    """Signals by joint, of ``velocity``, ``effort`` and ``position``, in the order in which they are written."""
+    """Signals by joint for ``velocity``, ``effort`` and ``position``, in the order in which they are written."""
 
     def of_state(self, names: Sequence[str], values: Mapping[str, Sequence[float]]) -> list[Command]:
-        """Return what a ``sensor_msgs/JointState`` asks for; a NaN asks for nothing.
+        """Return the commands for a ``sensor_msgs/JointState``; a NaN gives no command.
 
         Args:
-            names: of the joints that are meant; none for all.
-            values: for each of the `parts`, one for each name, or none.
+            names: names of the joints to set; empty for all.
+            values: for each of the `parts`, one value for each name, or none.
 
         Raises:
-            ArgumentError: for joints or set points that there are not, or another number of values.
+            ArgumentError: for unknown joints, joints without such a set point, or a wrong number of values.
         """
         places = [self._place(name) for name in names] if names else list(range(len(self.names)))
         if len(set(places)) != len(places):
@@ -159,7 +159,7 @@ class JointCommands(NamedTuple):
         return found
 
     def of_array(self, part: str, values: Sequence[float]) -> list[Command]:
-        """Return what a ``std_msgs/Float64MultiArray`` asks for: a value for each joint, in their order; NaN: none.
+        """Return the commands for a ``std_msgs/Float64MultiArray``: one value for each joint; a NaN gives no command.
 
         Raises:
             ArgumentError: as `of_state`.
@@ -176,16 +176,16 @@ class JointCommands(NamedTuple):
 
 
 class JointCommandTopic(NamedTuple):
-    """A topic that sets joints."""
+    """A topic whose messages set joints."""
 
     name: str
     part: str | None
-    """Part of joints that a ``std_msgs/Float64MultiArray`` sets; None: a ``sensor_msgs/JointState`` with all."""
+    """Kind of set points in a ``std_msgs/Float64MultiArray``; None for a ``sensor_msgs/JointState`` with all kinds."""
     joints: JointCommands
 
 
 class PublishedGroup(NamedTuple):
-    """A group that is published."""
+    """A group whose samples are published."""
 
     group: Group
     topics: list[Topic]
@@ -199,10 +199,10 @@ class PublishedGroup(NamedTuple):
 
 
 def published_groups(robot: Robot, poll_hz: float | None = None) -> list[PublishedGroup]:
-    """Return what a robot publishes, as topics; nothing is enough where it has something to be written.
+    """Return the published groups of a robot as topics. The list may be empty if the robot has writable signals.
 
     Raises:
-        ArgumentError: where it has neither.
+        ArgumentError: if the robot has neither.
     """
     is_needed = not any(isinstance(proxy, Writable) for proxy in robot.signals)
     sampled = sampled_groups(robot, poll_hz, is_needed=is_needed)
@@ -227,7 +227,7 @@ def published_groups(robot: Robot, poll_hz: float | None = None) -> list[Publish
 
 
 def command_topics(robot: Robot, published: list[PublishedGroup]) -> list[CommandTopic]:
-    """Return the topics by which a robot's signals are written; registers of leases and schedules have none."""
+    """Return the topics that write a robot's signals; registers of leases and schedules have none."""
     cores = {part.path: part.core for part in robot.interface.cores}
     raw = {path for path, core in cores.items() if core is not None and core.word in {"LEASE", "SCHEDULE"}}
     taken = {topic.name for group in published for topic in group.topics}
@@ -243,7 +243,7 @@ def command_topics(robot: Robot, published: list[PublishedGroup]) -> list[Comman
 
 
 def joint_command_topics(robot: Robot, published: list[PublishedGroup]) -> list[JointCommandTopic]:
-    """Return the topics by which the joints of a group are set together."""
+    """Return the topics that set the joints of a group together."""
     found = []
     for group in published:
         joints = group.group.model.joints if group.joints is not None and group.group.model is not None else ()
@@ -263,7 +263,7 @@ def _set_points(part: str, joints: tuple[Joint, ...], robot: Robot) -> list[Writ
 
 
 def _command(proxy: Writable[Any] | None, value: float, refusal: str) -> Command:
-    """Return what sets a signal to a value in SI units."""
+    """Return the command that sets a signal to a value in SI units."""
     if proxy is None:
         raise ArgumentError(refusal)
     check_number(proxy.path, value)
@@ -274,12 +274,13 @@ def _command(proxy: Writable[Any] | None, value: float, refusal: str) -> Command
 
 
 def read_namespace(text: str) -> str:
-    """Return a namespace as it stands before the names of topics: ``arm/``, ``/arm/``, or nothing.
+    """Return a namespace as a prefix of the names of topics: ``arm/``, ``/arm/``, or empty.
 
-    Without a slash at its beginning, ROS resolves the namespace in the namespace of the node.
+    If it does not begin with a slash, ROS resolves the namespace in the namespace of the node.
+
 
     Raises:
-        ArgumentError: where it is none that ROS takes.
+        ArgumentError: if the text is no namespace of ROS.
     """
     name = text.strip("/")
     root = "/" if text.startswith("/") else ""

@@ -1,4 +1,4 @@
-"""A link, and samples, for what may be started before its gateway is there."""
+"""A link and its subscriptions, for programs that may be started before the gateway is reachable."""
 
 from __future__ import annotations
 
@@ -19,21 +19,21 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 LOOK_EVERY = 1.0
-"""Seconds between looks whether the gateway is there."""
+"""Seconds between attempts to reach the gateway."""
 
 
 @asynccontextmanager
 async def connect_when_there(url: str, report: Callable[[str], None]) -> AsyncIterator[Link]:
-    """Open a link as soon as the gateway is there, and again whenever it is lost.
+    """Open a link as soon as the gateway is reachable, and again whenever the connection is lost.
 
     Args:
-        url: where the gateway is.
-        report: is told in a sentence, once, that the gateway is waited for.
+        url: URL of the gateway.
+        report: called once with a sentence if the gateway is not reachable yet.
 
     Raises:
-        ArgumentError: for a URL that no driver knows.
-        ConnectError: where no such gateway can be reached from here, whether it is there or not.
-        UnsupportedError: for a gateway of another protocol version.
+        ArgumentError: for a URL that no driver supports.
+        ConnectError: if this computer cannot open such a URL at all, for example without a package.
+        UnsupportedError: for a gateway with another protocol version.
     """
     await prepare(parse_url(url))
     async with await _connect(url, report) as link:
@@ -41,30 +41,30 @@ async def connect_when_there(url: str, report: Callable[[str], None]) -> AsyncIt
 
 
 async def _connect(url: str, report: Callable[[str], None]) -> Link:
-    is_told = False
+    is_reported = False
     while True:
         try:
             return await connect(url, reconnect=True)
         except ConnectError as error:
-            if not is_told:
+            if not is_reported:
                 report(f"waiting for the gateway: {error}")
-            is_told = True
+            is_reported = True
         await asyncio.sleep(LOOK_EVERY)
 
 
 async def begin_when_there(
     subscribe: Callable[[], AbstractAsyncContextManager[T]], stack: AsyncExitStack, report: Callable[[str], None]
 ) -> T:
-    """Begin a subscription; where a server says that its gateway is away, that is waited for.
+    """Begin a subscription. If a server reports that its gateway is away, try again until it is back.
 
     Args:
         subscribe: makes a subscription that has not begun.
-        stack: ends it.
-        report: is told in a sentence, at each look, what the server says.
+        stack: ends the subscription.
+        report: called with the server's error after each attempt.
 
     Raises:
-        GatewayError: where the gateway refuses it.
-        LinkLostError: where the link ends.
+        GatewayError: if the gateway refuses the subscription.
+        LinkLostError: if the link ends.
     """
     while True:
         try:

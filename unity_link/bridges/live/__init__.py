@@ -1,21 +1,22 @@
-"""Live pictures: a page on this machine on which a robot's signals scroll by, and by which they can be written.
+"""The live page: a web page on this machine with moving plots of a robot's signals, which can also write them.
 
-    gateway -> Carrier (a thread tabulates) -> Outbox of each Viewer -> WebSocket -> page
+    gateway -> Carrier (a thread makes tables) -> Outbox of each Viewer -> WebSocket -> page
 
-- `page`: the page, its server, and who looks at it
-- `description`: what the page is told of the robot; `words` makes a robot of bare addresses
-- `outbox`: samples on their way to one browser, of bounded size
+- `page`: the page, its server and its viewers
+- `description`: the description of the robot for the page; `words` makes a robot of bare addresses
+- `outbox`: samples on their way to one browser, of limited size
 - `viewer`: one browser
-- `writing`: values that come back, where that is allowed at all
-- `server`: the web server under the page, bounded against any client
-- `doorkeeper`: which requests are answered
-- `round_trips`: how quickly the gateway answers
-- `foxglove`: the same samples for the Foxglove app, by its own WebSocket
-- `assets`: the page itself, and uPlot, which draws the curves (its licence is beside it); nothing is fetched elsewhere
+- `writing`: values that the page writes, if that is allowed
+- `server`: the web server of the page, with limits for clients
+- `doorkeeper`: access control: which requests are answered
+- `round_trips`: the response time of the gateway
+- `foxglove`: the same samples for the Foxglove app, on a WebSocket of its own
+- `assets`: the files of the page, and uPlot, which draws the curves (its licence is beside it); the page loads no other
+  files
 
-Samples go to the browser in binary: a head (`outbox.HEAD`), then for each stream its number, how many samples follow,
-and a table of doubles: instants, samples lost before each, and a row for each signal.
-All else is JSON: ``about`` once, ``status`` five times a second, answers to writes.
+Samples are sent to the browser in binary: a header (`outbox.HEAD`), then for each stream its number, the number of its
+samples, and a table of doubles: instants, samples lost before each, and a row for each signal.
+All other messages are JSON: ``about`` once, ``status`` five times a second, and answers to writes.
 """
 
 from unity_link.bridges.live.page import LivePage, bind

@@ -1,4 +1,4 @@
-"""The description of a robot for the page: its signals, which stream has them, and the values that they take."""
+"""The description of a robot for the page: its signals, their streams, and their possible values."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from unity_link.data import Proxy, Robot
 
 WIDEST_EXACT = 53
-"""Bits of a whole number that a double, and so the page, has exactly."""
+"""Widest whole number, in bits, that a double, and so the page, represents exactly."""
 
 
 class SignalStream(msgspec.Struct, frozen=True):
@@ -25,7 +25,7 @@ class SignalStream(msgspec.Struct, frozen=True):
 
     name: str
     rate_hz: float | None
-    """Rate in Hz of the spec or the host; None where samples are not periodic."""
+    """Rate in Hz from the spec or the host; None if samples are not periodic."""
 
 
 class SignalAbout(msgspec.Struct, frozen=True, kw_only=True):
@@ -34,35 +34,35 @@ class SignalAbout(msgspec.Struct, frozen=True, kw_only=True):
     path: str
     name: str
     part: str
-    """Path of the component that it stands in; empty for the robot itself."""
+    """Path of the component that contains it; empty for the robot itself."""
     id: str
     unit: str
     doc: str
     kind: str
     step: float | None
-    """Distance of two neighbouring values; None of floats."""
+    """Difference of two neighbouring values; None for floats."""
     low: float | None
     high: float | None
-    """Limits of what may be written; None where there is none."""
+    """Limits of the values that may be written; None for no limit."""
     limited: bool
-    """True if the spec has narrower limits than its bits."""
+    """True if the spec gives limits narrower than the range of the bits."""
     names: list[tuple[int, str]]
-    """Numbers and names of an enumeration."""
+    """Numbers and names of the values of an enumeration."""
     writable: bool
     stream: int | None
     column: int | None
-    """Column of its samples; None for a signal that is only written."""
+    """Number of its stream, and its column in that; None for a signal without samples."""
 
 
 class About(msgspec.Struct, frozen=True, kw_only=True, tag_field="type", tag="about"):
-    """All that the page needs to know before it shows something."""
+    """All that the page needs before it can show values."""
 
     robot: str
     doc: str
     gateway: str
     """URL of the gateway, without tokens."""
     writes: bool
-    """True if the page may write, for those who have the token."""
+    """True if pages with the token may write."""
     parts: dict[str, str]
     """Descriptions of the components by their paths."""
     streams: list[SignalStream]
@@ -72,7 +72,7 @@ class About(msgspec.Struct, frozen=True, kw_only=True, tag_field="type", tag="ab
 
 
 def describe(robot: Robot, groups: Sequence[SampledGroup], rates: Sequence[float | None], gateway: str) -> About:
-    """Describe a robot, not writable."""
+    """Return the description of a robot whose signals cannot be written."""
     places = {
         proxy: (stream, column)
         for stream, group in enumerate(groups)
@@ -92,7 +92,7 @@ def describe(robot: Robot, groups: Sequence[SampledGroup], rates: Sequence[float
 
 
 def is_written(proxy: Proxy[object]) -> bool:
-    """Return whether a signal takes values: a queue does not, for a value there cannot be replaced by another one."""
+    """Return whether the page can write a signal. It cannot write queues, because a value in a queue stays there."""
     return isinstance(proxy, Writable)
 
 

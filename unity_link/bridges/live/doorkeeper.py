@@ -1,8 +1,8 @@
-"""The requests that are answered: those of this machine's own pages.
+"""Access control: only requests of this server's own pages are answered.
 
-A page of another site that is open in the same browser may send requests to any address, this machine's too, and by a
-name of its own that it has lead here (DNS rebinding) it could even read the answers. So the ``Host`` of a request must
-be a name of this machine, and its ``Origin``, which browsers always give with a WebSocket, must be our own page.
+A page of another site in the same browser can send requests to any address, including this machine's. If its site has a
+name that resolves to this machine (DNS rebinding), it could even read the answers. So the ``Host`` of a request must be
+a name of this machine, and the ``Origin``, which browsers always send with a WebSocket, must be our own page.
 """
 
 from __future__ import annotations
@@ -28,13 +28,13 @@ _HEADERS = {
 
 
 class Doorkeeper:
-    """Refuses requests for other names and of other pages; an ASGI application around another one."""
+    """Refuses requests for other names and of other pages; an ASGI application that wraps another one."""
 
     def __init__(self, app: ASGIApp) -> None:
         self._app = app
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Answer a request, or refuse it."""
+        """Pass a request on, or refuse it."""
         headers = Headers(scope=scope)
         host, origin = headers.get("host", ""), headers.get("origin")
         if host.partition(":")[0] not in OWN_NAMES:

@@ -1,7 +1,7 @@
-"""The same samples for the Foxglove app, by its WebSocket: the messages of recordings, as they come.
+"""The same samples for the Foxglove app, on a WebSocket: messages as in recordings.
 
-It is for looking alone: the server offers Foxglove no way to write. Foxglove's own server asks for no ``Origin``, since
-the app on the web is a page of another site; it can be reached from this machine alone.
+Foxglove can only show values: this server offers no way to write. It does not check the ``Origin``, because the app on
+the web is a page of another site; but only this machine can connect to it.
 """
 
 from __future__ import annotations
@@ -26,19 +26,19 @@ if TYPE_CHECKING:
     from unity_link.data import Batch, Robot
 
 BACKLOG = 4096
-"""Messages that wait for an app that does not read; then the oldest are dropped."""
+"""Most messages that wait for an app that does not read; with more, the oldest are dropped."""
 
 
 class FoxgloveServer:
-    """Foxglove's server at a port of this machine, until the end of its context.
+    """A Foxglove server at a port of this machine, until the end of its context.
 
     Args:
-        robot: whose samples.
-        groups: each is a channel.
-        port: any free one for 0.
+        robot: robot with the signals.
+        groups: groups to show; each is a channel.
+        port: port; 0 for any free port.
 
     Raises:
-        ConnectError: where the port can't be opened, or foxglove-sdk is not installed.
+        ConnectError: if the port cannot be opened, or foxglove-sdk is not installed.
     """
 
     def __init__(self, robot: Robot, groups: Sequence[SampledGroup], port: int) -> None:
@@ -48,7 +48,7 @@ class FoxgloveServer:
             raise ConnectError("Foxglove needs foxglove-sdk: pip install 'unity-link[foxglove]'") from None
         self._bits = robot.interface.data_bits
         self._encoders = [Encoder([proxy.signal for proxy in group.group.proxies]) for group in groups]
-        # The server loses its channels with the context that they are of.
+        # Keep the context: if it is deleted, the server loses its channels.
         self._context = context = foxglove.Context()
         self._channels = [
             foxglove.Channel(
@@ -63,7 +63,7 @@ class FoxgloveServer:
             )
             for group, encoder in zip(groups, self._encoders, strict=True)
         ]
-        # What an app says wrong is no matter of the terminal.
+        # Do not log errors of apps on the terminal.
         foxglove.set_log_level("CRITICAL")
         try:
             self._server = foxglove.start_server(
@@ -83,7 +83,7 @@ class FoxgloveServer:
         return f"ws://{LOOPBACK}:{self._server.port}"
 
     def send(self, group: int, batch: Batch, instants: NDArray[np.float64]) -> None:
-        """Send the samples of the group of that number; to be called in one thread."""
+        """Send samples of a group, by its number; only one thread may call this."""
         channel = self._channels[group]
         if not channel.has_sinks():
             return

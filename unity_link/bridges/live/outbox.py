@@ -1,4 +1,4 @@
-"""Samples on their way to one browser: bounded, whatever the browser does."""
+"""Samples on their way to one browser, in a buffer of limited size."""
 
 from __future__ import annotations
 
@@ -16,28 +16,28 @@ if TYPE_CHECKING:
     from unity_link.data import Batch, Group
 
 MOST_BYTES = 4 << 20
-"""Bytes kept for a browser that does not read; beyond them the oldest samples are dropped, and counted."""
+"""Most bytes kept for a browser that does not read; with more, the oldest samples are dropped and counted."""
 HEAD = struct.Struct("<dQ")
-"""This machine's clock in seconds since 1970, and the samples that were dropped since the browser came."""
+"""This machine's clock in seconds since 1970, and the number of samples dropped since the browser connected."""
 BATCH_HEAD = struct.Struct("<II")
-"""Number of the stream, and of its samples that follow."""
+"""Number of the stream, and number of its samples in the table that follows."""
 
 
 class Chunk(NamedTuple):
-    """A batch as the browser gets it; all browsers share it."""
+    """A batch in the form for browsers; all browsers share it."""
 
     stream: int
     table: NDArray[np.float64]
-    """Instants, whether some are missing before each, and the values of each signal; shape (2 + signals, samples)."""
+    """Instants, marks of missing samples before each, and values by signal; shape (2 + signals, samples)."""
 
 
 class Tabulator:
-    """Makes tables of the batches of one stream.
+    """Makes tables from the batches of one stream.
 
     Args:
-        stream: its number.
-        group: what it is of.
-        rate_hz: of its samples; None where they are not periodic.
+        stream: number of the stream.
+        group: group of the stream.
+        rate_hz: rate of its samples; None if they are not periodic.
     """
 
     def __init__(self, stream: int, group: Group, rate_hz: float | None) -> None:
@@ -49,7 +49,7 @@ class Tabulator:
         self._newest = -np.inf
 
     def tabulate(self, batch: Batch, instants: NDArray[np.float64]) -> Chunk:
-        """Make a table of a batch."""
+        """Return the table of a batch."""
         table = np.empty((2 + len(self._proxies), len(batch)), "<f8")
         table[0] = instants
         table[1] = self._are_behind_missing_ones(batch, instants)
@@ -58,7 +58,7 @@ class Tabulator:
         return Chunk(self._stream, table)
 
     def _are_behind_missing_ones(self, batch: Batch, instants: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """Return before which samples some were lost, or the gateway was away, of which nothing counts them."""
+        """Return whether samples are missing before each sample: lost ones, or those while the gateway was away."""
         epochs = np.concatenate(([batch.epoch[0] if self._epoch is None else self._epoch], batch.epoch))
         times = np.concatenate(([instants[0] if self._epoch is None else self._newest], instants))
         self._epoch, self._newest = int(epochs[-1]), float(times[-1])
@@ -67,18 +67,18 @@ class Tabulator:
 
 
 class Outbox:
-    """Messages that one browser has not received yet."""
+    """Samples that one browser has not received yet."""
 
     def __init__(self, most_bytes: int = MOST_BYTES) -> None:
         self.dropped = 0
-        """Samples that were dropped."""
+        """Number of samples dropped."""
         self.bytes = 0
-        """Bytes that wait."""
+        """Number of bytes in the buffer."""
         self._most_bytes = most_bytes
         self._chunks: deque[Chunk] = deque()
 
     def put(self, chunk: Chunk) -> None:
-        """Add a batch; the oldest go where there is no room."""
+        """Add a batch; drop the oldest batches if there is no room."""
         self._chunks.append(chunk)
         self.bytes += chunk.table.nbytes
         while self.bytes > self._most_bytes and len(self._chunks) > 1:
@@ -87,7 +87,7 @@ class Outbox:
             self.dropped += oldest.table.shape[1]
 
     def take(self, now: float) -> bytes | None:
-        """Return all that waits as one message, one table for each stream; None where nothing does."""
+        """Return all samples as one message, with one table for each stream; None if there are none."""
         if not self._chunks:
             return None
         tables: dict[int, list[NDArray[np.float64]]] = {}

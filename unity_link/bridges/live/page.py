@@ -1,4 +1,4 @@
-"""The page: its server, what it shows, and who looks at it."""
+"""The page: its server, its data and its viewers."""
 
 from __future__ import annotations
 
@@ -41,23 +41,23 @@ if TYPE_CHECKING:
     from unity_link.data import Batch, Group, Robot
 
 BUFFER = 1 << 16
-"""Samples of each group that wait while they are encoded; after that the oldest are lost, and counted."""
+"""Most samples of each group that wait to be encoded; with more, the oldest are dropped and counted."""
 MOST_VIEWERS = 32
 MOST_SLEW = 0.5
-"""Seconds a second: a curve that began late may not stay so."""
+"""Seconds per second by which instants are corrected: high, so that a curve that began late does not stay late."""
 STATUS_EVERY = 0.2
-"""Seconds."""
+"""Seconds between two messages with the state of the link."""
 READ_EVERY = 1.0
-"""Seconds between reads of a group that the gateway publishes on change: values that never change are shown, too."""
+"""Seconds between reads of a group that is published on change, so that values that never change are shown, too."""
 _ASSETS = Path(__file__).parent / "assets"
 _TRY_AGAIN_LATER = 1013
 
 
 def bind(port: int) -> socket.socket:
-    """Open a port of this machine alone; 0 for any free one.
+    """Open a port that only this machine can reach; 0 for any free port.
 
     Raises:
-        ConnectError: where it can't be opened.
+        ConnectError: if the port cannot be opened.
     """
     try:
         return socket.create_server((LOOPBACK, port))
@@ -70,28 +70,28 @@ class PageStatus(msgspec.Struct, tag_field="type", tag="status"):
 
     connected: bool
     refusal: str | None
-    """Why the gateway does not read what is shown, though the link is there."""
+    """Reason why the gateway does not answer reads, though the link is connected; None if it does."""
     samples: int
     lost: int
-    """Samples that the gateway took and that did not come as far as here."""
+    """Number of samples that the gateway took and that did not arrive here."""
     link: Statistics
     round_trips: Histogram
     exact: dict[str, str]
-    """Values of whole numbers that are wider than a double, by the paths of their signals."""
+    """Whole numbers that are too wide for a double, as texts, by the paths of their signals."""
     written: dict[str, Any]
-    """Values that pages wrote to signals that nothing samples, by path; signals without a known value are left out."""
+    """Values that pages have written to signals without samples, by path; unknown values are left out."""
 
 
 class LivePage:
     """The page of a robot.
 
     Args:
-        robot: behind an open link.
-        groups: what is sampled.
-        gateway: where the gateway is, for people.
-        token: what a page must know to write; None: there are no writes.
-        foxglove: where the samples go besides.
-        report: is told in a sentence of signals that cannot be read.
+        robot: robot on an open link.
+        groups: groups to show.
+        gateway: URL of the gateway, as shown on the page.
+        token: token that a page must send before it may write; None if no page may write.
+        foxglove: Foxglove server that gets the samples, too.
+        report: called with a sentence about signals that cannot be read.
     """
 
     def __init__(
@@ -115,13 +115,13 @@ class LivePage:
         self._round_trips = RoundTrips([proxy for group in self._groups for proxy in group.proxies])
         self._viewers: set[Viewer] = set()
         self._chunks = [0] * len(self._groups)
-        """Chunks delivered of each group."""
+        """Number of chunks delivered, by group."""
         self._wide = [
             proxy
             for proxy in robot.signals
             if proxy.signal.kind.width > WIDEST_EXACT and not proxy.signal.kind.is_float
         ]
-        # A subscription that is not entered asks nothing of the gateway.
+        # A subscription that is not entered sends no requests.
         rates = [group.subscribe().rate_hz for group in self._groups]
         about = describe(robot, groups, rates, gateway)
         self._tabulators = [
@@ -138,37 +138,37 @@ class LivePage:
 
     @property
     def samples(self) -> int:
-        """Samples that came."""
+        """Number of samples received."""
         return self._carrier.carried
 
     @property
     def lost(self) -> int:
-        """Samples that the gateway took and that did not come as far as here."""
+        """Number of samples that the gateway took and that did not arrive here."""
         return self._carrier.lost
 
     @property
     def written(self) -> int:
-        """Values that pages had written."""
+        """Number of values that pages have written."""
         return 0 if self._writing is None else self._writing.written
 
     async def run(self, listener: socket.socket) -> None:
-        """Show the page at a port until cancelled.
+        """Serve the page until this is cancelled.
 
         Args:
-            listener: of `bind`; it is closed at the end.
+            listener: socket of `bind`; it is closed at the end.
 
         Raises:
-            LinkLostError: where the link ends.
+            LinkLostError: if the link ends.
         """
         encoder = ThreadPoolExecutor(1, "live")
         try:
             await self._carrier.run(
-                encoder, self._serve(listener), self._tell(), self._round_trips.run(), *self._readings()
+                encoder, self._serve(listener), self._update_status(), self._round_trips.run(), *self._readings()
             )
         finally:
             encoder.shutdown(wait=False)
 
-    # Samples, in the thread and back
+    # Samples, to the thread and back
 
     def _tabulate(self, stream: int, batch: Batch) -> None:
         instants = self._time.instants(stream, batch)
@@ -183,7 +183,7 @@ class LivePage:
             viewer.outbox.put(chunk)
 
     def _readings(self) -> Iterator[Coroutine[Any, Any, None]]:
-        """Return what reads each group that is published on change; a read would take the words of a queue."""
+        """Yield coroutines that read groups published on change, except groups with queues, which a read empties."""
         for stream, group in enumerate(self._groups):
             on_change = group.model is not None and group.model.on_change
             if on_change and not any(proxy.signal.read_takes for proxy in group.proxies):
@@ -206,14 +206,14 @@ class LivePage:
                 was_away = True
             else:
                 was_away |= session != self._link.statistics.reconnections
-                # A sample that came meanwhile may be newer than the values that were read.
+                # If a sample arrived in the meantime, it may be newer than the values read: do not deliver them.
                 if delivered == self._chunks[stream]:
                     column = [time.time(), was_away, *(values[proxy] for proxy in group.proxies)]
                     self._deliver(Chunk(stream, np.array(column, "<f8")[:, np.newaxis]))
                 was_away, session = False, self._link.statistics.reconnections
             await asyncio.sleep(READ_EVERY)
 
-    async def _tell(self) -> None:
+    async def _update_status(self) -> None:
         while True:
             await asyncio.sleep(STATUS_EVERY)
             status = msgspec.json.encode(

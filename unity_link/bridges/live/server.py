@@ -1,9 +1,9 @@
-"""The web server under the page, uvicorn, bounded against any client.
+"""The web server of the page, uvicorn, with limits on what clients can cost.
 
-Any program of this machine may connect. What it may cost is bounded here: connections, by hanging up on the oldest that
-has not become a page, so that silent ones keep no others out; what waits for a client that asks and does not read;
-parts of a message; what all pages together say in an interval, so that samples have time. Whatever a client says that
-the libraries below do not foresee ends its own connection.
+Any program of this machine can connect. These are the limits: of connections, the oldest that has not become a page is
+closed, so that silent ones do not block others; the data that waits for a client that does not read; the parts of a
+message; and the messages of all pages in an interval, so that time remains for samples. Data that the libraries below
+do not expect ends only the client's own connection.
 """
 
 from __future__ import annotations
@@ -24,30 +24,30 @@ if TYPE_CHECKING:
     from websockets.frames import Frame
 
 MOST_STRANGERS = 128
-"""Connections that are no WebSocket, or not yet; a browser has six at most."""
+"""Most connections that are not, or not yet, a WebSocket; a browser opens at most six."""
 MOST_PAGES = 64
-"""WebSockets, more than are looked after: the others are told so."""
+"""Most WebSockets. It is above `MOST_VIEWERS`, so that further pages receive the reason of their refusal."""
 LARGEST_MESSAGE = 4096
-"""Bytes of what a page says."""
+"""Largest message of a page, in bytes."""
 MOST_PARTS = 64
 """Most parts of a message; browsers send one."""
 INTERVAL = 1 / 60
-"""Seconds over which messages are counted: one picture of a screen, a delay that cannot be seen."""
+"""Seconds over which messages are counted: one frame of a screen, a delay that is not visible."""
 MOST_FRAMES = 32
-"""Messages, their parts and pings that are heard of all pages in an interval; a page where twenty sliders move at once
-says less. Each takes some 50 µs."""
+"""Most messages, parts of messages and pings of all pages that are processed in an interval; twenty sliders that move
+at once send fewer. Each takes about 50 µs."""
 _PART = 64
-"""Bytes that are heard together, so that few messages are in them."""
+"""Number of bytes processed at a time, so that they contain few messages."""
 _BACKLOG = 64
 _INVALID_DATA = 1007
 Conversation = TypeVar("Conversation", "HttpConversation", "PageConversation")
 
 
 class HttpConversation(H11Protocol):
-    """A connection that asks for files, or to become a page."""
+    """A connection that requests files, or becomes a page."""
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
-        """Take it, and hang up on the oldest one where there are too many."""
+        """Accept the connection, and close the oldest one if there are too many."""
         super().connection_made(transport)
         self.began = self.loop.time()
         strangers = _open(HttpConversation, self.connections)
@@ -55,23 +55,23 @@ class HttpConversation(H11Protocol):
             min(strangers, key=lambda other: other.began).transport.abort()
 
     def data_received(self, data: bytes) -> None:
-        """Take what was said."""
+        """Process received data."""
         with _ending(self):
             super().data_received(data)
 
     def shutdown(self) -> None:
-        """End it, whether or not it reads what it asked for."""
+        """Close the connection, even if the client does not read its answer."""
         super().shutdown()
         self.transport.abort()
 
 
 class PageConversation(WebSocketsSansIOProtocol):
-    """A page's WebSocket, or what says that it is one."""
+    """A WebSocket of a page, or of another program."""
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
-        """Take it, unless there are too many."""
+        """Accept the connection, unless there are too many."""
         self.unheard = bytearray()
-        """Bytes received that wait for their turn."""
+        """Received bytes that have not been processed yet."""
         self._may_say = 0
         self._interval: asyncio.TimerHandle | None = None
         super().connection_made(transport)
@@ -79,35 +79,35 @@ class PageConversation(WebSocketsSansIOProtocol):
             self.transport.abort()
 
     def data_received(self, data: bytes) -> None:
-        """Take what was said."""
+        """Process received data, as far as the limit allows."""
         self.unheard += data
         if self._interval is None:
             self._begin_interval()
         self._hear()
 
     def handle_events(self) -> None:
-        """Count them, and take them."""
+        """Count the parsed events, and process them."""
         self._may_say -= len(self.conn.events)
         super().handle_events()
 
     async def receive(self) -> Any:
-        """Wait for a message, which has the library read on; what has not been heard holds that up."""
+        """Wait for a message. The library then reads on, so pause it if there are unprocessed bytes."""
         message = await super().receive()
         if self.unheard:
             self.transport.pause_reading()
         return message
 
     async def send(self, message: Any) -> None:
-        """Send, unless the connection has ended, of which the library learns later: asyncio would warn each time."""
+        """Send a message. Raise if the connection is closing, because asyncio would log a warning for each message."""
         await self.writable.wait()
         if self.transport.is_closing():
             raise ClientDisconnected
         await super().send(message)
 
     def handle_ping(self) -> None:
-        """Answer, or hang up on one that does not read the answers."""
+        """Answer a ping, or close a connection that does not read the answers."""
         if self.transport.is_closing():
-            # More of them came with the one at which it was hung up on; each would be a warning of asyncio's.
+            # Further pings may have arrived together with this one; asyncio would log a warning for each answer.
             return
         if self.writable.is_set():
             super().handle_ping()
@@ -115,14 +115,14 @@ class PageConversation(WebSocketsSansIOProtocol):
             self.transport.abort()
 
     def handle_cont(self, event: Frame) -> None:
-        """Take a part of a message."""
+        """Process a part of a message."""
         if len(self.frames) < MOST_PARTS:
             super().handle_cont(event)
         else:
             self.transport.abort()
 
     def send_receive_event_to_app(self) -> None:
-        """Hand on a message."""
+        """Pass a message on."""
         if self.curr_msg_data_type == "text":
             try:
                 b"".join(self.frames).decode()
@@ -133,19 +133,19 @@ class PageConversation(WebSocketsSansIOProtocol):
         super().send_receive_event_to_app()
 
     def keepalive_timeout(self) -> None:
-        """Hang up on a page that has neither read nor said anything for long; the place is free for another one."""
+        """Close a page that has neither read nor sent anything for long, so that another page can connect."""
         super().keepalive_timeout()
         self.transport.abort()
 
     def shutdown(self) -> None:
-        """End it, whether or not it reads."""
+        """Close the connection, even if the page does not read."""
         super().shutdown()
         if not self.writable.is_set():
             self.transport.abort()
 
     def _begin_interval(self) -> None:
         talkers = sum(bool(page.unheard) for page in _open(PageConversation, self.connections))
-        # What it said beyond its share the last time is of this one.
+        # Deduct the messages beyond this page's share in the last interval.
         self._may_say = min(self._may_say, 0) + max(1, MOST_FRAMES // max(1, talkers))
         self._interval = self.loop.call_later(INTERVAL, self._end_interval)
 
@@ -156,7 +156,7 @@ class PageConversation(WebSocketsSansIOProtocol):
             self._hear()
 
     def _hear(self) -> None:
-        """Hear what was said, up to this page's share of the interval; until the rest is heard, no more is read."""
+        """Process received bytes up to this page's share of the interval. Pause reading while some remain."""
         with _ending(self):
             while self.unheard and self._may_say > 0 and not self.transport.is_closing():
                 part = bytes(self.unheard[:_PART])
@@ -169,7 +169,7 @@ class PageConversation(WebSocketsSansIOProtocol):
 
 
 def _open(kind: type[Conversation], connections: Iterable[object]) -> list[Conversation]:
-    """Return the connections of a kind that have not been closed."""
+    """Return the connections of a type that are not closing."""
     return [other for other in connections if isinstance(other, kind) and not other.transport.is_closing()]
 
 
@@ -177,25 +177,25 @@ def _open(kind: type[Conversation], connections: Iterable[object]) -> list[Conve
 def _ending(conversation: HttpConversation | PageConversation) -> Iterator[None]:
     try:
         yield
-    except Exception:  # noqa: BLE001  (whatever it is: it is about what this client said, and costs no other)
+    except Exception:  # noqa: BLE001  (bad data must only end this client's connection)
         conversation.transport.abort()
 
 
 class PageServer(uvicorn.Server):
-    """A server in a program that looks after signals itself."""
+    """A server in a program that handles signals of the operating system itself."""
 
     @contextlib.contextmanager
     def capture_signals(self) -> Iterator[None]:
-        """Leave them alone."""
+        """Install no signal handlers."""
         yield
 
 
 def make_server(app: ASGIApp) -> PageServer:
-    """Make a server of an application."""
+    """Return a server for an application."""
     config = uvicorn.Config(
         app,
         log_config=None,
-        # What a client says wrong is no matter of the terminal.
+        # Do not log errors of clients on the terminal.
         log_level="error",
         access_log=False,
         lifespan="off",
@@ -203,11 +203,11 @@ def make_server(app: ASGIApp) -> PageServer:
         http=HttpConversation,
         ws=PageConversation,
         ws_max_size=LARGEST_MESSAGE,
-        # On one machine bytes cost less than making them fewer.
+        # Within one machine, compression would cost more than it saves.
         ws_per_message_deflate=False,
         timeout_graceful_shutdown=1,
         backlog=_BACKLOG,
     )
-    # It imports for long, which would lose samples once they come.
+    # Import uvicorn's modules now: this takes long, and would lose samples later.
     config.load()
     return PageServer(config)

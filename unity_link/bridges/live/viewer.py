@@ -1,4 +1,4 @@
-"""One browser that looks at the page: what it is told, and what it asks for."""
+"""One browser that shows the page: the messages to it, and its requests."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from unity_link.bridges.live.writing import Stopping, Writing
 
 PICTURES_PER_SECOND = 60
-"""Rate at which samples are sent: that of the pictures of a screen."""
+"""Rate at which samples are sent: the frame rate of a screen."""
 _NO_WRITES = "writes are off: they are allowed by unity-link live --allow-writes"
 _WRONG_TOKEN = "this page does not know the token: open the link that unity-link live printed"  # noqa: S105
 _POLICY_VIOLATION = 1008
@@ -35,27 +35,27 @@ class Viewer:
     """A WebSocket of the page.
 
     Args:
-        socket: accepted.
-        about: the first message.
-        writing: what writes; None where writes are not allowed.
-        stopping: what disarms.
+        socket: accepted WebSocket.
+        about: the first message, which describes the robot.
+        writing: writes values; None if pages may not write.
+        stopping: disarms leases.
     """
 
     def __init__(self, socket: WebSocket, about: bytes, writing: Writing | None, stopping: Stopping) -> None:
         self.outbox = Outbox()
         self.status = b""
-        """The link's state to be sent next; a newer one replaces one that waits."""
+        """State of the link, to be sent next; a newer one replaces it."""
         self._socket = socket
         self._about = about
         self._writing = writing
         self._stopping = stopping
         self._may_write = False
-        self._said_nonsense = False
+        self._sent_garbage = False
         self._left = asyncio.Event()
 
     async def run(self) -> None:
-        """Serve it until it has gone."""
-        # Whichever finds out that it is over, the others may wait for ever.
+        """Serve the browser until it disconnects."""
+        # End all tasks as soon as one of them ends: the others might wait forever.
         working = [asyncio.create_task(one) for one in (self._send(), self._receive(), self._left.wait())]
         try:
             await asyncio.wait(working, return_when=asyncio.FIRST_COMPLETED)
@@ -63,22 +63,22 @@ class Viewer:
             for task in working:
                 task.cancel()
             outcomes = await asyncio.gather(*working, return_exceptions=True)
-        # All but the first task to find out have another error.
+        # Only the first task gets a WebSocketDisconnect; the others end with other errors.
         if any(isinstance(outcome, WebSocketDisconnect) for outcome in outcomes):
             return
         for outcome in outcomes:
             if isinstance(outcome, Exception):
                 raise outcome
-        if self._said_nonsense:
+        if self._sent_garbage:
             with contextlib.suppress(WebSocketDisconnect):
                 await self._socket.close(_POLICY_VIOLATION)
 
     def leave(self) -> None:
-        """Serve it no longer."""
+        """End the service."""
         self._left.set()
 
     async def _send(self) -> None:
-        """Send what there is at the pace of a screen; waits here while the browser does not read."""
+        """Send samples and states at the frame rate of a screen; this blocks while the browser does not read."""
         send = self._socket.send_bytes
         await self._socket.send_text(self._about.decode())
         while True:
@@ -98,9 +98,9 @@ class Viewer:
                 return
             try:
                 message = decode(event.get("text") or event.get("bytes") or b"")
-            # The last two are of messages that no page sends: nested too deeply, or no UTF-8.
+            # The last two are raised for messages that no page sends: nested too deeply, or not in UTF-8.
             except (msgspec.DecodeError, RecursionError, UnicodeError):
-                self._said_nonsense = True
+                self._sent_garbage = True
                 return
             answer = await self._answer(message)
             await self._socket.send_text(msgspec.json.encode(answer).decode())

@@ -1,4 +1,4 @@
-"""Bare addresses as a robot, for those who have no spec: each word is a signal that is named after its address."""
+"""Bare addresses as a robot, for users without a spec: each word is a signal named after its address."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ if TYPE_CHECKING:
 
 
 def robot_of_words(link: Link, addresses: Sequence[int], rate_hz: float) -> tuple[Robot, list[SampledGroup]]:
-    """Make a robot of words, signed and free to be written, and the groups that sample them.
+    """Return a robot whose signals are signed words that can be written, and the groups that sample them.
 
     Args:
         link: an open link.
-        addresses: which words, each once.
-        rate_hz: samples a second.
+        addresses: addresses of the words, each once.
+        rate_hz: samples per second.
 
     Raises:
-        ArgumentError: for addresses that the gateway does not have, or one that is there twice.
+        ArgumentError: for addresses that the gateway does not have, or one that appears twice.
     """
     info = link.gateway
     for address in addresses:

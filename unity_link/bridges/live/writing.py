@@ -1,9 +1,9 @@
-"""Values that come from a page, and its wish to stop.
+"""Values that pages write, and their requests to stop.
 
-Where writes are not allowed there is no `Writing`, and nothing that could write but `Stopping`, by which any page may
-disarm.
+If writes are not allowed there is no `Writing`, and only `Stopping` writes: any page may disarm a lease.
 
-A write that has begun goes on when its page has gone; it ends, and is never sent, when the link goes away before.
+A write that has begun continues after its page has disconnected. If the link goes away first, the write ends and is
+never sent.
 """
 
 from __future__ import annotations
@@ -25,67 +25,67 @@ if TYPE_CHECKING:
     from unity_link.link.link import Link
 
 LOOK_EVERY = 0.1
-"""Seconds between looks whether the link is still there while a value is written."""
+"""Seconds between checks whether the link is still connected while a value is written."""
 _LARGEST_NUMBER = 2**53
-"""Up to here JavaScript counts exactly."""
+"""Largest whole number that JavaScript represents exactly."""
 _AWAY = "the link is away: nothing was written"
 _WENT_AWAY = "the link went away: it is not known whether this was written"
 
 
 class Hello(msgspec.Struct, tag_field="type", tag="hello", forbid_unknown_fields=True):
-    """A page tells the token that its URL had."""
+    """First message of a page: the token in its URL."""
 
     token: str
 
 
 class Write(msgspec.Struct, tag_field="type", tag="write", forbid_unknown_fields=True):
-    """A page wants a value written."""
+    """Request of a page to write a value."""
 
     number: Annotated[int, msgspec.Meta(ge=0, le=_LARGEST_NUMBER)]
-    """Number that its answer repeats."""
+    """Number of the request, which the answer repeats."""
     signal: str
     value: bool | int | float | str
-    """Value in the signal's unit; of an enumeration a number or a name."""
+    """Value in the signal's unit; for an enumeration a number or a name."""
 
 
 class Stop(msgspec.Struct, tag_field="type", tag="stop", forbid_unknown_fields=True):
-    """A page wants a lease disarmed."""
+    """Request of a page to disarm a lease."""
 
     number: Annotated[int, msgspec.Meta(ge=0, le=_LARGEST_NUMBER)]
-    """Number that its answer repeats."""
+    """Number of the request, which the answer repeats."""
     lease: str
     """Path of the lease."""
 
 
 class Written(msgspec.Struct, tag_field="type", tag="written"):
-    """The value is on the bus."""
+    """Answer: the value was written."""
 
     number: int
 
 
 class Refused(msgspec.Struct, tag_field="type", tag="refused"):
-    """The value was not written, or it is not known whether it was; the reason says which."""
+    """Answer: the value was not written, or it is not known whether it was; the reason states which."""
 
     number: int
     reason: str
 
 
 class Writing:
-    """Writes what pages that know the token ask for.
+    """Writes values for pages that have sent the token.
 
     Args:
-        robot: whose signals.
-        token: what a page must know.
-        sampled: signals whose values the page shows anyway.
+        robot: robot with the signals.
+        token: token that a page must send.
+        sampled: signals with samples, whose values the page shows anyway.
     """
 
     def __init__(self, robot: Robot, token: str, sampled: Collection[Proxy[Any]] = ()) -> None:
         self.written = 0
-        """Values that were written."""
+        """Number of values written."""
         self._link = robot.link
         self._sampled = sampled
         self._known: dict[str, tuple[Writable[Any], int]] = {}
-        """Signals that were written, and how often the link had been opened again by then, by path."""
+        """Signals that were written, and the number of reconnections of the link at that time, by path."""
         self._token = token.encode(errors="surrogatepass")
         self._errands = _Errands(robot.link)
         self._signals: dict[str, Writable[Any]] = {
@@ -96,20 +96,20 @@ class Writing:
 
     @property
     def values(self) -> dict[str, Any]:
-        """The last values that were written to signals that nothing samples, by path.
+        """The last values that were written to signals without samples, by path.
 
-        A signal is left out if its value may be another one by now: after a reconnection, because the gateway may have
-        been reset; if a lease guards it; and if a write has an effect.
+        A signal is left out if its value may have changed: after a reconnection, because the gateway may have been
+        reset; if a lease guards it; and if a write has an effect.
         """
         now = self._link.statistics.reconnections
         return {path: proxy.value for path, (proxy, then) in self._known.items() if then == now}
 
     def knows(self, token: str) -> bool:
-        """Return whether a token is the right one, in a time that does not tell how much of it was."""
+        """Return whether a token is the right one, in a time that does not depend on its content."""
         return hmac.compare_digest(token.encode(errors="surrogatepass"), self._token)
 
     async def write(self, wish: Write) -> Written | Refused:
-        """Write a value that is within its limits. While the link is away nothing is: it would come as a surprise."""
+        """Write a value within its limits. Refuse it while the link is away: a late write would surprise the user."""
         proxy = self._signals.get(wish.signal)
         if proxy is None:
             return Refused(wish.number, f"there is no signal {wish.signal!r} that can be written")
@@ -124,10 +124,10 @@ class Writing:
 
 
 class Stopping:
-    """Disarms the leases of a robot, for any page: who may look may stop.
+    """Disarms leases of a robot, for any page, also without a token.
 
     Args:
-        robot: with the leases, if it has any.
+        robot: robot with any number of leases.
     """
 
     def __init__(self, robot: Robot) -> None:
@@ -135,7 +135,7 @@ class Stopping:
         self._errands = _Errands(robot.link)
 
     async def stop(self, wish: Stop) -> Written | Refused:
-        """Disarm a lease. While the link is away nothing is, and it runs out by itself."""
+        """Disarm a lease. Refuse that while the link is away; the lease then runs out by itself."""
         lease = self._leases.get(wish.lease)
         if lease is None:
             return Refused(wish.number, f"there is no lease {wish.lease!r}")
@@ -143,10 +143,10 @@ class Stopping:
 
 
 class _Errands:
-    """The errands of pages at the gateway, each done to its end, or until the link goes away.
+    """Requests of pages to the gateway, each executed to its end, or until the link goes away.
 
     Args:
-        link: to the gateway.
+        link: link to the gateway.
     """
 
     def __init__(self, link: Link) -> None:
@@ -154,7 +154,7 @@ class _Errands:
         self._under_way: set[asyncio.Task[Written | Refused]] = set()
 
     async def run(self, number: int, call: Callable[[], Coroutine[Any, Any, object]]) -> Written | Refused:
-        """Make a call, and return the answer to the page; a page that goes leaves it under way."""
+        """Call a function, and return the answer for the page. If the page disconnects, the call continues."""
         if not self._link.connected:
             return Refused(number, _AWAY)
         writing = asyncio.create_task(self._run(number, call))

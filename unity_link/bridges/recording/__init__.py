@@ -1,13 +1,12 @@
-"""Recordings: what a robot published, in an MCAP file (https://mcap.dev) that Foxglove and PlotJuggler open.
+"""Recordings: samples of a robot in an MCAP file (https://mcap.dev), which Foxglove and PlotJuggler can open.
 
-- `unity_link.bridges.messages`: what a sample is in the file: JSON with a schema, so that others read it without this
-  package
-- `files`: writing; a file is whole to within a second at every instant, whatever ends the program
-- `chunks`: what of MCAP is written here, and why
-- `recorder`: from a robot into a file, over interruptions
-- `reader`: back, of a file that was finished, cut or damaged
+- `unity_link.bridges.messages`: the form of a sample in the file: JSON with a schema, readable without this package
+- `files`: writing; if the program ends in any way, the file lacks at most the last second
+- `chunks`: the records of MCAP that are written here instead of by the library `mcap`, and why
+- `recorder`: records a robot into a file, and continues after interruptions
+- `reader`: reads a file that is finished, cut or damaged
 - `replay`: a gateway that answers as the recorded one did
-- `tables`: to Parquet and CSV; `Recording[...]` is a table in memory
+- `tables`: export to Parquet and CSV; `Recording[...]` is a table in memory
 
 ::
 
@@ -16,9 +15,9 @@
             await asyncio.sleep(10)
     Recording("run.mcap")["state"].to_pandas()
 
-A file has all that it takes to understand it: two attachments, ``interface.json`` (the checked spec) and
+A file contains all that is needed to interpret it: two attachments, ``interface.json`` (the checked spec) and
 ``gateway.json`` (`GatewayInfo`), and a channel for each group. Each message has the values of its signals, and the
-words that they were made of, so that nothing is lost where JSON has no number for a value.
+words that they were decoded from, so that values that JSON cannot represent are not lost.
 """
 
 from unity_link.bridges.recording.files import FORMATS, RecordingError

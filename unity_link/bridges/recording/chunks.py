@@ -1,11 +1,11 @@
-"""An MCAP file by whole chunks (https://mcap.dev/spec): samples come in arrays, and are written in arrays.
+"""Writes MCAP files (https://mcap.dev/spec) by whole chunks, because samples arrive in arrays.
 
-`mcap.writer.Writer` takes one message at a time, and makes an entry of an index for each: 3 to 6 us of Python, where
-all else that a sample costs until it is on the disk is 1 to 2, and the whole program has 20 at 50,000 samples a second.
-So two records are written here, messages and their index, each by one numpy array for many; all others are those of
-`mcap.records`.
+`mcap.writer.Writer` writes one message at a time, and makes an index entry for each, in 3 to 6 us of Python. All other
+work for a sample takes 1 to 2 us, and at 50,000 samples per second there are 20 us for all. So this module writes two
+kinds of records itself, messages and their index, many at a time from one numpy array. `mcap.records` writes all
+others.
 
-Schemas and channels stand in front of the chunks, so that a file that was cut tells of all its channels.
+Schemas and channels come before the chunks, so that a file that was cut still describes all its channels.
 """
 
 from __future__ import annotations
@@ -44,9 +44,9 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 CHUNK = 4 << 20
-"""Bytes before compression after which a chunk ends by itself: before it has twice as many, or with one message."""
+"""Uncompressed size in bytes at which a chunk ends; it can exceed this by the last message."""
 _LEVEL = 1
-"""Level of zstd: a quarter of the size, as at its usual 3, in half the time."""
+"""Level of zstd: the size is a quarter, as at its default level 3, in half the time."""
 _RECORD = struct.Struct("<BQ")
 _MESSAGE = np.dtype(
     [
@@ -61,20 +61,20 @@ _MESSAGE = np.dtype(
 """Fields of a message record before its data."""
 _INDEX = struct.Struct("<HI")
 _ENTRY = np.dtype([("log_time", "<u8"), ("offset", "<u8")])
-"""Fields of the index for each message: its instant, and where it begins in the chunk."""
+"""Fields of the index for each message: its instant, and its offset in the chunk."""
 _SUMMARY = (Opcode.SCHEMA, Opcode.CHANNEL, Opcode.CHUNK_INDEX, Opcode.ATTACHMENT_INDEX, Opcode.METADATA_INDEX)
-"""Records that are gathered for the end of the file; `Opcode.STATISTICS` comes to them there."""
+"""Records that are collected for the end of the file; `Opcode.STATISTICS` is added there."""
 
 
 class ChunkWriter:
-    """Writes an MCAP file on a stream, from its beginning.
+    """Writes an MCAP file to a stream, from its beginning.
 
-    After each method but `write` the stream has whole records alone. A method that fails, as where the disk is full,
-    leaves it to the caller to cut the file back to where the last one ended.
+    After each method except `write` the stream has only whole records. If a method fails, for example because the disk
+    is full, the caller must cut the file to its size after the last method that succeeded.
 
     Args:
         stream: an empty file.
-        library: says in the file who wrote it.
+        library: name of the writing program in the file.
     """
 
     def __init__(self, stream: BinaryIO, library: str) -> None:
@@ -82,7 +82,7 @@ class ChunkWriter:
         self._compressor = ZstdCompressor(level=_LEVEL)
         self._offset = 0
         self._crc = 0
-        # Bytes, not records: a night has a hundred thousand chunks.
+        # Keep these records as bytes: objects would take much memory, as a night has a hundred thousand chunks.
         self._summary = {opcode: RecordBuilder() for opcode in _SUMMARY}
         self._statistics = Statistics(
             attachment_count=0,
@@ -124,7 +124,7 @@ class ChunkWriter:
         self._statistics.metadata_count += 1
 
     def open_channel(self, topic: str, schema_name: str, schema: bytes, metadata: dict[str, str]) -> int:
-        """Begin a channel of JSON messages with a JSON schema; give its number."""
+        """Begin a channel of JSON messages with a JSON schema; return its number."""
         self.end_chunk()
         number = self._statistics.channel_count + 1
         described = Schema(id=number, name=schema_name, encoding="jsonschema", data=schema)
@@ -142,10 +142,10 @@ class ChunkWriter:
         """Write messages of a channel.
 
         Args:
-            channel: its number.
+            channel: number of the channel.
             at: instants in nanoseconds since 1970, shape (messages,).
-            sequence: their numbers, of which the file keeps 32 bits, shape (messages,).
-            messages: the texts.
+            sequence: sequence numbers, of which the file stores 32 bits, shape (messages,).
+            messages: texts of the messages.
         """
         lengths = np.fromiter(map(len, messages), np.int64, len(messages)) + _MESSAGE.itemsize
         full = np.flatnonzero(np.diff((self._size + np.cumsum(lengths)) // CHUNK)) + 1
@@ -154,7 +154,7 @@ class ChunkWriter:
             self._write(channel, at[part], sequence[part], messages[part], lengths[part])
 
     def end_chunk(self) -> None:
-        """Bring what was written to the stream; nothing where nothing was."""
+        """Write the pending messages to the stream as a chunk, if there are any."""
         if not self._records:
             return
         data = b"".join(self._records)
@@ -192,7 +192,7 @@ class ChunkWriter:
         self._begin_chunk()
 
     def finish(self) -> None:
-        """End the file, with what readers look for first: its channels, its statistics and where its chunks stand."""
+        """End the file with the records that readers look for first: channels, statistics and offsets of chunks."""
         self.end_chunk()
         self._put(_bytes(DataEnd(self._crc)))
         start = self._offset
@@ -207,11 +207,11 @@ class ChunkWriter:
             summary += group
         footer = Footer(summary_start=start, summary_offset_start=start + len(summary), summary_crc=0)
         summary += _end(offsets)
-        # It covers the footer up to itself.
+        # The CRC covers the footer up to the CRC itself.
         footer.summary_crc = zlib.crc32(summary + _bytes(footer)[:-4])
         self._put(summary + _bytes(footer) + MCAP0_MAGIC)
 
-    # The inside
+    # Internals
 
     def _write(
         self,

@@ -1,8 +1,8 @@
-"""Writing a recording.
+"""Writing of recordings.
 
-The file is an MCAP of chunks. A chunk is ended and brought to the disk at least every second (`RecordingFile.sync`),
-so a program that is killed, or a machine that loses power, costs what came after that. A disk that is full costs no
-more: the file is cut back to its last whole chunk.
+The file is in MCAP format. A chunk is ended and written to the disk at least every second (`RecordingFile.sync`), so
+if the program is killed or the computer loses power, only later samples are lost. If the disk is full, the file is cut
+to its last whole chunk.
 """
 
 from __future__ import annotations
@@ -36,24 +36,24 @@ FORMATS = ("parquet", "csv")
 INTERFACE, GATEWAY = "interface.json", "gateway.json"
 """Names of the attachments."""
 INTERRUPTION = "interruption"
-"""Name of the metadata that say when the gateway was away, `from` and `to`, in UTC as ISO 8601."""
+"""Name of the metadata with the times `from` and `to` at which the gateway was away, in UTC as ISO 8601."""
 _BUFFERED = 1 << 20
 _OF_OTHERS = frozenset(
     {".arrow", ".bag", ".csv", ".db3", ".feather", ".h5", ".hdf5", ".json", ".jsonl", ".mat", ".npy", ".npz"}
     | {".parquet", ".pcapng", ".tsv", ".txt", ".vcd", ".xlsx"}
 )
-"""Suffixes of forms that a recording does not have."""
+"""Suffixes of formats that a recording cannot have."""
 
 
 class RecordingError(UnityLinkError):
-    """A recording cannot be written on or read; what it has up to there stays."""
+    """A recording cannot be written or read; the samples that were written before remain in it."""
 
 
 def check_extra() -> None:
-    """Check that what reads and writes MCAP is installed.
+    """Check that the packages for MCAP are installed.
 
     Raises:
-        RecordingError: where it is not.
+        RecordingError: if one is missing.
     """
     try:
         import mcap.records  # noqa: F401
@@ -63,10 +63,10 @@ def check_extra() -> None:
 
 
 def check_name(path: Path) -> None:
-    """Check that a name does not promise another form than that of a recording.
+    """Check that the suffix of a name is not that of another format.
 
     Raises:
-        ArgumentError: where its suffix does.
+        ArgumentError: if it is.
     """
     form = path.suffix.lower()
     if form in _OF_OTHERS:
@@ -76,7 +76,7 @@ def check_name(path: Path) -> None:
 
 
 class RecordingFile:
-    """A recording that is being written. Its methods block while the disk does; one thread at a time."""
+    """A recording that is being written. Its methods block while the disk does; only one thread may call them."""
 
     def __init__(
         self,
@@ -90,10 +90,9 @@ class RecordingFile:
         """Begin a file.
 
         Raises:
-            ArgumentError: where there is one of that name, unless `overwrite`; where the name is that of another form;
-                where another recorder writes it, or it
-                cannot be written.
-            RecordingError: where the disk is full, or mcap is not installed.
+            ArgumentError: if the file exists, unless `overwrite`; if the name is that of another format; if another
+                recorder writes the file, or it cannot be written.
+            RecordingError: if the disk is full, or mcap is not installed.
         """
         check_name(path)
         check_extra()
@@ -102,7 +101,7 @@ class RecordingFile:
 
         self.path = path
         self.messages = 0
-        """Written so far."""
+        """Number of messages written so far."""
         if path.is_dir():
             raise ArgumentError(f"{path} is a directory: the name of a file was expected")
         self._raw = _open(path, overwrite=overwrite)
@@ -120,29 +119,29 @@ class RecordingFile:
 
     @property
     def size(self) -> int:
-        """Bytes that are in the file for good."""
+        """Number of bytes that are certainly on the disk."""
         return self._whole
 
     def write(self, group: int, batch: Batch, instants: NDArray[np.float64]) -> None:
-        """Write the samples of a batch, to the group of that number.
+        """Write the samples of a batch to a group.
 
         Args:
-            group: its number.
+            group: number of the group.
             batch: the samples.
-            instants: when they were taken, in seconds since 1970, shape (samples,).
+            instants: instants of the samples, in seconds since 1970, shape (samples,).
 
         Raises:
-            RecordingError: where the disk does not take it.
+            RecordingError: if the disk fails or is full.
         """
         at = np.rint(instants * 1e9).astype(np.int64)
         messages = self._encoders[group].encode(batch, self._bits)
         self._attempt(lambda: self._add(group, at, batch.sequence, messages))
 
     def note_interruption(self, began: float, ended: float) -> None:
-        """Note that the gateway was away, from and to instants in seconds since 1970.
+        """Write that the gateway was away between two instants, in seconds since 1970.
 
         Raises:
-            RecordingError: where the disk does not take it.
+            RecordingError: if the disk fails or is full.
         """
         times = {
             name: dt.datetime.fromtimestamp(at, dt.UTC).isoformat(timespec="milliseconds")
@@ -151,29 +150,29 @@ class RecordingFile:
         self._attempt(lambda: self._writer.note(INTERRUPTION, times))
 
     def sync(self) -> None:
-        """Bring all that was written to the disk.
+        """Write all pending samples to the disk.
 
         Raises:
-            RecordingError: where the disk does not take it.
+            RecordingError: if the disk fails or is full.
         """
         self._attempt(self._sync)
 
     def close(self) -> None:
-        """Finish the file, with its index.
+        """Finish the file with its index.
 
         Raises:
-            RecordingError: where the disk does not take it.
+            RecordingError: if the disk fails or is full.
         """
         self._attempt(self._finish)
 
     def discard(self) -> None:
-        """Remove the file, if it is none of a device."""
+        """Remove the file, unless it is a device."""
         if self.path.is_file():
             self.path.unlink(missing_ok=True)
         with contextlib.suppress(OSError, ValueError):
             self._raw.close()
 
-    # The inside
+    # Internals
 
     def _begin(self, interface: Interface, gateway: GatewayInfo, groups: Sequence[SampledGroup]) -> None:
         for name, data in ((INTERFACE, interface), (GATEWAY, gateway)):
@@ -198,7 +197,7 @@ class RecordingFile:
         self._whole, self._whole_messages = self._stream.tell(), self.messages
 
     def _finish(self) -> None:
-        # A disk that is full may have no room for the index, but for the samples.
+        # First the samples: a full disk may have room for them, but not for the index.
         self._sync()
         self._writer.finish()
         self._sync()
@@ -206,18 +205,18 @@ class RecordingFile:
 
     def _attempt(self, action: Callable[[], None]) -> None:
         if self._raw.closed:
-            # It failed before, and that was told.
+            # The file has failed before, and that was reported.
             return
         try:
             action()
         except OSError as error:
             self._cut()
             raise RecordingError(
-                f"{self.path} cannot be written on: {error.strerror or error}; what was recorded before is in it"
+                f"{self.path} cannot be written on: {error.strerror or error}; earlier samples are in it"
             ) from None
 
     def _cut(self) -> None:
-        """Leave the whole chunks alone in the file."""
+        """Cut the file to its whole chunks, and close it."""
         with contextlib.suppress(OSError):
             os.ftruncate(self._raw.fileno(), self._whole)
         self.messages = self._whole_messages
@@ -226,10 +225,10 @@ class RecordingFile:
 
 
 def path_of(given: Path | str) -> Path:
-    """Return a path that was given in either form.
+    """Return a path given as `Path` or text.
 
     Raises:
-        ArgumentError: where it is none.
+        ArgumentError: if it is neither.
     """
     if isinstance(given, (str, os.PathLike)):
         return Path(given)
@@ -239,7 +238,7 @@ def path_of(given: Path | str) -> Path:
 def _open(path: Path, *, overwrite: bool) -> io.FileIO:
     """Open an empty file, and lock it against other recorders."""
     try:
-        # What another recorder writes must not be cut before the lock tells; and a pipe is not waited for.
+        # Do not truncate: another recorder may hold the lock. O_NONBLOCK: do not wait for the reader of a pipe.
         file = io.FileIO(
             path,
             "wb" if overwrite else "xb",
@@ -255,9 +254,9 @@ def _open(path: Path, *, overwrite: bool) -> io.FileIO:
         file.close()
         raise ArgumentError(f"{path} is being written by another recorder: choose another name") from None
     except OSError:
-        # A file system without locks.
+        # The file system has no locks.
         pass
-    # Devices are empty, and refuse to be cut.
+    # A device has no size, and cannot be truncated.
     if os.fstat(file.fileno()).st_size:
         file.truncate(0)
     return file

@@ -1,4 +1,4 @@
-"""Reading a recording, a finished one or one that was cut: from the front, chunk by chunk."""
+"""Reading of recordings, also of those that were cut: from the front, chunk by chunk."""
 
 from __future__ import annotations
 
@@ -34,13 +34,13 @@ if TYPE_CHECKING:
     from unity_link.spec import Signal
 
 MOST_UNPACKED = 64 << 20
-"""Bytes of a chunk that are unpacked; those of `ChunkWriter` have an eighth. A chunk of more counts as damaged."""
+"""Largest uncompressed size of a chunk in bytes; those of `ChunkWriter` have an eighth. A larger one is damaged."""
 MOST_WORDS = 8 << 20
-"""Words of samples that `Recording.in_order` holds at most, besides those of one chunk."""
+"""Most words of samples that `Recording.in_order` holds, besides those of one chunk."""
 _AT_ONCE = 4096
 _LONGEST_NAME = 200
 _RECORD = struct.Struct("<BQ")
-"""Beginning of each record: its opcode, and how long the rest is."""
+"""Beginning of each record: its opcode, and the length of the rest."""
 
 
 class RecordedGroup(NamedTuple):
@@ -53,23 +53,23 @@ class RecordedGroup(NamedTuple):
 
 
 class RecordedSamples(NamedTuple):
-    """Samples of one group that follow one another."""
+    """Consecutive samples of one group."""
 
     group: RecordedGroup
     at: NDArray[np.int64]
-    """Instants of sampling in nanoseconds since 1970, as far as the recorder knew; shape (samples,)."""
+    """Instants of sampling in nanoseconds since 1970, as the recorder estimated them; shape (samples,)."""
     time: NDArray[np.float64]
-    """The same in seconds of the gateway's clock; NaN where it told none."""
+    """The same instants in seconds of the gateway's clock; NaN without timestamps."""
     sequence: NDArray[np.int64]
     lost: NDArray[np.int64]
     words: Words
     """Shape (samples, addresses)."""
     epoch: NDArray[np.int64]
-    """Numbers of the sessions that the samples came in."""
+    """Numbers of the sessions in which the samples arrived."""
 
 
 class RecordedColumns:
-    """The values of the samples of a group, which follow one another from call to call."""
+    """Decodes the values of a group's samples, whose rounds are counted from call to call."""
 
     def __init__(self, group: RecordedGroup) -> None:
         self._columns = Columns(group.signals, group.addresses)
@@ -90,7 +90,7 @@ class RecordedRow(NamedTuple):
     """One sample of a group."""
 
     at: int
-    """Instant of the sample, as `RecordedSamples.at`."""
+    """Instant of the sample in nanoseconds since 1970."""
     group: RecordedGroup
     words: Words
     """Shape (addresses,)."""
@@ -100,17 +100,17 @@ class Recording:
     """A recording on a disk.
 
     Raises:
-        RecordingError: where it is none, or not one of ours.
+        RecordingError: if the file is no recording of this package.
     """
 
     def __init__(self, path: Path | str) -> None:
         self.path = path_of(path)
         self.was_cut = False
-        """True if the last reading found the end missing, as after a crash."""
+        """True if the end of the file was missing in the last read, as after a crash."""
         self.was_damaged = False
-        """True if the last reading found a damaged chunk; the others were read."""
+        """True if a chunk was damaged in the last read; the others were read."""
         self.interface: Interface
-        """The robot, as the spec declared it."""
+        """Interface of the robot, as the spec declared it."""
         self.gateway: GatewayInfo
         self._channels: dict[int, RecordedGroup] = {}
         check_extra()
@@ -118,23 +118,23 @@ class Recording:
 
     @property
     def groups(self) -> tuple[RecordedGroup, ...]:
-        """Groups that were recorded, in the order of the spec."""
+        """The recorded groups, in the order of the spec."""
         return tuple(self._channels.values())
 
     @property
     def size(self) -> int:
-        """Bytes."""
+        """Size of the file in bytes."""
         return self.path.stat().st_size
 
     def __getitem__(self, name: str) -> Table:
         """Return all samples of a group, for numpy, pandas and polars: ``recording["state"].to_pandas()``.
 
-        They are in memory then; `export` writes files of any size. The time in seconds is the gateway's clock where
-        samples have timestamps, else the same as in UTC, since 1970.
+        All samples are loaded into memory; `export` writes files of any size. The column ``time`` has seconds of the
+        gateway's clock if the samples have timestamps, otherwise seconds since 1970 (UTC).
 
         Raises:
             UnknownNameError: for a group that was not recorded.
-            RecordingError: where the recording cannot be read.
+            RecordingError: if the recording cannot be read.
         """
         group = next((group for group in self.groups if group.name == name), None)
         if group is None:
@@ -153,23 +153,23 @@ class Recording:
         )
 
     def samples(self) -> Iterator[tuple[RecordedSamples, int]]:
-        """Read all samples, those of each group in the order of the file; with each, the bytes of the file read so far.
+        """Yield all samples, those of each group in the order of the file, with the number of bytes read so far.
 
-        The groups take turns every few thousand samples: `in_order` is for those who need the order among them.
+        The groups alternate every few thousand samples; `in_order` keeps the order among groups.
         """
         waiting: dict[int, list[tuple[int, bytes]]] = {}
         with self._open() as file:
             for record in self._records(file):
                 if self._put(record, waiting) >= _AT_ONCE:
-                    # All together: what the groups recorded side by side stays side by side.
+                    # Take the waiting samples of all groups, so that the groups stay near each other in time.
                     yield from ((samples, file.tell()) for samples in self._take(waiting))
             yield from ((samples, file.tell()) for samples in self._take(waiting))
 
     def in_order(self) -> Iterator[RecordedRow]:
-        """Read all samples one by one in the order of their instants, whichever group they are of.
+        """Yield all samples of all groups one by one, in the order of their instants.
 
-        A chunk is read when its first instant comes, so that only chunks that overlap are in memory together. Where
-        these have more than `MOST_WORDS`, as in no file of a recorder, the order among them is given up.
+        A chunk is read when its first instant is reached, so that only chunks that overlap are in memory together. If
+        these have more than `MOST_WORDS`, which no recorder writes, samples may be out of order.
         """
         waiting = _Waiting()
         with self._open() as file:
@@ -179,7 +179,7 @@ class Recording:
                     waiting.add(samples)
         yield from waiting.take_before(math.inf)
 
-    # The inside
+    # Internals
 
     def _open(self) -> BinaryIO:
         try:
@@ -198,7 +198,7 @@ class Recording:
         self.was_cut, self.was_damaged, broken = True, False, False
         try:
             for record in StreamReader(file, validate_crcs=True, emit_chunks=True).records:
-                # A broken chunk at the end of what there is was cut.
+                # If this chunk is broken and no record follows, the file was cut there: it is not damaged.
                 self.was_damaged = self.was_damaged or broken
                 if isinstance(record, DataEnd):
                     self.was_cut = False
@@ -212,7 +212,7 @@ class Recording:
                     inside, broken = [], True
                 yield from inside
         except CRCValidationError:
-            # Of the whole file, at its end.
+            # The CRC of the whole file, at its end, is wrong.
             self.was_cut, self.was_damaged = False, True
         except InvalidMagic:
             if file.tell() <= 8:
@@ -247,7 +247,7 @@ class Recording:
             raise RecordingError(f"{self.path} is damaged: {error}") from None
         for number, channel in channels.items():
             name = channel.topic.rpartition("/")[2]
-            # Files are named after it.
+            # Exported files are named after the channel.
             if not name.isprintable() or len(name) > _LONGEST_NAME:
                 raise RecordingError(
                     f"{self.path} is damaged: it has a channel {name[:20]!a}, expected that of a group"
@@ -258,7 +258,7 @@ class Recording:
             self._channels[number] = RecordedGroup(name, signals, addresses)
 
     def _samples_at(self, file: BinaryIO, place: int) -> list[RecordedSamples]:
-        """Read the chunk, or the message, at a place of the file; nothing where it is damaged."""
+        """Read the chunk or message at an offset of the file; return an empty list if it is damaged."""
         from mcap.records import Chunk
         from mcap.stream_reader import StreamReader
 
@@ -274,7 +274,7 @@ class Recording:
         return self._take(waiting)
 
     def _put(self, record: McapRecord, waiting: dict[int, list[tuple[int, bytes]]]) -> int:
-        """Keep a message of a recorded group; return how many of that group wait."""
+        """Keep a message of a recorded group, and return the number of kept messages of that group."""
         from mcap.records import Message as McapMessage
 
         if not isinstance(record, McapMessage) or record.channel_id not in self._channels:
@@ -313,11 +313,11 @@ def _no_samples(group: RecordedGroup) -> RecordedSamples:
 
 
 class _Waiting:
-    """Samples whose instants are to come, in runs of one group and one chunk."""
+    """Samples that `in_order` has not yielded yet, in runs of one group and one chunk each."""
 
     def __init__(self) -> None:
         self._runs: list[tuple[int, int, Iterator[RecordedRow], RecordedRow, int]] = []
-        """A heap. Of each: the next instant, a number that no other has, the rows behind the next, the next, words."""
+        """A heap of tuples: next instant, unique number of the run, later rows, next row, number of words."""
         self._numbers = itertools.count()
         self._words = 0
 
@@ -330,7 +330,7 @@ class _Waiting:
         self._words += samples.words.size
 
     def take_before(self, instant: float) -> Iterator[RecordedRow]:
-        """Take the rows before an instant, in order; and later ones where there are too many."""
+        """Yield the rows before an instant, in order; also later rows, if too many are waiting."""
         runs = self._runs
         while runs and (runs[0][0] < instant or self._words > MOST_WORDS):
             _, number, rows, row, words = runs[0]
@@ -344,11 +344,11 @@ class _Waiting:
 
 
 def _places(file: BinaryIO) -> Iterator[tuple[int, int]]:
-    """Return the first instant and the place of the chunks of a file, and of the messages outside of them."""
+    """Yield the first instant and the offset of each chunk of a file, and of each message outside of chunks."""
     from mcap.opcode import Opcode
     from mcap.writer import MCAP0_MAGIC
 
-    # How far behind the head of the record its first instant stands.
+    # Offset of the first instant after the head of the record.
     instants = {Opcode.CHUNK: 0, Opcode.MESSAGE: 6}
     size, place = os.fstat(file.fileno()).st_size, len(MCAP0_MAGIC)
     while place + _RECORD.size <= size:
@@ -366,7 +366,7 @@ def _unpack(chunk: Chunk) -> Iterable[McapRecord]:
     """Return the records of a chunk.
 
     Raises:
-        Exception: one of `_unreadable`, where it is damaged, or would fill the memory.
+        Exception: one of `_unreadable`, if the chunk is damaged, or too large.
     """
     from lz4.frame import LZ4FrameDecompressor
     from mcap.stream_reader import breakup_chunk
@@ -376,7 +376,7 @@ def _unpack(chunk: Chunk) -> Iterable[McapRecord]:
     if size > MOST_UNPACKED:
         raise ValueError(f"a chunk of {size} bytes")
     data = chunk.data
-    # One byte more shows that it is more than it says.
+    # Read one byte more than stated, to detect chunks that are longer.
     if chunk.compression == "zstd":
         data = ZstdDecompressor().stream_reader(data).read(size + 1)
     elif chunk.compression == "lz4":
@@ -387,9 +387,9 @@ def _unpack(chunk: Chunk) -> Iterable[McapRecord]:
 
 
 def _unreadable() -> tuple[type[Exception], ...]:
-    """Return what is raised for records that are damaged."""
+    """Return the types of exceptions that damaged records cause."""
     from mcap.exceptions import McapError
     from zstandard import ZstdError
 
-    # The last two are for lengths that are nonsense.
+    # The last two are raised for absurd lengths.
     return (McapError, ValueError, struct.error, ZstdError, RuntimeError, MemoryError, OverflowError)

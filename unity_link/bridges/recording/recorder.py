@@ -1,7 +1,7 @@
-"""The recorder of a robot: samples are taken by the event loop and written by a thread, so that neither waits.
+"""The recorder of a robot: the event loop receives samples and a thread writes them, so that neither waits.
 
-A recording is left alone for hours. So a gateway that goes away does not end it, where its link reconnects: it goes on
-when the gateway is back, and the file has a note of each interruption.
+A recording may run for hours without supervision. So if the gateway goes away and the link reconnects, the recording
+continues when the gateway is back, and the file has a note of each interruption.
 """
 
 from __future__ import annotations
@@ -28,17 +28,17 @@ if TYPE_CHECKING:
     from unity_link.data import Batch, Robot
 
 SYNC_EVERY = 0.5
-"""Seconds. What a crash may cost is twice that: a second."""
+"""Seconds between writes to the disk. A crash may lose the samples of twice that time: a second."""
 WATCH_EVERY = 0.1
-"""Seconds. So exactly is known when a gateway went away and came back."""
+"""Seconds between checks whether the gateway is away; the instants of interruptions are as exact as this."""
 BUFFER = 1 << 18
-"""Samples of each group that wait while the disk is slow: five seconds of 50,000 a second."""
+"""Samples of each group that may wait while the disk is slow: five seconds at 50,000 per second."""
 REST = 0.02
-"""Seconds that the thread rests after each batch: what comes meanwhile is one batch, and costs half as much."""
+"""Seconds that the thread sleeps after each batch: later samples then form one batch, which costs half as much."""
 
 
 class Recorder:
-    """Records all that a robot publishes, while its ``async with`` block runs.
+    """Records all samples that a robot publishes, while its ``async with`` block runs.
 
     ::
 
@@ -46,19 +46,19 @@ class Recorder:
             await asyncio.sleep(10)
         print(recorder.samples, "samples")
 
-    When the block begins, all groups are sampled; when it ends, in whatever way, the file is finished, and removed
-    where it has no samples. What ends the recording meanwhile ends the block at once, and is raised by it.
+    When the block begins, all groups are being sampled. When it ends, in any way, the file is finished, or removed if
+    it has no samples. An error that ends the recording earlier ends the block at once, and the block raises it.
 
     Args:
-        robot: what is recorded, behind an open link.
-        path: the file.
-        poll_hz: also record, read so often, what nothing publishes.
-        overwrite: whether a file of that name may go.
-        report: is told in a sentence when the gateway goes away and when it is back.
+        robot: robot to record, on an open link.
+        path: path of the file.
+        poll_hz: rate at which readable registers that nothing publishes are polled and recorded; None not to do so.
+        overwrite: whether an existing file is replaced.
+        report: called with a sentence if the gateway goes away, and when it is back.
 
     Raises:
-        ArgumentError: where the spec publishes nothing and `poll_hz` is not given, or the file cannot be written.
-        RecordingError: where the disk is full from the beginning, or mcap is not installed.
+        ArgumentError: if the spec publishes nothing and `poll_hz` is not given, or the file cannot be written.
+        RecordingError: if the disk is full from the beginning, or mcap is not installed.
     """
 
     def __init__(
@@ -84,13 +84,13 @@ class Recorder:
         self._is_idle = True
 
     _is_idle = False
-    """True if its file waits for `run`."""
+    """True while the file waits for `run`."""
 
-    if not TYPE_CHECKING:  # A type checker refuses them by itself.
+    if not TYPE_CHECKING:  # A type checker reports such uses by itself.
         __enter__ = __exit__ = refusing("write `async with` before a recorder")
 
     def __del__(self) -> None:
-        """Warn of a recorder that has recorded nothing, and remove its file."""
+        """Warn if the recorder has never run, and remove its file."""
         if self._is_idle:
             self._file.discard()
             warnings.warn(
@@ -101,27 +101,27 @@ class Recorder:
             )
 
     def __repr__(self) -> str:
-        """Return the file, and what is in it."""
+        """Return the path of the file, and the numbers of samples written and lost."""
         return f"<recorder of {self._file.path}: {self.samples} samples, {self.lost} lost>"
 
     @property
     def samples(self) -> int:
-        """Samples in the file."""
+        """Number of samples in the file."""
         return self._file.messages
 
     @property
     def lost(self) -> int:
-        """Samples that the gateway took and that did not arrive, or found the disk too slow."""
+        """Number of samples that the gateway took and that did not arrive, or were dropped because the disk is slow."""
         return self._carrier.lost
 
     @property
     def size(self) -> int:
-        """Bytes that are on the disk."""
+        """Number of bytes that are on the disk."""
         return self._file.size
 
     @property
     def away(self) -> float:
-        """Seconds for which the gateway was away."""
+        """Seconds for which the gateway was away, in total."""
         since = self._presence.away_since
         return self._away + (0.0 if since is None else self._clock.now() - since)
 
@@ -135,7 +135,7 @@ class Recorder:
                 await self._carrier.begun.wait()
                 self._block = block.pop_all()
         finally:
-            # What is cancelled before it begins does not run to its end.
+            # A task that is cancelled before it begins runs no code, not even a `finally`.
             if self._is_idle:
                 self._is_idle = False
                 self._file.discard()
@@ -147,12 +147,12 @@ class Recorder:
         await self._block.__aexit__(kind, error, trace)
 
     async def run(self) -> None:
-        """Record until it is cancelled; the file is finished whatever ends it, and removed where it has no samples.
+        """Record until this is cancelled. At the end, in any way, the file is finished, or removed if it is empty.
 
         Raises:
-            ArgumentError: where it has run before.
-            RecordingError: where the disk takes no more.
-            LinkLostError: where the link ends.
+            ArgumentError: if the recorder has run before.
+            RecordingError: if the disk fails or is full.
+            LinkLostError: if the link ends.
         """
         self._check_idle()
         self._is_idle = False
@@ -162,7 +162,7 @@ class Recorder:
             await self._carrier.run(writer, self._sync(writer), self._watch(writer), self._ask())
         finally:
             try:
-                # The thread does one thing after another: all that it was given comes first.
+                # The thread runs its calls in order: all batches that it was given are written before this.
                 await asyncio.shield(loop.run_in_executor(writer, self._file.close))
             finally:
                 writer.shutdown()
@@ -184,7 +184,7 @@ class Recorder:
             await loop.run_in_executor(writer, self._file.sync)
 
     async def _ask(self) -> None:
-        # Before, there is nothing to be interrupted.
+        # Before all groups are sampled, an absence of the gateway is no interruption.
         await self._carrier.begun.wait()
         await self._presence.ask()
 

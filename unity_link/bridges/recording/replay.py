@@ -1,4 +1,4 @@
-"""A gateway that answers as the recorded one did: at each instant its bus has the words of the last sample."""
+"""A gateway that answers as a recorded one did: at each instant, its bus has the words of the last sample."""
 
 from __future__ import annotations
 
@@ -13,34 +13,34 @@ if TYPE_CHECKING:
     from unity_link.bridges.recording.reader import RecordedGroup, Recording
 
 MOST_SPEED = 1e6
-"""Days in a tenth of a second; instants are far from what a double cannot hold."""
+"""Largest speed, at which days take a tenth of a second; instants stay far within the precision of a double."""
 ONE_INSTANT = 1.0
-"""Seconds that a recording lasts which is of a single instant, where it begins again and again."""
+"""Duration of a recording with a single instant, in seconds, if it is repeated."""
 
 
 class Player:
-    """The recorded words as a device. Time begins with the first access, and stands still at the end.
+    """The recorded words as a device. Time begins at the first access, and stops at the end of the recording.
 
-    An access in the middle between two samples gives the earlier one; so a subscription of the recorded rate gets each
-    sample once, though neither clock is exact: the recording runs half a period ahead.
+    The recording runs half a period ahead, so an access between two samples usually gets the earlier one, and a
+    subscription with the recorded rate gets each sample once, even though the clocks are not exact.
     """
 
     def __init__(self, recording: Recording, *, speed: float = 1.0, loop: bool = False) -> None:
         """Make a player.
 
         Args:
-            recording: what is played.
-            speed: how many times as fast as it was.
-            loop: whether it begins again at its end.
+            recording: recording to play.
+            speed: factor of the speed.
+            loop: whether the recording begins again at its end.
 
         Raises:
-            ArgumentError: for a speed that is not more than 0 and at most `MOST_SPEED`, or a recording without samples.
+            ArgumentError: for a speed that is not above 0 and at most `MOST_SPEED`, or a recording without samples.
         """
         if not 0 < speed <= MOST_SPEED:
             raise ArgumentError(f"a speed of {speed:g} was asked for, expected more than 0 and at most {MOST_SPEED:g}")
         self.addresses = sorted({address for group in recording.groups for address in group.addresses})
         self.position = 0.0
-        """Seconds of the recording that were played."""
+        """Present position in the recording, in seconds."""
         self.ended = False
         self._recording = recording
         self._speed = speed
@@ -55,12 +55,12 @@ class Player:
         self._ahead = self._half_a_period()
 
     def read(self, offset: int, now: float) -> int:
-        """Return a word as it was."""
+        """Return a word as it was recorded at that instant."""
         self._play(now)
         return self._words[self.addresses[offset]]
 
-    def write(self, offset: int, value: int, now: float) -> None:  # noqa: ARG002  (nothing changes what has been)
-        """Refuse: nothing changes what has been."""
+    def write(self, offset: int, value: int, now: float) -> None:  # noqa: ARG002  (recorded words cannot be changed)
+        """Refuse all writes: recorded words cannot be changed."""
         raise AccessError(ErrorCode.BUS_ERROR)
 
     def _play(self, now: float) -> None:
@@ -89,7 +89,7 @@ class Player:
         return 0.5 * min(filter(None, map(self._period, self._recording.groups)), default=0.0)
 
     def _period(self, group: RecordedGroup) -> float:
-        """Return how far the samples of a group are apart; 0 where nothing tells."""
+        """Return the period of a group's samples in seconds; 0 if it is not known."""
         recording, signal = self._recording, group.signals[0] if group.signals else None
         declared = next((known for known in recording.interface.groups if signal and known.name == signal.group), None)
         base = recording.gateway.base_frequency_hz
@@ -98,7 +98,7 @@ class Player:
         rate_hz = declared.rate_hz if declared is not None else signal and signal.poll_hz
         if rate_hz:
             return 1 / rate_hz
-        # The recorder alone knew.
+        # The spec does not have the rate: it was given to the recorder.
         first = next((samples for samples, _ in recording.samples() if samples.group is group), None)
         if first is None or first.sequence[-1] <= first.sequence[0]:
             return 0.0
@@ -106,13 +106,13 @@ class Player:
 
 
 def replay(recording: Recording, *, speed: float = 1.0, loop: bool = False) -> tuple[VirtualGateway, Player]:
-    """Return a gateway as the recorded one was, and what plays the recording behind it.
+    """Return a simulated gateway like the recorded one, and the device that plays the recording on its bus.
 
-    What was not recorded is plain memory; a write to what was is a bus error. ``unity_link.connect(gateway)`` connects
-    to it, `unity_link.virtual.serving` gives it to other programs.
+    Addresses that were not recorded are memory. A write to a recorded address is a bus error.
+    ``unity_link.connect(gateway)`` connects to the gateway, `unity_link.virtual.serving` serves it to other programs.
 
     Raises:
-        ArgumentError: for a speed that is not more than 0 and at most `MOST_SPEED`, or a recording without samples.
+        ArgumentError: for a speed that is not above 0 and at most `MOST_SPEED`, or a recording without samples.
     """
     player = Player(recording, speed=speed, loop=loop)
     gateway = VirtualGateway(recording.gateway)

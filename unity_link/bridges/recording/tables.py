@@ -1,4 +1,4 @@
-"""Recordings as tables: a file for each group, a row for each sample, a column for each signal."""
+"""Export of recordings as tables: a file for each group, a row for each sample, a column for each signal."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ if TYPE_CHECKING:
     from unity_link.files import Overwrite
 
 _COLUMNS = ("time", "gateway_time", "sequence", "lost")
-"""Columns that each table begins with."""
+"""First columns of each table."""
 _WRITER = b"unity-link"
-"""Key in the metadata of a Parquet; its value is the version that wrote it."""
+"""Key in the metadata of a Parquet file; its value is the version of this package that wrote the file."""
 
 
 def export(
@@ -34,22 +34,22 @@ def export(
     *,
     overwrite: Overwrite = False,
 ) -> list[Path]:
-    """Write a recording as tables ``NAME.GROUP.parquet`` or ``.csv``; those of before are replaced, by whole ones.
+    """Write a recording as tables ``NAME.GROUP.parquet`` or ``.csv``. Existing tables are replaced when all are done.
 
     The columns are ``time`` (UTC, instant of sampling), ``gateway_time`` (seconds of the gateway's clock),
-    ``sequence``, ``lost`` and the paths of the signals, with ``_`` behind one that is taken; enumerations are numbers.
-    Parquet has the units and descriptions as metadata.
+    ``sequence``, ``lost`` and the paths of the signals, with ``_`` appended to a name in use. Values of enumerations
+    are numbers. Parquet files have the units and descriptions as metadata.
 
     Args:
-        recording: what is exported.
+        recording: recording to export.
         form: one of `FORMATS`.
-        directory: where to; it is made.
-        progress: called with the bytes of the recording that are done.
-        overwrite: whether files that are no such tables may go.
+        directory: folder for the tables; it is made if necessary.
+        progress: called with the number of bytes of the recording that are done.
+        overwrite: whether existing files that are no such tables are replaced.
 
     Raises:
-        ArgumentError: for another form, or a file in the way that is no such table.
-        RecordingError: where the recording cannot be read or the table cannot be written.
+        ArgumentError: for another form, or an existing file that is no such table.
+        RecordingError: if the recording cannot be read, or a table cannot be written.
     """
     if form not in FORMATS:
         raise ArgumentError(f"there is no table format {form!r}: one of {', '.join(FORMATS)} was expected")
@@ -72,7 +72,7 @@ def export(
 
 
 def _is_csv_of_ours(path: Path) -> bool:
-    """Return whether a CSV begins with the columns that each table has, in quotes, which spreadsheets leave out."""
+    """Return whether a CSV file begins with the columns of our tables, in quotes, which spreadsheets do not write."""
     return head_of(path).startswith(",".join(f'"{name}"' for name in _COLUMNS).encode())
 
 
@@ -103,7 +103,7 @@ class _Table:
         return self
 
     def __exit__(self, kind: object, *_: object) -> None:
-        # What is not finished goes; that it cannot be ended is no matter then.
+        # After an error the unfinished table is removed, so a further error of closing it does not matter.
         with contextlib.suppress(*(() if kind is None else (OSError,))):
             self._writer.close()
             self._file.close()
@@ -139,5 +139,5 @@ class _Table:
                 "description": signal.doc,
                 "values": ", ".join(f"{value.value}: {value.name}" for value in values),
             }
-            told = {key: text for key, text in metadata.items() if text}
-            yield pa.field(name, pa.from_numpy_dtype(signal.kind.dtype), metadata=told)
+            given = {key: text for key, text in metadata.items() if text}
+            yield pa.field(name, pa.from_numpy_dtype(signal.kind.dtype), metadata=given)

@@ -1,17 +1,17 @@
-"""One link, many programs: the protocol itself, served on a Unix socket or a TCP port.
+"""One link for several programs: the protocol itself, served on a Unix socket or a TCP port.
 
-    Door -> Client and its Conversation, for each \
-            Turns: whose request is next          |- SharedLink: one window, one gateway
-            Slots: which group has which holder    /
+    Door -> Client and its Conversation, for each client  \
+            Turns: the order of requests of all clients   |- SharedLink: one window, one gateway
+            Slots: the gateway's groups and their holders /
 
-- `door`: who is let in
-- `client`: a program that is served, by its `connection`, which keeps the order of requests and answers, and its
-  `conversation`, which says what the frames mean
+- `door`: the listener, which checks tokens
+- `client`: a program that is served: its `connection` keeps the order of requests and answers, its `conversation`
+  decodes the frames and answers some of them (the client protocol)
 - `requests`: a client's request on its way through the link's window
-- `turns`: whose request is next
-- `leases`: which client has which lease
-- `groups`: the groups of all clients on those of the gateway
-- `shared`: the link, and what happens when the gateway comes and goes
+- `turns`: the order of requests of all clients
+- `leases`: the client that holds each lease
+- `groups`: the groups of all clients, which share those of the gateway
+- `shared`: the link, and its reactions when the gateway goes away or comes back
 """
 
 from __future__ import annotations
@@ -35,11 +35,11 @@ if TYPE_CHECKING:
 
 
 FIRST_TRY = 0.2
-"""Seconds that `Server.look` waits at most."""
+"""Most seconds that `Server.look` waits."""
 
 
 class Server:
-    """A link that is being shared; made by `serve`."""
+    """A shared link; `serve` makes it."""
 
     def __init__(self, shared: SharedLink) -> None:
         self.urls: list[str] = []
@@ -52,11 +52,11 @@ class Server:
         return len(self._shared.clients)
 
     async def look(self) -> None:
-        """Wait for what the first attempt to reach the gateway comes to, but not for long.
+        """Wait for the result of the first attempt to reach the gateway, at most `FIRST_TRY` seconds.
 
         Raises:
-            ArgumentError: for a URL of something that there is not.
-            ConnectError: as `wait` does.
+            ArgumentError: for a URL of a device that does not exist.
+            ConnectError: as by `wait`.
         """
         with contextlib.suppress(TimeoutError):
             await asyncio.wait_for(self._shared.tried.wait(), FIRST_TRY)
@@ -67,8 +67,8 @@ class Server:
         """Wait until the link has ended for good.
 
         Raises:
-            ArgumentError: for a URL of something that there is not.
-            ConnectError: it says why: another gateway answers, or one that this program can't talk to.
+            ArgumentError: for a URL of a device that does not exist.
+            ConnectError: with the reason: another gateway answers, or one with another protocol version.
         """
         await self._shared.ended
 
@@ -86,22 +86,22 @@ async def serve(
 ) -> AsyncIterator[Server]:
     """Share one link between several programs, until the end of the context.
 
-    The gateway may be away at the beginning and at any time: clients wait for it.
+    The gateway may be away at the beginning and at any time; clients then wait for it.
 
     Args:
-        target: the URL of a gateway, or one of this process.
-        unix: path of a Unix socket, which only this user may open.
-        tcp: a TCP port; 0 for any free one.
-        host: the address that the TCP port is opened at: this machine alone unless it is said.
-        token: what clients on TCP must know, as in ``tcp://host:port?token=TOKEN``.
-        interface: the map of the gateway, as `Spec.interface` gives it; None for the one that the gateway carries. With
-            either each lease is that of the client that has armed it: other clients cannot move what it guards, and it
-            is disarmed when that client has gone.
-        report: is told in a sentence when the gateway comes and goes.
+        target: URL of the gateway, or a medium in this process.
+        unix: path of a Unix socket, which only this user can open.
+        tcp: TCP port; 0 for any free port.
+        host: address of the TCP port; by default only this machine can connect.
+        token: token that clients on TCP must send, as in ``tcp://host:port?token=TOKEN``; None for none.
+        interface: interface of the gateway, as `Spec.interface` returns it; None for the description that the gateway
+            carries. With either, each lease belongs to the client that has armed it: other clients cannot write the
+            signals that it guards, and it is disarmed when that client disconnects.
+        report: called with a sentence when the gateway goes away or comes back.
 
     Raises:
-        ArgumentError: for a URL that no driver knows, or a token that can't stand in a line.
-        ConnectError: where a socket or port can't be opened.
+        ArgumentError: for a URL that no driver supports, or a token that is no printable text.
+        ConnectError: if a socket or port cannot be opened.
     """
     if token is not None and not (
         token.isascii() and token.isprintable() and " " not in token and 0 < len(token) <= LONGEST_TOKEN

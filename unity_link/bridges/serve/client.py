@@ -1,4 +1,4 @@
-"""One client: what comes over its connection goes to its conversation."""
+"""One client: it passes the bytes from a connection to the client protocol."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ class Client(ClientConnection):
     """A program that shares the link.
 
     Args:
-        shared: the link that it shares with others.
+        shared: the link that the clients share.
     """
 
     def __init__(self, shared: SharedLink) -> None:
         super().__init__(shared)
         self._conversation: Conversation | None = None
-        """None before it has said anything that could be understood."""
+        """None until data arrives while the codec is known."""
         self._rest = b""
 
     def data_received(self, data: bytes) -> None:
-        """Take what the client says; before the gateway has said what it is, nothing of it could be understood."""
+        """Process data of the client. Discard it if the gateway's configuration, and so the codec, is not known yet."""
         codec = self._shared.codec
         if codec is None:
             return
@@ -42,7 +42,7 @@ class Client(ClientConnection):
             self._shared.turns.join(self.queue)
 
     def lose_session(self) -> None:
-        """Answer for a reset of the gateway; all waiting requests end but those that need no session."""
+        """Report a reset of the gateway: all waiting requests end, except those that need no session."""
         if self._conversation is not None:
             self._conversation.reset()
         super().lose_session()

@@ -1,13 +1,12 @@
-"""The connection of one client, and the order of its requests and of their answers.
+"""The connection of one client, and the order of its requests and their answers.
 
-Answers leave in the order of the requests, also where those of the gateway
-arrive in another.
+Answers are sent in the order of the requests, even if those of the gateway arrive in another order.
 
-Nothing grows. A client whose requests and their answers would take more than `MOST_UNDER_WAY` bytes, or that does not
-read, is not listened to until that has changed; samples that it does not read are lost to it. A frame that never
-reaches the gateway counts as `COST_HERE` bytes until its answer has been sent, and one that is handed on by itself as
-`COST_ALONE` at least until the gateway has executed it. So a client that floods the server leaves the others their
-turns of the event loop, and few of its requests are before theirs.
+Memory is bounded. If the requests and answers of a client take more than `MOST_UNDER_WAY` bytes, or the client does not
+read, its requests are not read until that has changed; samples that it does not read are dropped. A frame that never
+reaches the gateway counts as `COST_HERE` bytes until its answer has been sent. A request that is passed on alone counts
+as at least `COST_ALONE` bytes until the gateway has executed it. So a client that floods the server leaves the other
+clients their time in the event loop, and few of its requests are ahead of theirs.
 """
 
 from __future__ import annotations
@@ -28,50 +27,50 @@ if TYPE_CHECKING:
     from unity_link.protocol.gateway.session import SessionState
 
 MOST_UNDER_WAY = 65_536
-"""Bytes of requests and answers under way for one client, beyond which it is not listened to."""
+"""Most bytes of requests and answers in flight for one client; with more, its requests are not read."""
 COST_HERE = 4096
-"""Bytes that a frame counts as that is dealt with here: a client has 16 of them in one turn of the event loop."""
+"""Bytes that a frame counts as if the server answers it: a client gets 16 of them in one turn of the event loop."""
 COST_ALONE = 512
-"""Bytes that a request counts as that is not one of many side by side, at least: a client has 128 of them under way."""
+"""Least number of bytes that a single request counts as: a client has 128 of them in flight."""
 MOST_POSTED = MOST_UNDER_WAY * 3 // 4
-"""Bytes that posted writes count as behind which the next one is relayed as a write that is answered."""
+"""Bytes of posted writes in flight, by their costs, after which the next one is sent as a write with an answer."""
 MOST_UNSENT = 65_536
-"""Bytes that wait for the client to read them, beyond which it is slow."""
+"""Bytes that wait for the client to read them; with more, the client counts as slow."""
 
 
 class ClientConnection(asyncio.Protocol):
-    """One connection, without the meaning of what comes over it.
+    """One connection, without the interpretation of its bytes.
 
     Args:
-        shared: the link that it shares with others.
+        shared: the link that the clients share.
     """
 
     def __init__(self, shared: SharedLink) -> None:
         self.queue = ClientQueue()
         self.groups: dict[int, ClientGroup] = {}
-        """Groups that it has set up, by its own numbers."""
+        """Groups that the client has set up, by the client's own numbers."""
         self.mode: int | None = None
-        """The send-immediate mode that it asks for; None before it has said anything that could be understood."""
+        """Send-immediate mode of the client; None before its first frame."""
         self.listening = True
-        """True if there is room for more requests of the client."""
+        """True if there is room for more requests of the client, so that its data is read."""
         self.samples_dropped = 0
-        """Samples that it did not read in time."""
+        """Number of samples that were dropped because the client did not read in time."""
         self._shared = shared
         self._transport: asyncio.Transport | None = None
         self._pending: deque[Relayed | RelayedRows | Said] = deque()
         self._asked = 0
         """Number of requests of the client so far."""
         self._last_posted = 0
-        """Place of the last posted write among all that the client has asked for."""
+        """Number, in the order of the client's requests, of the last posted write."""
         self._last_answered = 0
-        """Place of the last request that was answered: all before it was executed, posted writes too."""
+        """Number of the last answered request: all earlier ones were executed, including posted writes."""
         self._last_told = 0
-        """Place of the last request of which the client was sent an answer."""
+        """Number of the last request whose answer was sent to the client."""
         self._under_way = 0
         self._spent_here = 0
-        """Bytes of `_under_way` for frames that were dealt with here since the last flush."""
+        """Bytes of `_under_way` for frames that the server has answered since the last flush."""
         self._posted = 0
-        """Bytes of `_under_way` for posted writes behind which nothing was handed on that is answered by itself."""
+        """Bytes of `_under_way` for posted writes after the last request with an answer of its own."""
         self._out: list[bytes] = []
         self._flushing = False
         self._slow = False
@@ -81,36 +80,36 @@ class ClientConnection(asyncio.Protocol):
     # Called by the transport
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
-        """Join those who share the link."""
-        # No check by class: the transports of uvloop are of none of asyncio's.
+        """Add the client to those of the link."""
+        # Do not check the class: transports of uvloop are no subclasses of asyncio's.
         self._transport = cast("asyncio.Transport", transport)
         self._transport.set_write_buffer_limits(high=MOST_UNSENT)
         self._shared.join(self)
 
     def pause_writing(self) -> None:
-        """Record that the client does not read."""
+        """Note that the client does not read."""
         self._slow = True
         self._listen()
 
     def resume_writing(self) -> None:
-        """Record that it does again."""
+        """Note that the client reads again."""
         self._slow = False
         self._listen()
 
     def eof_received(self) -> bool:
-        """Record that the client has said all, as a pipe into a socket does: what it asked is still answered."""
+        """Note that the client sends no more, as at the end of a pipe into it. Its requests are still answered."""
         self._said_all = True
         self._wake()
         return True
 
-    def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002  (why it has gone changes nothing)
-        """Leave: nothing of it is sent any more, and what it has set up ends."""
+    def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002  (the reason changes nothing)
+        """Remove the client: none of its requests is sent any more, and its groups and leases end."""
         self._transport = None
         dropped = self._shared.turns.leave(self.queue)
         for entry in self._pending:
             if isinstance(entry, Relayed):
                 entry.sent = False
-                # A request that names a group is waited for: the group must not change hands before it is over.
+                # A request that names a group is still waited for: its slot must not get another holder before that.
                 entry.given_up = entry.after is None
             elif isinstance(entry, RelayedRows):
                 entry.given_up = True
@@ -127,7 +126,7 @@ class ClientConnection(asyncio.Protocol):
             self._transport.abort()
 
     def _listen(self) -> None:
-        """Listen to the client, or not, as far as there is room for what it will say."""
+        """Resume or pause reading from the client, by free queue space."""
         listening = not self._slow and not self._held and self.room > 0
         if listening == self.listening or self._transport is None:
             return
@@ -139,23 +138,23 @@ class ClientConnection(asyncio.Protocol):
             self._transport.pause_reading()
 
     def _read(self) -> None:
-        """Take what has come while there was no room for it."""
+        """Process data that arrived while there was no room for its requests."""
 
-    # Called by the conversation
+    # Called by the client protocol
 
     @property
     def room(self) -> int:
-        """Bytes of requests and answers that may still be under way."""
+        """Number of bytes of requests and answers that may still be in flight."""
         return MOST_UNDER_WAY - self._under_way
 
     @property
     def posts_unconfirmed(self) -> bool:
-        """Return whether posted writes are not yet known to be executed."""
+        """Return whether posted writes are not known to be executed yet."""
         return self._last_posted > self._last_answered
 
     @property
     def must_confirm(self) -> bool:
-        """Return whether so many posted writes are under way that the next one is to be answered."""
+        """Return whether so many posted writes are in flight that the next one must have an answer."""
         return self._posted >= MOST_POSTED
 
     @property
@@ -164,24 +163,24 @@ class ClientConnection(asyncio.Protocol):
         return self._transport is None
 
     def hold(self) -> None:
-        """Look at none of its further requests until `go_on`."""
+        """Process no further requests of the client until `go_on`."""
         self._held = True
         self._listen()
 
     def go_on(self) -> None:
-        """Look at its requests again."""
+        """Process the client's requests again."""
         self._held = False
         self._listen()
 
     def follow_others(self) -> None:
-        """Order all that this client asks for behind the writes that are here, which may be its own.
+        """Order all requests of this client after the writes of other clients that are already here.
 
-        Its former connection may be cut without anything having told so yet.
+        Such a write may be this client's own, from an earlier connection whose loss was not noticed yet.
         """
         self._shared.turns.follow(self.queue, (other.queue for other in self._shared.clients if other is not self))
 
     def hand_on(self, relayed: Relayed, state: SessionState) -> None:
-        """Put a request of a session into the line; where it has an ID, it is awaited there until it is answered."""
+        """Queue a request of a session. The ID, if any, is marked as awaited until the answer is sent."""
         relayed.state = state
         room = max(relayed.cost, COST_ALONE)
         self._under_way += room
@@ -190,7 +189,7 @@ class ClientConnection(asyncio.Protocol):
             self._last_posted = relayed.order
             self._posted += room
         else:
-            # Its answer says that those before it were executed.
+            # The answer confirms that the posted writes before it were executed.
             relayed.room = room + self._posted
             self._posted = 0
             if relayed.number is not None:
@@ -204,7 +203,7 @@ class ClientConnection(asyncio.Protocol):
             self._listen()
 
     def hand_on_rows(self, rows: RelayedRows, state: SessionState) -> None:
-        """Put many requests of a session into the line."""
+        """Queue many requests of a session."""
         self._under_way += rows.cost * rows.count
         rows.room, self._posted = self._posted, 0
         self._asked = rows.order = self._asked + 1
@@ -216,7 +215,7 @@ class ClientConnection(asyncio.Protocol):
             self._listen()
 
     def spend_here(self) -> None:
-        """Count a frame that does not reach the gateway."""
+        """Count the cost of a frame that does not reach the gateway."""
         self._under_way += COST_HERE
         self._spent_here += COST_HERE
         self._wake()
@@ -224,7 +223,7 @@ class ClientConnection(asyncio.Protocol):
             self._listen()
 
     def say(self, frame: bytes) -> None:
-        """Answer without the gateway, behind what is under way."""
+        """Send an answer of the server's own, after the answers to earlier requests."""
         if self._pending:
             self._asked += 1
             self._pending.append(Said(frame, self._asked))
@@ -233,26 +232,26 @@ class ClientConnection(asyncio.Protocol):
             self.write(frame)
 
     def sample(self, frame: bytes) -> None:
-        """Send a sample, if the client reads."""
+        """Send a sample, unless the client is slow."""
         if self._slow:
             self.samples_dropped += 1
         else:
             self.write(frame)
 
     def refuse_all(self) -> None:
-        """Answer every waiting request with an error, since the gateway is away; none will be executed any more."""
+        """Answer all waiting requests with an error, because the gateway is away. None of them is executed later."""
         self._refuse([*self._pending, *self._shared.turns.leave(self.queue)], ErrorCode.BUS_TIMEOUT)
 
     def lose_session(self) -> None:
-        """Answer for a reset of the gateway; all waiting requests end but those that need no session."""
+        """Report a reset of the gateway: all waiting requests end, except those that need no session."""
         dropped = self._shared.turns.leave(self.queue)
         self._refuse([entry for entry in (*self._pending, *dropped) if not entry.of_no_session], ErrorCode.NO_SESSION)
         self.queue.requests.extend(entry for entry in dropped if entry.of_no_session)
         self._shared.turns.join(self.queue)
 
     def _refuse(self, entries: Iterable[Relayed | RelayedRows | Said], unsent: ErrorCode) -> None:
-        """End requests; those with an ID that were not sent by an error of their own."""
-        # Posted writes are in the queue alone, and have their errors told before what was asked behind them.
+        """End requests. Those with an ID that were not sent end with the error `unsent`."""
+        # Posted writes are only in the queue; their errors must be reported before those of later requests.
         for entry in sorted(entries, key=lambda entry: entry.order):
             if isinstance(entry, RelayedRows) or (isinstance(entry, Relayed) and entry.reply is None):
                 entry.refuse(unsent)
@@ -260,7 +259,7 @@ class ClientConnection(asyncio.Protocol):
     # Answers
 
     def answer(self, request: Relayed, body: bytes) -> None:
-        """Take the answer to a request that was handed on."""
+        """Process the gateway's answer to a request that was passed on."""
         if request.reply is not None:
             return
         assert self._shared.codec is not None
@@ -278,9 +277,10 @@ class ClientConnection(asyncio.Protocol):
             self._answer_on()
 
     def _answer_posted(self, frame: bytes, order: int) -> None:
-        """Send the error of a posted write behind the answers to what was asked before it, and before all others.
+        """Send the error of a posted write after the answers to earlier requests, and before those to later ones.
 
-        Where one of those was sent before, the error comes too late: the count in the answer to an ``h`` tells of it.
+        If an answer to a later request was sent already, the error is not sent: the count in the answer to an ``h``
+        includes it.
         """
         if not frame or order < self._last_told:
             return
@@ -293,13 +293,13 @@ class ClientConnection(asyncio.Protocol):
             self._under_way += len(frame)
 
     def answer_rows(self, rows: RelayedRows) -> None:
-        """Record answers to many requests."""
+        """Process answers to many requests."""
         self._last_answered = max(self._last_answered, rows.order)
         if self._pending and self._pending[0] is rows:
             self._answer_on()
 
     def _answer_on(self) -> None:
-        """Send what is the next in the order, as far as it is there."""
+        """Send the answers that are next in the order, as far as they have arrived."""
         pending = self._pending
         while pending:
             entry = pending[0]
@@ -330,12 +330,12 @@ class ClientConnection(asyncio.Protocol):
             _mark(first, count, awaited, 0)
             self.write(frames)
 
-    def posted(self, request: Relayed) -> None:  # noqa: ARG002  (its room is that of what is answered behind it)
-        """Record that a posted write is on its way: unless it fails, nothing more is heard of it."""
+    def posted(self, request: Relayed) -> None:  # noqa: ARG002  (its bytes are freed with the next answer)
+        """Note that a posted write was sent. The gateway only answers it if it fails."""
         self._wake()
 
     def _over(self, request: Relayed) -> None:
-        """Forget a request that is answered or dropped."""
+        """Free the bytes of a request that was answered or dropped, and call its `after`."""
         self._under_way -= request.room
         if request.sent and not request.posted:
             self._shared.turns.arrived(self.queue, request.cost)
@@ -344,7 +344,7 @@ class ClientConnection(asyncio.Protocol):
             after(request.executed)
 
     def write(self, frame: bytes) -> None:
-        """Send together with all else that is sent in this turn of the event loop."""
+        """Send a frame together with all others of this turn of the event loop."""
         self._out.append(frame)
         self._wake()
 
@@ -354,7 +354,7 @@ class ClientConnection(asyncio.Protocol):
             self._shared.loop.call_soon(self._flush)
 
     def _flush(self) -> None:
-        """Send, and listen again where that has made room."""
+        """Send all frames, and read from the client again if there is room now."""
         self._flushing = False
         data = b"".join(self._out)
         self._out.clear()
@@ -368,12 +368,12 @@ class ClientConnection(asyncio.Protocol):
 
 
 def _seed(request: Relayed, body: bytes) -> int:
-    """Return the seed of the answer to a request, which has that of its session if it has an ID."""
+    """Return the CRC seed of an answer: that of the session, if the answer has an ID; otherwise 0."""
     return 0 if request.state is None or not body[:1].islower() else request.state.seeds[1]
 
 
 def _mark(first: int, count: int, awaited: bytearray, value: int) -> None:
-    """Note of consecutive IDs whether they are under way."""
+    """Mark consecutive IDs as awaited (1) or not (0), with wrap-around."""
     before_wrap = min(count, len(awaited) - first)
     awaited[first : first + before_wrap] = bytes([value]) * before_wrap
     awaited[: count - before_wrap] = bytes([value]) * (count - before_wrap)

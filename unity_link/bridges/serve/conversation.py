@@ -1,9 +1,9 @@
-"""The requests of one client, decoded: frames, sequence, groups, send-immediate.
+"""The client protocol: decodes the requests of one client: frames, sequence numbers, groups, send-immediate.
 
 To its client, a `Conversation` is a gateway that has just been reset. It keeps a session as every gateway does
-(`unity_link.protocol.gateway.session`), hands on what is the next to be executed, and answers everything else itself.
-Reads and writes of single words are most of the traffic: those that stand side by side are checked and handed on
-together, and a lone one takes a short way that does what the long one would, or gives up before anything changes.
+(`unity_link.protocol.gateway.session`), passes on the next requests to be executed, and answers all others itself.
+Most traffic is reads and writes of single words. Adjacent ones are checked and passed on together. A single one takes a
+shorter path in the code, with the same effect as the general path, or with none before it leaves the request to that.
 """
 
 from __future__ import annotations
@@ -31,10 +31,10 @@ if TYPE_CHECKING:
     from unity_link.bridges.serve.shared import SharedLink
 
 FEWEST_ROWS = 8
-"""Requests side by side that are worth a turn of numpy."""
+"""Least number of adjacent requests that are processed together with numpy."""
 ADAPTIVE = 2
 _DONE_HERE = frozenset({"Q", "K", "GS", "GN", "GX", "GP", "I"})
-"""Commands about what only the client sees: the gateway hears of them only where a group of its own changes."""
+"""Commands that the server answers: they concern only the client, or change groups of the gateway indirectly."""
 _HEX = b"0123456789ABCDEF"
 _IS_HEX = np.zeros(256, np.bool_)
 _IS_HEX[list(_HEX)] = True
@@ -45,9 +45,9 @@ class Conversation:
     """The session of one client.
 
     Args:
-        client: sends the requests, and is answered.
-        shared: the link that it shares with others.
-        codec: the messages of the client.
+        client: connection of the client.
+        shared: the link that the clients share.
+        codec: codec of the client's messages.
     """
 
     def __init__(self, client: ClientConnection, shared: SharedLink, codec: Codec) -> None:
@@ -57,7 +57,7 @@ class Conversation:
         self._shared = shared
         self._codec = codec
         self._takes_turns = Feature.HALF_DUPLEX in shared.gateway.features
-        """True if the gateway's medium lets only one side send at a time."""
+        """True if only one side may send at a time on the gateway's medium."""
         self._session = GatewaySession(codec)
         self._sequence = self._session.sequence
         self._prepare_short_way(codec)
@@ -65,11 +65,11 @@ class Conversation:
     # Frames
 
     def read(self, data: bytes) -> bytes:
-        """Take all whole frames, or as many as the client may have under way; return what is left."""
+        """Process all complete frames, or as many as the client may have in flight; return the remaining bytes."""
         start, batched, typed = 0, True, b"\r" in data
         while self._client.listening:
             if batched:
-                # Looked for at the start of a read and behind what interrupts a batch, not at each line.
+                # Look for adjacent requests at the start of a read and after an interruption, not at each line.
                 before, start = start, self._take_rows(data, start)
                 batched = start != before
                 continue
@@ -84,11 +84,11 @@ class Conversation:
                 self._take(line, plain=plain)
                 batched = not plain
         rest = data[start:]
-        # Of a frame that is too long, enough is kept to know it by.
+        # Keep only as much of a frame that is too long as is needed to detect it.
         return rest[: self._session.most_kept] if self._client.listening else rest
 
     def _take(self, line: bytes, *, plain: bool) -> None:
-        """Take one frame."""
+        """Process one frame."""
         if not line:
             self._client.spend_here()
             return
@@ -99,7 +99,7 @@ class Conversation:
         if not isinstance(taken, DecodedRequest) or taken.command in _DONE_HERE:
             self._client.spend_here()
         if taken is UNDER_WAY:
-            # Its answer will come, for nothing is lost between the client and here; till then, a sign of life.
+            # The answer will follow, because no bytes are lost between client and server: send a sign of life.
             self._client.write(LF)
         elif not isinstance(taken, Answer):
             self._execute(taken, plain=plain)
@@ -107,7 +107,7 @@ class Conversation:
             self._say(taken.body, taken.number, plain=plain)
 
     def reset(self) -> None:
-        """End the session, and forget the groups: the gateway was reset."""
+        """End the session and delete the groups, because the gateway was reset."""
         self._session.reset()
         for group in self._groups.values():
             self._shared.slots.forget(group)
@@ -117,10 +117,10 @@ class Conversation:
     # Requests
 
     def _execute(self, request: DecodedRequest, *, plain: bool) -> None:
-        """Hand a request on, or do it where it is about what only this client sees."""
+        """Pass a request on, or execute it here if it concerns only this client."""
         command, values = request.command, request.values
         if command == "Q":
-            # A client that asks while the gateway is away asks again; an answer would promise too much.
+            # While the gateway is away, do not answer: the client asks again, and an answer would claim a gateway.
             if not self._shared.away:
                 self._say(b"Q" + self._codec.info.to_hex(), plain=plain)
         elif command == "K":
@@ -146,7 +146,7 @@ class Conversation:
             return
         for group in self._groups.values():
             if group.slot is not None:
-                # Also where it does not run: behind the answer to this, none of its samples may come.
+                # Stop the group even if it does not run: none of its samples may follow the answer to this request.
                 self._relay_silently("GX", group.slot)
         self._choose_mode(ADAPTIVE)
         self._say(self._codec.response(request, self._session.ended), plain=plain)
@@ -164,8 +164,8 @@ class Conversation:
         codec, command = self._codec, request.command
         head = codec.response(request)
         if command == "WS" and (self._takes_turns or self._client.must_confirm or after is not None):
-            # The gateway answers, so that the next request cannot meet an error of this one, or that it is known how
-            # many posted writes are under way; the client hears errors.
+            # Ask the gateway for an answer: on a half-duplex line its error could collide with the next request; or the
+            # number of posted writes in flight must be known. The client only receives errors.
             command, head, digits = "W", b"", 0
         relayed = Relayed(self._shared.to_gateway, command, fields, digits, self._client, head, request.id, plain=plain)
         if command != request.command:
@@ -177,7 +177,7 @@ class Conversation:
         self._client.hand_on(relayed, self._session.state)
 
     def _relay_silently(self, command: str, slot: Slot, settings: GroupSettings | None = None) -> None:
-        """Relay a setting of a slot that the client did not ask for; its next requests are answered behind it."""
+        """Change a slot without a request of the client; its next requests are answered after this change."""
         fields = slot.text + (b"" if settings is None else settings.fields)
         relayed = Relayed(self._shared.to_gateway, command, fields, 0, self._client, b"")
         relayed.silent = True
@@ -188,7 +188,7 @@ class Conversation:
     # Leases
 
     def _concerns_lease(self, leases: Leases, request: DecodedRequest, *, plain: bool) -> bool:
-        """Refuse what another client's lease keeps for that one, and settle whose an arm is; False for all else."""
+        """Refuse a request that needs another client's lease, and process an arm; return False for all others."""
         client, codec = self._client, self._codec
         if leases.refuses(client, request, codec.highest_address):
             self._refuse(request, ErrorCode.BUS_ERROR, plain=plain)
@@ -201,7 +201,7 @@ class Conversation:
 
         def relay(over: Callable[[bool], None]) -> None:
             if self._session.state is not state:
-                # The gateway was reset, and the client's session with it: a repetition is answered by error 0A.
+                # The gateway was reset, and so was the client's session: a repetition is answered with error 0A.
                 over(False)  # noqa: FBT003  (it has no name)
                 return
             fields, digits = codec.fields(request.command, *request.values), answer_digits(codec, request.command, 1)
@@ -217,7 +217,7 @@ class Conversation:
         self._shared.settle_arm(leases.arm(lease, ArmRequest(client, finishes, relay, refuse)))
         return True
 
-    # The short way for single words
+    # The short path for single words
 
     def _prepare_short_way(self, codec: Codec) -> None:
         info = codec.info
@@ -230,7 +230,7 @@ class Conversation:
         self._id_number = codec.id_number
 
     def _take_rows(self, data: bytes, start: int) -> int:
-        """Hand on the reads or writes of one word that stand side by side; return where they end."""
+        """Pass on adjacent reads or writes of one word; return the position after them."""
         letter = data[start : start + 1]
         if letter == b"r":
             command, size = "R", self._read_size + 1
@@ -265,7 +265,7 @@ class Conversation:
         return start + count * size
 
     def _relay_quickly(self, line: bytes) -> bool:
-        """Hand on `r`, `w` or `ws` with the expected ID in the usual spelling, or leave it to the long way."""
+        """Pass on `r`, `w` or `ws` with the expected ID in the usual spelling; return False for the general path."""
         size = len(line)
         digits: int | None = self._data_digits
         if size == self._read_size and line[0] == _R:
@@ -309,7 +309,7 @@ class Conversation:
 
     def _set_up_group(self, request: DecodedRequest, *, plain: bool) -> None:
         number, flags, divisor, _, addresses = request.values
-        # The gateway's own: of its medium the client sees nothing, but what it publishes depends on it.
+        # Use the gateway's own configuration: its medium, which the client does not see, affects what it can publish.
         for_program = self._session.state.for_program
         if not group_fits(self._shared.gateway, number, flags, divisor, addresses, for_program=for_program):
             self._refuse(request, plain=plain)
@@ -331,7 +331,7 @@ class Conversation:
             return
         slot, group.seed = group.slot, self._session.state.seeds[1]
         if self._shared.away and command != "GX":
-            # Nothing is to begin by itself when the gateway is back.
+            # No group may begin by itself when the gateway is back.
             self._refuse(request, ErrorCode.BUS_TIMEOUT, plain=plain)
             return
         if slot is None and command == "GX":
@@ -366,10 +366,10 @@ class Conversation:
         self._say(self._codec.error(error, request.id), request.id, plain=plain)
 
     def _say(self, body: bytes, number: int | None = None, *, plain: bool) -> None:
-        """Answer a request without the gateway, behind what is under way.
+        """Answer a request in place of the gateway, after the answers to earlier requests.
 
-        In a session, an answer with an ID says that all before it was executed. So where that is not known of posted
-        writes, it waits for an ``h`` that the gateway answers behind them.
+        In a session, an answer with an ID confirms that all earlier requests were executed. If posted writes are not
+        confirmed yet, the answer waits for an ``h`` that the gateway answers after them.
         """
         framing = self._codec.framing
         if self._session.begun and self._client.posts_unconfirmed and body[:1].islower():

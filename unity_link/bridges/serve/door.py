@@ -1,11 +1,11 @@
-"""The door: who may come in, and how many.
+"""The listener: it checks the tokens of connections, and limits their number.
 
-Where a token is wanted, the first line of a connection is `TOKEN_LINE` and the token (protocol, "Shared links"). Until
-it was right nothing else is looked at, and nothing is said; who takes longer than `HURRY` seconds, or says anything
-else, is hung up on.
+If a token is required, the first line of a connection must be `TOKEN_LINE` and the token (protocol, "Shared links").
+Until the token has arrived, the server processes and sends no other data. A connection that takes longer than `HURRY`
+seconds, or sends anything else, is closed.
 
-Connections without the token take no place of a client's. There are `MOST_STRANGERS` of them at most: one more, and the
-oldest is hung up on.
+Unauthenticated clients do not count as clients. There are at most `MOST_STRANGERS` of them: if one more connects, the
+oldest is disconnected.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from unity_link.bridges.serve.shared import SharedLink
 
 HURRY = 5.0
-"""Seconds within which the token must have come."""
+"""Seconds within which the token must arrive."""
 KEEP_ALIVE = {
     "TCP_KEEPIDLE": 30,
     "TCP_KEEPALIVE": 30,
@@ -30,19 +30,20 @@ KEEP_ALIVE = {
     "TCP_KEEPCNT": 3,
     "TCP_USER_TIMEOUT": 45_000,
 }
-"""Socket options by which the system notices, after 45 s of silence, that a client's machine is gone.
+"""Socket options with which the system detects, after 45 s of silence, that a client's machine is gone.
 
-After 30 s of silence it asks, every 5 s, three times; what was sent and is not confirmed in 45 s ends the connection,
-too (RFC 5482). TCP_KEEPALIVE is what macOS calls TCP_KEEPIDLE. An option that a system does not have is left out.
+After 30 s of silence the system sends three probes, one every 5 s. Sent data that is not acknowledged within 45 s also
+ends the connection (RFC 5482). macOS calls TCP_KEEPIDLE TCP_KEEPALIVE. Options that a system does not have are left
+out.
 """
 MOST_CLIENTS = 256
 MOST_STRANGERS = 512
-"""More than the system accepts before what the first of them has said is read, so that no token comes too late."""
+"""More than the backlog of the system, so that a valid token is not dropped before it is read."""
 LONGEST_TOKEN = 256
 
 
 def enable_keep_alive(connection: socket.socket) -> None:
-    """Enable TCP keep-alive, so that the groups of a client whose machine has gone without a word are freed."""
+    """Enable TCP keep-alive, so that the groups of a client are freed if its machine disappears."""
     connection.setsockopt(socket.SOL_SOCKET, socket.SO_KEEPALIVE, 1)
     for name, value in KEEP_ALIVE.items():
         if hasattr(socket, name):
@@ -50,11 +51,11 @@ def enable_keep_alive(connection: socket.socket) -> None:
 
 
 class Door(asyncio.Protocol):
-    """A connection that has not been let in yet.
+    """A connection of an unauthenticated client.
 
     Args:
-        shared: the link that it leads to.
-        token: what lets in; None: everyone may.
+        shared: link that the client will share.
+        token: token that the client must send; None if no token is required.
     """
 
     def __init__(self, shared: SharedLink, token: str | None) -> None:
@@ -65,8 +66,8 @@ class Door(asyncio.Protocol):
         self._timer: asyncio.TimerHandle | None = None
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
-        """Let in, or wait for the token."""
-        # No check by class: the transports of uvloop are of none of asyncio's.
+        """Accept the client, or wait for its token."""
+        # Do not check the class: transports of uvloop are no subclasses of asyncio's.
         self._transport = cast("asyncio.Transport", transport)
         connection = transport.get_extra_info("socket")
         if connection is not None and connection.family != socket.AF_UNIX:
@@ -83,7 +84,7 @@ class Door(asyncio.Protocol):
         self._timer = self._shared.loop.call_later(HURRY, self.hang_up)
 
     def data_received(self, data: bytes) -> None:
-        """Compare the first line with what lets in."""
+        """Compare the first line with the token."""
         self._said += data
         line, end, rest = self._said.partition(b"\n")
         if end and self._token is not None and hmac.compare_digest(line.rstrip(b"\r"), TOKEN_LINE + self._token):
@@ -93,7 +94,7 @@ class Door(asyncio.Protocol):
             self.hang_up()
 
     def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002
-        """Forget the stranger."""
+        """Remove the unauthenticated client."""
         self._leave()
 
     def hang_up(self) -> None:
@@ -108,7 +109,7 @@ class Door(asyncio.Protocol):
             self._timer = None
 
     def _let_in(self, rest: bytes = b"") -> None:
-        """Make a client of the connection, or hang up where there are too many."""
+        """Make a client of the connection, or close it if there are too many clients."""
         if len(self._shared.clients) >= MOST_CLIENTS:
             self._transport.abort()
             return

@@ -1,17 +1,17 @@
-"""The groups of all clients, on the groups of the one gateway.
+"""The groups of all clients, mapped to the groups of the one gateway.
 
-Every client has all group numbers to itself. A `ClientGroup` is what one client has set up; it keeps the settings here,
-and holds a group of the gateway, a `Slot`, from when it is started or published first. A slot whose group has stopped
-stays with it until another needs it. So a client may set up as many groups as it likes, and only those that run at the
-same time have to fit into the gateway.
+Each client can use all group numbers. A `ClientGroup` has the settings of one group of one client. It gets a group of
+the gateway, a `Slot`, when it is first started or published. After the group has stopped, it keeps the slot until
+another group needs it. So a client may set up any number of groups, and only those that run at the same time must fit
+into the gateway.
 
-A slot changes hands only when no request names it and it does not publish. Its samples go to a group from the answer to
-the group's `GS` on, behind which a gateway sends no sample of what the slot was before, and to none from the moment at
-which the group gives it up.
+A slot gets another holder only if no request names it and it does not publish. Samples of a slot belong to a group from
+the answer to the group's `GS` on, because after this answer a gateway sends no samples of earlier settings. As soon as
+the group gives up the slot, its samples are dropped.
 
-The sequence number that a client sees is the gateway's plus an offset: the gateway's begins anew when a slot changes
-hands or the gateway was lost, the client's goes on. Samples that the client does not take are not sent, and their
-numbers are missing, as if the gateway had found no room for them.
+The sequence number that a client sees is the gateway's plus an offset: the gateway's begins again when a slot gets
+another holder or the gateway was lost, the client's continues. Samples that the client does not read are not sent.
+Their numbers are missing, as if the gateway had had no room for them.
 """
 
 from __future__ import annotations
@@ -35,13 +35,13 @@ class Taker(Protocol):
     """A consumer of samples."""
 
     def sample(self, frame: bytes) -> None:
-        """Take the frame of a publish."""
+        """Send the frame of a sample."""
 
 
 class GroupSettings:
-    """A client's settings of a group, and the form of the group's samples under them.
+    """A client's settings of a group, and the form of its samples.
 
-    The gateway publishes checked frames in any case; a plain one would reach the server without protection.
+    The gateway always publishes checked frames: a plain one would reach the server without a CRC.
     """
 
     __slots__ = ("_framing", "_is_plain", "fields", "has_trigger", "seconds_each", "size")
@@ -49,35 +49,35 @@ class GroupSettings:
     def __init__(self, codec: Codec, flags: int, divisor: int, addresses: list[int]) -> None:
         layout = codec.fields("GS", 0, flags & ~GroupFlag.PLAIN, divisor, len(addresses), addresses)
         self.fields = layout[2:]
-        """Fields of `GS` behind the number, as the gateway gets them."""
+        """Fields of `GS` after the number, as they are sent to the gateway."""
         self._is_plain = bool(flags & GroupFlag.PLAIN)
         self._framing = codec.framing
         self.has_trigger = bool(flags & GroupFlag.TRIGGER)
         stamp = TIMESTAMP_DIGITS if flags & GroupFlag.TIMESTAMP else 0
         self.size = SAMPLE_HEAD + stamp + codec.info.data_digits * len(addresses)
-        """Characters of the body of a sample."""
+        """Length of the body of a sample, in characters."""
         self.seconds_each = divisor / codec.info.base_frequency_hz if flags & GroupFlag.PERIODIC else None
 
     def frame(self, body: bytes, seed: int) -> bytes:
-        """Return the frame of a sample for the client, in whose session it has a seed."""
+        """Return the frame of a sample for the client; `seed` is the CRC seed of the client's session."""
         return self._framing.plain_reply(body) if self._is_plain else self._framing.checked(body, seed)
 
 
 class ClientGroup:
-    """A group as its client has set it up.
+    """A group as one client has set it up.
 
     Args:
-        number: the client's number of it.
+        number: number of the group for the client.
         taker: the client.
-        settings: what it is set up to first.
+        settings: first settings of the group.
     """
 
     def __init__(self, number: int, taker: Taker, settings: GroupSettings) -> None:
         self.number = number
         self.settings = settings
-        """Settings that the client asked for last."""
+        """Latest settings from the client."""
         self.seed = 0
-        """Seed of its samples: that of the session in which it was set up, started or published last."""
+        """CRC seed of its samples: that of the session in which the group was last set up, started or published."""
         self.slot: Slot | None = None
         self._head = b"P%02X" % number
         self._taker = taker
@@ -86,10 +86,10 @@ class ClientGroup:
         self._next = 0
 
     def begin(self, settings: GroupSettings, seconds_missed: float) -> None:
-        """Take the samples of settings that the gateway has just stored, where its sequence stands at 00.
+        """Begin to pass on samples with settings that the gateway has just stored, with its sequence at 00.
 
-        The client's sequence begins anew with new settings; otherwise it goes on, and what was due in the seconds
-        missed was lost.
+        With new settings the client's sequence begins again, too. Otherwise it continues after the samples that were
+        lost in `seconds_missed`.
         """
         if settings is not self._begun:
             self._begun, self._next = settings, 0
@@ -98,7 +98,7 @@ class ClientGroup:
         self._offset = self._next
 
     def receive(self, body: bytes) -> None:
-        """Hand on a publish of the gateway under the client's numbers."""
+        """Pass on a sample of the gateway, with the client's group and sequence numbers."""
         settings = self._begun
         if settings is None or len(body) != settings.size:
             return
@@ -113,8 +113,8 @@ class ClientGroup:
 class Slot:
     """A group of the gateway.
 
-    `settings` and `running` are what the gateway has confirmed: requests on their way change nothing, so what a new
-    session has to set up again is known at any time.
+    `settings` and `running` have the state that the gateway has confirmed. Requests in flight do not change them, so
+    the server always knows the state that it must restore in a new session.
     """
 
     __slots__ = ("busy", "changes", "group", "lost_at", "number", "running", "settings", "stopping", "text")
@@ -123,47 +123,47 @@ class Slot:
         self.number = number
         self.text = b"%02X" % number
         self.group: ClientGroup | None = None
-        """The group that holds it; None also where its client has left and it may still publish."""
+        """Group that holds the slot; None also if its client has left, though the slot may still publish."""
         self.settings: GroupSettings | None = None
-        """Settings that the gateway has stored for the group."""
+        """Settings that the gateway has stored for `group`."""
         self.running = False
-        """True if the gateway publishes it, or did when it was lost."""
+        """True if the gateway publishes the slot, or did so when it was lost."""
         self.lost_at: float | None = None
-        """Instant at which the gateway was lost while this was running; None once it is set up again."""
+        """Instant at which the gateway was lost while it published the slot; None after it was set up again."""
         self.busy = 0
-        """Requests that name it and are not over."""
+        """Number of requests in flight that name the slot."""
         self.changes: deque[Callable[[], None]] = deque()
-        """Changes that requests of the client make once they are known to be executed, in their order."""
+        """Changes to make, in order, when the client's requests are known to be executed."""
         self.stopping = False
-        """True if the server is stopping it on its own account."""
+        """True while the server itself is stopping the slot."""
 
     def idle(self) -> bool:
-        """Return whether it can change hands: nothing is under way, and it does not publish."""
+        """Return whether the slot can get another holder: no request names it, and it does not publish."""
         return not self.busy and not self.stopping and not self.running
 
     def change(self, *, running: bool) -> None:
-        """Note that the gateway publishes it from now on, or does not."""
+        """Note that the gateway publishes the slot from now on, or no longer."""
         self.running, self.lost_at = running, None
 
 
 class Slots:
-    """All groups of the gateway, and the holder of each. The one that was let go longest ago is taken first.
+    """All groups of the gateway, with their holders. The slot that was freed first is taken first.
 
     Args:
-        table: of the link's session, which tells whose a sample is.
-        count: how many groups the gateway has.
+        table: group table of the link's session, which has the receiver of each group's samples.
+        count: number of groups of the gateway.
     """
 
     def __init__(self, table: GroupTable, count: int) -> None:
         self._table = table
         self._free = deque(Slot(number) for number in range(count))
         self.held: list[Slot] = []
-        """Slots that are not free."""
+        """Slots with a holder, and those that are still stopping."""
 
     def take(self, group: ClientGroup) -> Slot | None:
-        """Return a slot to a group, if there is one left that does not publish for another.
+        """Return a slot for a group: a free one, or one whose group does not run; None if there is none.
 
-        A trigger is that of one group of the gateway, so a group that has one gets the slot of its own number.
+        A trigger belongs to one group of the gateway, so a group with a trigger must get the slot of its own number.
         """
         wanted = group.number if group.settings.has_trigger else None
         slot = next((slot for slot in self._free if wanted in (None, slot.number)), None)
@@ -178,21 +178,21 @@ class Slots:
         return slot
 
     def storing(self, slot: Slot) -> Callable[[], None]:
-        """Return what is to be called as soon as the gateway is known to have stored settings for a slot's group.
+        """Return a function to call as soon as the gateway is known to have stored settings for a slot's group.
 
-        From then on its samples are of the new settings: those that come in the same read, too.
+        From then on samples have the new settings, even those in the same read.
         """
         return partial(self._table.deliver, slot.text, slot.group)
 
     def begin(self, slot: Slot, settings: GroupSettings, seconds_missed: float = 0.0) -> None:
-        """Hand the publishes of a slot to its group, for which the gateway has just stored settings."""
+        """Pass the samples of a slot to its group, for which the gateway has just stored settings."""
         assert slot.group is not None
         slot.settings = settings
         slot.group.begin(settings, seconds_missed)
         self._table.deliver(slot.text, slot.group)
 
     def abandon(self, slot: Slot) -> None:
-        """Take a slot from its group; what it publishes from now on is dropped."""
+        """Take a slot from its group; later samples of the slot are dropped."""
         self._table.drop(slot.text)
         slot.settings = None
         slot.change(running=False)
@@ -201,7 +201,7 @@ class Slots:
             slot.group = None
 
     def forget(self, group: ClientGroup) -> None:
-        """Take its slot from a group that the gateway has forgotten; it is free when no request names it any more."""
+        """Take the slot from a group that the gateway no longer has; free the slot when no request names it."""
         slot = group.slot
         if slot is not None:
             self.abandon(slot)
@@ -214,18 +214,18 @@ class Slots:
         self._free.append(slot)
 
     def let_go_idle(self) -> None:
-        """Make all idle slots free: a gateway that was lost may have forgotten what they are set up to."""
+        """Free all idle slots, because a gateway that was lost may have lost their settings."""
         for slot in list(self.held):
             if slot.idle():
                 self.let_go(slot)
 
     def settle(self, slot: Slot) -> None:
-        """Make a slot free as soon as it is idle and there is nothing that a group holds it for."""
+        """Free a slot if it is idle and has no settings."""
         if slot.settings is None and slot.idle() and slot in self.held:
             self.let_go(slot)
 
     def interrupted(self, now: float) -> None:
-        """Note that the gateway was lost, and publishes nothing."""
+        """Note that the gateway was lost at an instant, and does not publish."""
         for slot in self.held:
             if slot.running and slot.lost_at is None:
                 slot.lost_at = now

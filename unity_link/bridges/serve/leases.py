@@ -1,8 +1,8 @@
-"""The leases of the gateway among the clients: what one has armed no other moves, and its lease ends with it.
+"""The leases of the gateway and the clients that hold them. A lease ends with its client.
 
-The server is the gateway's only host, so it knows which client began a lease: arms are executed one at a time, and the
-state is read behind each. Whether a lease still lasts is the gateway's to say: where its owner's has ended, the gateway
-refuses writes of anybody. So nothing is asked of it but when another client wants to arm.
+The server is the gateway's only host, so it knows which client has begun a lease: arms are executed one at a time, and
+the state is read after each. The gateway determines whether a lease still lasts: after the end of the owner's lease it
+refuses the writes of all clients. So the server reads the state only if another client wants to arm.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ if TYPE_CHECKING:
     from unity_link.spec.model import Interface
 
 NOBODY = object()
-"""Owner of a lease that is over for its client, and goes on in the gateway: no client writes what it guards."""
+"""Owner of a lease that has ended for its client but not in the gateway: it bars writes of all clients."""
 PATIENCE = 2.0
 """Seconds that an arm waits for the gateway."""
 _ONE_WORD = frozenset({"W", "WS", "WQ", "WK"})
 
 
 class Tenant(Protocol):
-    """A client, as far as leases know it."""
+    """The attributes of a client that leases use."""
 
     queue: ClientQueue
 
@@ -38,14 +38,14 @@ class Tenant(Protocol):
         """Return whether its connection has ended."""
 
     def hold(self) -> None:
-        """Look at none of its further requests."""
+        """Process no further requests of the client."""
 
     def go_on(self) -> None:
-        """Look at them again."""
+        """Process the client's requests again."""
 
 
 class Host(Protocol):
-    """The link to the gateway, as far as leases know it."""
+    """The methods of the link to the gateway that leases use."""
 
     async def word_at(self, address: int) -> int:
         """Read a word."""
@@ -54,27 +54,27 @@ class Host(Protocol):
         """Write a word."""
 
     async def others_have_written(self, client: Any) -> None:
-        """Wait until the writes of other clients that are here have been sent."""
+        """Wait until the writes of other clients that the server has received are sent."""
 
 
 class ArmRequest(NamedTuple):
-    """A client's request that would arm."""
+    """A client's request to arm a lease."""
 
     client: Tenant
     finishes: bool
-    """True if it wants what is scheduled to go on when it is silent."""
+    """True if scheduled writes continue after the end of the lease."""
     relay: Callable[[Callable[[bool], None]], None]
-    """Hands it on; takes a function that is called when it is over, with whether it was executed."""
+    """Passes the request on. Takes a function that is called with whether the request was executed."""
     refuse: Callable[[ErrorCode], None]
-    """Answers it by an error."""
+    """Answers the request with an error."""
 
 
 class ClientLease:
-    """One lease, and the client that has it.
+    """One lease, and the client that holds it.
 
     Args:
-        interface: with its registers.
-        path: of the lease.
+        interface: interface with the lease.
+        path: path of the lease.
     """
 
     def __init__(self, interface: Interface, path: str) -> None:
@@ -83,18 +83,18 @@ class ClientLease:
         self.disarm = signals[f"{path}.disarm"].address
         self.armed = signals[f"{path}.armed"]
         self.owned = interface.written_under(path)
-        """Addresses that its owner alone writes: the kick, what it guards, and its schedules."""
+        """Addresses that only the owner may write: the kick, the guarded signals, and their schedules."""
         self.owner: object = None
         """Client that began the last lease, which may have ended since; None for no client, or `NOBODY`."""
         self.finishes = False
-        """As its owner's `ArmRequest` has it."""
+        """`ArmRequest.finishes` of the owner's request."""
         self.is_owed = False
-        """True if it is to be disarmed, which the gateway has not been told."""
+        """True if the lease must be disarmed and the gateway has not executed that yet."""
         self._choice = (64 - 1) % signals[f"{path}.arm"].word_bits
         self.lock = asyncio.Lock()
 
     def is_to_finish(self, request: DecodedRequest, highest: int) -> bool:
-        """Return what a request that arms says of silence, by the highest bit of the value."""
+        """Return whether a request that arms lets scheduled writes continue, from the highest bit of its token."""
         return any(address == self.arm[-1] and word >> self._choice & 1 for address, word in _written(request, highest))
 
 
@@ -102,8 +102,8 @@ class Leases:
     """All leases of a gateway.
 
     Args:
-        interface: the map of the gateway.
-        host: the link to it.
+        interface: interface of the gateway.
+        host: link to the gateway.
     """
 
     def __init__(self, interface: Interface, host: Host) -> None:
@@ -113,13 +113,13 @@ class Leases:
         self._closed: dict[object, frozenset[bytes]] = {}
 
     def __bool__(self) -> bool:
-        """Return whether there are any."""
+        """Return whether the gateway has any leases."""
         return bool(self._leases)
 
     # Requests of clients
 
     def closed_to(self, client: Tenant, codec: Codec) -> frozenset[bytes]:
-        """Return the addresses, as hex digits, at which a write of a client is to be looked at before it goes on."""
+        """Return the addresses, in hex digits, at which writes of a client must be checked before they are sent."""
         found = self._closed.get(client)
         if found is None:
             numbers = set[int]()
@@ -129,24 +129,24 @@ class Leases:
         return found
 
     def refuses(self, client: Tenant, request: DecodedRequest, highest: int) -> bool:
-        """Return whether a request is a write to what another client's lease keeps for that one."""
+        """Return whether a request is a write that only another client may make, because it holds the lease."""
         written = {address for address, _ in _written(request, highest)}
         return any(
             lease.owner not in {None, client} and not written.isdisjoint(lease.owned.union(lease.arm))
             for lease in self._leases
-            # An arm as a whole is settled by `arm`.
+            # `arm` decides about a request that arms.
             if lease.arm[-1] not in written
         )
 
     def armed_by(self, request: DecodedRequest, highest: int) -> ClientLease | None:
-        """Return the lease that a request would arm: it writes the last word of that register."""
+        """Return the lease that a request would arm by writing the last word of its register; else None."""
         written = {address for address, _ in _written(request, highest)}
         return next((lease for lease in self._leases if lease.arm[-1] in written), None)
 
     async def arm(self, lease: ClientLease, request: ArmRequest) -> None:
-        """Hand an arm on, unless another client has the lease, and record whose it is then.
+        """Pass an arm on, unless another client holds the lease, and record the new owner.
 
-        The client is held meanwhile: what it asks for behind an arm is looked at when that has been settled.
+        The client is held meanwhile: its requests after an arm are processed when the owner is known.
         """
         client = request.client
         try:
@@ -162,7 +162,7 @@ class Leases:
                     if is_armed:
                         request.refuse(ErrorCode.BUS_ERROR)
                         return
-                # From here on no write of another client is let through, and those that were are executed before it.
+                # From here on no write of another client is passed on, and earlier ones are executed before the arm.
                 self._own(lease, client)
                 lease.finishes = request.finishes
                 await self._host.others_have_written(client)
@@ -171,7 +171,7 @@ class Leases:
                     if not await self._is_armed(lease):
                         self._own(lease, None)
                     elif executed:
-                        # Another session may have begun before it was sent.
+                        # Another session may have begun before the arm was sent, and set the owner to `NOBODY`.
                         self._own(lease, client)
         finally:
             client.go_on()
@@ -192,12 +192,12 @@ class Leases:
         lease.owner = client
         self._closed.clear()
 
-    # Clients and gateways that go
+    # Loss of clients and of the gateway
 
     def left_by(self, client: object) -> list[Coroutine[Any, Any, None]]:
-        """Return what disarms the leases of a client that has gone, but for those that finish what is scheduled.
+        """Return coroutines that disarm the leases of a client that has disconnected, except those that finish.
 
-        Such a one stays its own, so that nobody writes to what it guards, until another client arms.
+        A lease that finishes keeps its owner until another client arms, and so bars writes of all clients.
         """
         self._closed.pop(client, None)
         ending = [lease for lease in self._leases if lease.owner is client and not lease.finishes]
@@ -215,16 +215,16 @@ class Leases:
                 lease.is_owed = False
 
     def take_owed(self) -> list[int]:
-        """Return the addresses at which a gateway that is back is to be told to disarm, once."""
+        """Return the addresses to write to for disarming, when the gateway is back; each lease is returned once."""
         owed = [lease for lease in self._leases if lease.is_owed]
         for lease in owed:
             lease.is_owed = False
         return [lease.disarm for lease in owed]
 
     def interrupted(self) -> None:
-        """End all leases for their clients: the session with the gateway is over.
+        """End all leases for their clients, because the session with the gateway is over.
 
-        The next session begins with their disarming, but for those that finish what is scheduled.
+        The next session begins by disarming them, except those that finish scheduled writes.
         """
         for lease in self._leases:
             if lease.owner is not None:
@@ -232,14 +232,14 @@ class Leases:
                 self._own(lease, NOBODY)
 
     def reset(self) -> None:
-        """Forget all: the gateway was reset, which disarms."""
+        """Forget all owners, because the gateway was reset, which disarms its leases."""
         for lease in self._leases:
             self._own(lease, None)
             lease.is_owed = False
 
 
 def _written(request: DecodedRequest, highest: int) -> Iterator[tuple[int, int]]:
-    """Return the addresses that a request writes to, each with the last word for it."""
+    """Yield the addresses that a request writes to, each with the last word for it."""
     command, values = request.command, request.values
     if command in _ONE_WORD:
         words = values[-1]

@@ -1,7 +1,7 @@
-"""A client's requests on their way to the gateway and back.
+"""A client's requests on their way to the gateway, and the answers.
 
-A `Relayed` is a request in the session of the one link, under the ID that the link's window gives it. It remembers the
-ID and the form that its client used, so that the answer can be put under that ID again.
+A `Relayed` is a request in the session of the shared link, with an ID of that link's window. It stores the ID and the
+form that its client used, so that the answer can be converted back.
 """
 
 from __future__ import annotations
@@ -26,28 +26,28 @@ if TYPE_CHECKING:
     from unity_link.protocol.host.host_codec import HostCodec
 
 FATES = {ErrorCode.BUS_ERROR, ErrorCode.BUS_TIMEOUT, ErrorCode.OUT_OF_RANGE}
-"""Errors of a request that was executed."""
+"""Errors of requests that were executed."""
 
 
 class Asker(Protocol):
     """A receiver of answers."""
 
     def answer(self, request: Relayed, body: bytes) -> None:
-        """Take the body of the answer to a request; nothing, where it has none."""
+        """Process the body of the answer to a request; empty for a request without an answer."""
 
     def posted(self, request: Relayed) -> None:
-        """Record that a posted write is on its way."""
+        """Note that a posted write was sent."""
 
 
 def no_session(to_client: Codec, state: SessionState, number: int, characters: int) -> bytes:
-    """Return the body of error 0A about a request that came whole in a session, of so many characters."""
+    """Return the body of error 0A for a request of `characters` characters that arrived intact in a session."""
     return to_client.no_session(
         number, to_client.framing.crc.of(bytes(characters), state.seeds[0] if characters else 0)
     )
 
 
 def answer_digits(codec: Codec, command: str, count: int) -> int | None:
-    """Return the hex digits behind the ID of the answer to a request of so many words; None where none comes."""
+    """Return the number of hex digits after the ID in the answer to a request of `count` words; None for no answer."""
     if command == "WS":
         return None
     return codec.info.data_digits * {"": 0, "d": 1, "D": count}[COMMANDS[command].reads]
@@ -57,21 +57,21 @@ class RowsAsker(Protocol):
     """A receiver of many answers at a time."""
 
     def answer_rows(self, rows: RelayedRows) -> None:
-        """Record that some of the answers to many requests are there."""
+        """Process answers to many requests, of which some have arrived."""
 
 
 class Relayed(Request):
     """One request of a client.
 
     Args:
-        codec: the messages of the gateway.
-        command: in upper case.
-        fields: hex digits, as the gateway is to see them.
-        digits: hex digits of the answer's data, None where nothing answers.
-        asker: who is answered.
-        head: what the answer has before its data: command, and ID or echo; empty where only errors are answered.
-        number: the client's ID, None where it gave none.
-        plain: whether the request was a plain frame, and so is its answer.
+        codec: codec for the gateway.
+        command: command in upper case.
+        fields: fields in hex digits, as sent to the gateway.
+        digits: number of hex digits of data in the answer; None for a request without an answer.
+        asker: receiver of the answer.
+        head: beginning of the answer, before its data: command, and ID or echo; empty if only errors are answered.
+        number: the client's ID; None without one.
+        plain: whether the request was a plain frame; then the answer is one, too.
     """
 
     __slots__ = (
@@ -115,56 +115,56 @@ class Relayed(Request):
         self.number = number
         self.plain = plain
         self.silent = False
-        """True if the client did not ask for this, and is not answered."""
+        """True for a request that the server makes for a client, without an answer to the client."""
         self.cost = self.size + self.reply_size
-        """Bytes that it takes of the gateway's line."""
+        """Bytes of the request and its answer on the gateway's line."""
         self.room = 0
-        """Bytes of what its client may have under way that are free again when it is over."""
+        """Bytes of the client's limit that are free again when the request is over."""
         self.order = 0
-        """Its place among all that the client has asked for."""
+        """Number of the request in the order of all requests of the client."""
         self.reply: bytes | None = None
-        """The frame for the client, once there is one."""
+        """Frame for the client, after the request was answered."""
         self.state: SessionState | None = None
-        """Session of the client in which it was asked for; None once it is refused as that is over."""
+        """Session of the client in which the request was made; None after a refusal because that session is over."""
         self.stateless = command == "WS"
-        """True of a posted write, also where the gateway is to answer it."""
+        """True for a posted write, even if the gateway answers it."""
         self.repeated = False
-        """True of a read that is repeated: how it ends now changes nothing of how it ended first."""
+        """True for a repeated read: its result does not replace that of the first one."""
         self.characters = len(command) + codec.info.id_digits + len(fields)
-        """Characters of the client's request before its check."""
+        """Characters of the client's request before its CRC."""
         self.executed = False
-        """True if the gateway has executed it, as far as is known without an error."""
+        """True if the gateway is known to have executed the request."""
         self.after: Callable[[bool], None] | None = None
-        """Called when it is over, with `executed`."""
+        """Called with `executed` when the request is over."""
         self.stored: Callable[[], None] | None = None
-        """Called when it was executed, before anything that came behind its answer is looked at."""
+        """Called when the request was executed, before frames after its answer are processed."""
         self._asker = asker
 
     def accept(self, offset: int, body: bytes, position: int, events: Events) -> bool:
-        """Take the response."""
+        """Process the response."""
         accepted = super().accept(offset, body, position, events)
         if accepted and self.stored is not None:
             self.stored()
         return accepted
 
     def decode(self, data: bytes) -> bytes:
-        """Return the data as they stand in the response."""
+        """Return the data digits of the response unchanged."""
         return data
 
     def fail(self, error: UnityLinkError, events: Events) -> None:
-        """End it with an error; so is a posted write that was sent, of which nothing else is heard."""
+        """End the request with an error, also a posted write that was sent and has no answer."""
         if not self.done:
             self.done = True
             self.error = error
             events.append(self)
 
     def settle(self) -> None:
-        """Answer the client with the outcome, in the frames that the protocol has for it."""
+        """Answer the client according to the outcome, in the frames that the protocol has for it."""
         if not self.done:
             self._asker.posted(self)
         elif self.error is None:
             self.executed = True
-            self._asker.answer(self, self.head + self._told())
+            self._asker.answer(self, self.head + self._data())
         else:
             code = _code_of(self.error)
             if code is ErrorCode.NO_SESSION and self.number is None:
@@ -172,11 +172,12 @@ class Relayed(Request):
             self.executed = isinstance(self.error, UnansweredError) and self.error.outcome is Outcome.EXECUTED
             self._asker.answer(self, self._refusal(code))
 
-    def _told(self) -> bytes:
-        """Return what the client's answer has behind its ID or echo, and keep it if it cannot be read again."""
+    def _data(self) -> bytes:
+        """Return the data of the client's answer, and store it in the session if it cannot be read again."""
         answer: bytes = self.answer
         if self.command == "H":
-            # What the gateway counts are posted writes of all clients. Behind any other answer an `h` only makes sure.
+            # The gateway counts failed posted writes of all clients, so use the client's own count. An `h` that the
+            # server has sent for another answer only confirms earlier requests, and has no count.
             counts = self.number is not None and self.head == b"h" + self.codec.id_text[self.number]
             return self.codec.id_text[self.state.failed] if counts and self.state is not None else b""
         if self.number is None or self.state is None:
@@ -186,7 +187,7 @@ class Relayed(Request):
         return answer
 
     def _refusal(self, code: ErrorCode) -> bytes:
-        """Return the body of an error for the client, and note that the request ended so."""
+        """Return the body of an error for the client, and store the error as the outcome of the request."""
         if self.number is None or self.state is None:
             return self.codec.error(code, self.number)
         if code is ErrorCode.NO_SESSION:
@@ -197,10 +198,10 @@ class Relayed(Request):
         return self.codec.error(code, self.number)
 
     def refuse(self, unsent: ErrorCode) -> None:
-        """End it without an answer of the gateway: nothing on the bus answered.
+        """End the request without an answer of the gateway, with the error that nothing on the bus answered.
 
         Args:
-            unsent: the error that is answered where it has an ID and was not sent.
+            unsent: error for a request with an ID that was not sent.
         """
         self.given_up = True
         code = ErrorCode.BUS_TIMEOUT if self.sent or self.number is None else unsent
@@ -208,20 +209,20 @@ class Relayed(Request):
 
     @property
     def of_no_session(self) -> bool:
-        """Return whether it can be executed in any session: it was not sent, has no ID, and names no group."""
+        """Return whether any session can execute the request: it was not sent, has no ID, and names no group."""
         return not self.sent and self.after is None and self.number is None and not self.silent
 
 
 class RelayedRows(WordBatch):
-    """Many requests of one client for single words: a source of runs, and one place in the order of the answers.
+    """Many requests of one client for single words: one source of runs, and one entry in the order of answers.
 
     Args:
-        codec: the messages of the gateway.
-        to_client: the messages of the client.
+        codec: codec for the gateway.
+        to_client: codec for the client.
         command: ``R`` or ``W``.
         fields: hex digits, shape (n, width).
-        asker: who is answered.
-        number: the client's ID of the first.
+        asker: receiver of the answers.
+        number: the client's ID of the first request.
     """
 
     smallest_turn = 64
@@ -234,34 +235,34 @@ class RelayedRows(WordBatch):
         self._to_client = to_client
         self.number = number
         self.cost = self.size + codec.head_sizes[command] + (self.reply_digits or 0)
-        """Bytes that each takes of the gateway's line."""
+        """Bytes of each request and its answer on the gateway's line."""
         self.room = 0
-        """Bytes of posted writes before them that are free again when the first is answered."""
+        """Bytes of earlier posted writes that are free again when the first request is answered."""
         self.order = 0
-        """Its place among all that the client has asked for."""
+        """Number of the entry in the order of all requests of the client."""
         self.state: SessionState
-        """Session of the client in which they were asked for."""
+        """Session of the client in which the requests were made."""
         self.answered = 0
-        """Number of requests answered to the client."""
+        """Number of requests whose answers were sent to the client."""
         self._fields = fields
         self._asker = asker
         self._early: dict[int, tuple[int, bytes]] = {}
 
     def fields(self, start: int, count: int) -> NDArray[np.uint8]:
-        """Return the hex digits of the fields of some requests."""
+        """Return the hex digits of the fields of some requests, shape (count, width)."""
         return self._fields[start : start + count]
 
     def run(self, start: int, count: int) -> RelayedRun:
-        """Return some of the requests."""
+        """Return a run of some of the requests."""
         return RelayedRun(self, start, count)
 
     def take_frames(self, offset: int, count: int, frames: bytes) -> None:
-        """Take the frames that answer some of the requests, and tell the client what is answered in order."""
+        """Store the frames that answer some of the requests, and send the client those that are next in order."""
         self._early.setdefault(offset, (count, frames))
         self._asker.answer_rows(self)
 
     def ready(self) -> tuple[int, int, bytes]:
-        """Return how many more can be answered in order, how many of these were sent, and the frames."""
+        """Return the number of requests that can be answered now, how many of these were sent, and the frames."""
         frames = []
         before = self.answered
         while (part := self._early.pop(self.answered, None)) is not None:
@@ -270,10 +271,10 @@ class RelayedRows(WordBatch):
         return self.answered - before, max(0, min(self.answered, self.sent) - before), b"".join(frames)
 
     def refuse(self, unsent: ErrorCode) -> None:
-        """End all that is not answered: nothing on the bus answered.
+        """End all unanswered requests, with the error that nothing on the bus answered.
 
         Args:
-            unsent: the error that is answered to those that were not sent.
+            unsent: error for requests that were not sent.
         """
         self.given_up = True
         known = {offset + index for offset, (count, _) in self._early.items() for index in range(count)}
@@ -284,7 +285,7 @@ class RelayedRows(WordBatch):
         self._asker.answer_rows(self)
 
     def error_frame(self, offset: int, code: ErrorCode) -> bytes:
-        """Return the frame of an error for the client, and note that the request ended so."""
+        """Return the frame of an error for the client, and store the error as the outcome of the request."""
         number, to_client = self._number(offset), self._to_client
         if code is ErrorCode.NO_SESSION:
             characters = len(self.command) + to_client.info.id_digits + self._fields.shape[1]
@@ -308,12 +309,12 @@ class RelayedRows(WordBatch):
 
 
 class RowsAnswered(Awaited):
-    """Event: some of a client's requests for single words are answered.
+    """Event: some of a client's requests for single words have answers.
 
     Args:
         rows: the requests.
         offset: place of the first of them.
-        size: how many they are.
+        size: number of answered requests.
         frames: answers for the client.
     """
 
@@ -323,17 +324,17 @@ class RowsAnswered(Awaited):
         self._rows, self._offset, self._size, self._frames = rows, offset, size, frames
 
     def settle(self) -> None:
-        """Answer the client, behind the answers of earlier events."""
+        """Answer the client, after the answers of earlier events."""
         self._rows.take_frames(self._offset, self._size, self._frames)
 
 
 class RelayedRun(BatchRun):
-    """Some of the requests, under the IDs that the link's window has given them.
+    """Some of the requests of a `RelayedRows`, with the IDs of the link's window.
 
     Args:
-        rows: all of them.
-        start: the first that is meant.
-        count: how many.
+        rows: all requests.
+        start: place of the first request of the run.
+        count: number of requests in the run.
     """
 
     __slots__ = ("_rows",)
@@ -343,12 +344,12 @@ class RelayedRun(BatchRun):
         self._rows = rows
 
     def _take(self, place: int, data: bytes, events: Events) -> bool:
-        """Hand on the answer to one request."""
+        """Pass on the answer to one request."""
         events.append(RowsAnswered(self._rows, place, 1, self._rows.reply(place, data)))
         return True
 
     def accept_rows(self, offset: int, frames: bytes, events: Events) -> int:
-        """Hand on the answers to requests from `offset` on, as far as the frames are that."""
+        """Pass on the answers to requests from `offset` on, as far as the frames are such; return their number."""
         number, place = self.first + offset & self.codec.id_count - 1, self._start + offset
         codec, digits = self.codec, self._rows.reply_digits or 0
         data = matching_rows(codec, self.command, number, frames, digits, codec.seed_back)
@@ -364,11 +365,11 @@ class RelayedRun(BatchRun):
 
 
 def _code_of(error: UnityLinkError) -> ErrorCode:
-    """Return the error that a client is told.
+    """Return the code with which an error is reported to a client.
 
-    A link that ends may leave open whether a request was executed, or how it ended. The nearest that the protocol has
-    is 05: nothing on the bus answered. What is known not to be executed although it was sent was refused by a gateway
-    that was reset.
+    If a link ends, it may be unknown whether a request was executed, or with what result. The nearest error of the
+    protocol is 05, nothing on the bus answered. A request that was sent and is known not to be executed was refused by
+    a gateway that was reset.
     """
     if isinstance(error, GatewayError):
         return ErrorCode(error.code) if error.code in set(ErrorCode) else ErrorCode.BUS_ERROR
@@ -380,7 +381,7 @@ def _code_of(error: UnityLinkError) -> ErrorCode:
 
 
 class Said:
-    """An answer that needs nothing of the gateway, in line behind those that do."""
+    """An answer of the server's own that waits for the answers to earlier requests."""
 
     __slots__ = ("order", "reply")
     of_no_session = False

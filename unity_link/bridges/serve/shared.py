@@ -1,8 +1,8 @@
-"""The one link, and all who share it.
+"""The shared link and its clients.
 
-While the gateway is away, requests wait `PATIENCE` seconds for it; then they are answered by error 05, and so is every
-further one until it is back. So a short interruption is not seen, a longer one does not end any client, and no write is
-executed long after it was asked for. A reset of the gateway ends the sessions of all clients.
+While the gateway is away, requests wait for it for `PATIENCE` seconds. Then they are answered with error 05, and so are
+later ones until the gateway is back. So clients do not notice a short interruption, a longer one does not disconnect
+them, and no write is executed long after it was requested. A reset of the gateway ends the sessions of all clients.
 """
 
 from __future__ import annotations
@@ -36,37 +36,37 @@ if TYPE_CHECKING:
     from unity_link.transport import DriverUrl, Medium
 
 PATIENCE = 2.0
-"""Seconds that requests wait for a gateway that is away: less than what a host waits in silence."""
+"""Seconds that requests wait for a gateway that is away; less than the time after which a host gives up."""
 PAUSES = Reconnect(longest_pause=2.0)
 _OFF, _ALWAYS, _ADAPTIVE = range(3)
 _MODE_NAMES = ("off", "always", "adaptive")
 
 
 class Sharer(Protocol):
-    """A client, as far as the link has to know it."""
+    """The attributes of a client that the shared link uses."""
 
     queue: ClientQueue
     groups: dict[int, ClientGroup]
     mode: int | None
-    """The send-immediate mode that it asks for; None before it has said anything that could be understood."""
+    """Send-immediate mode of the client; None before its first frame."""
 
     def hang_up(self) -> None:
         """End the connection."""
 
     def refuse_all(self) -> None:
-        """Answer every waiting request with an error."""
+        """Answer all waiting requests with an error."""
 
     def lose_session(self) -> None:
-        """Answer for a reset of the gateway."""
+        """Report a reset of the gateway to the client."""
 
 
 class SharedLink(Connection):
-    """A link whose requests are those of clients.
+    """A link that sends the requests of its clients.
 
     Args:
-        target: the URL of a gateway, or one of this process.
-        report: is told in a sentence when the gateway comes and goes.
-        interface: the map of the gateway; None for the one that it carries, if it carries any.
+        target: URL of the gateway, or a medium in this process.
+        report: called with a sentence when the gateway goes away or comes back.
+        interface: interface of the gateway; None for the description that it carries, if any.
     """
 
     def __init__(
@@ -75,24 +75,24 @@ class SharedLink(Connection):
         super().__init__(target, PAUSES)
         self.loop = asyncio.get_running_loop()
         self.codec: Codec | None = None
-        """The messages towards clients; None before the gateway has said for the first time what it is."""
+        """Codec for the clients; None until the gateway has sent its configuration for the first time."""
         self.away = True
-        """True if requests are refused because the gateway has been away too long."""
+        """True if requests are refused, because the gateway has been away for more than `PATIENCE` seconds."""
         self.turns = Turns(self._flow.submit)
         self.slots: Slots
         self._report = report
         self.leases = self._leases_of(interface)
-        """Leases of the gateway; None where its map is not known, or has none."""
+        """Leases of the gateway; None if its interface is not known or has none."""
         self._has_map = interface is not None
         self.clients: set[Sharer] = set()
         self.strangers: dict[asyncio.Transport, None] = {}
-        """Connections that have not been let in yet, the oldest first."""
+        """Connections of unauthenticated clients, the oldest first."""
         self.ended: asyncio.Future[None] = self.loop.create_future()
-        """Raises when the link has ended for good."""
+        """Future that ends with an error when the link has ended for good."""
         self.tried = asyncio.Event()
-        """True if the first attempt to reach the gateway is over."""
+        """Set when the first attempt to reach the gateway is over."""
         self._mode = _ADAPTIVE
-        """The gateway's send-immediate mode."""
+        """Send-immediate mode of the gateway."""
         self._changing_mode: asyncio.Task[None] | None = None
         self._last_words = ""
         self._patience: asyncio.TimerHandle | None = None
@@ -102,24 +102,24 @@ class SharedLink(Connection):
         if isinstance(event, Sampled):
             event.owner.receive(event.body)
         elif isinstance(event, GroupEvent | PostedFailure):
-            # It holds no groups, which the clients set up, and posts nothing by itself.
+            # The server itself has no groups and posts no writes: clients do.
             pass
         else:
             self._take_change(event)
 
     @property
     def to_gateway(self) -> HostCodec:
-        """The messages towards the gateway, which may be one node of several."""
+        """Codec for the gateway, which may be one of several nodes."""
         return self._session.codec
 
     # Clients
 
     def join(self, client: Sharer) -> None:
-        """Take in a client."""
+        """Add a client."""
         self.clients.add(client)
 
     def leave(self, client: Sharer) -> None:
-        """Let a client go, and free what it has set up."""
+        """Remove a client, and free its groups and leases."""
         self.clients.discard(client)
         if self.leases is not None:
             for disarming in self.leases.left_by(client):
@@ -140,10 +140,10 @@ class SharedLink(Connection):
         return Leases(interface, self) or None
 
     async def _read_leases(self) -> None:
-        """Read the map that the gateway carries, where none was given; another gateway never comes behind it.
+        """Read the description that the gateway carries, if no interface was given. It is read only once.
 
         Raises:
-            LinkLostError: where the session has ended meanwhile.
+            LinkLostError: if the session has ended.
         """
         if not self._has_map and Feature.DESCRIPTION in self.gateway.features:
             try:
@@ -155,44 +155,44 @@ class SharedLink(Connection):
         self._has_map = True
 
     async def post(self, address: int, value: int) -> None:
-        """Write a word of the gateway, as `write_at` does."""
+        """Write a word of the gateway, and wait for the execution, as `write_at` does."""
         await self.write_at(address, value)
 
     async def read_block(self, address: int, count: int) -> list[int]:
-        """Read words of the gateway one by one; nobody else has it meanwhile."""
+        """Read words of the gateway one by one. No client sends requests at this time."""
         return await asyncio.gather(*(self.word_at(address + index) for index in range(count)))
 
     async def word_at(self, address: int) -> int:
-        """Read a word of the gateway; ends with an error where the session does."""
+        """Read a word of the gateway; an error if the session ends."""
         codec = self._session.codec
         request = Request(codec, "R", codec.fields("R", address), codec.data_digits, of_session=True)
         word: int = await self._flow.answer(request)
         return word
 
     async def write_at(self, address: int, word: int) -> None:
-        """Write a word of the gateway; ends with an error where the session does."""
+        """Write a word of the gateway; an error if the session ends."""
         await self._do("W", self._session.codec.fields("W", address, word))
 
     async def others_have_written(self, client: Sharer) -> None:
-        """Wait until the writes of other clients that are here have been sent."""
+        """Wait until the writes of other clients that the server has received are sent."""
         await self.turns.written(other.queue for other in self.clients if other is not client)
 
     def settle_arm(self, arming: Coroutine[Any, Any, None]) -> None:
-        """Settle whose a lease is, while the client that arms is held."""
+        """Run the arming of a lease, during which its client is held."""
         self._run(arming)
 
     # Groups
 
     def naming(self, slot: Slot, command: str, settings: GroupSettings | None = None) -> Callable[[bool], None]:
-        """Keep a slot for its group as long as a request of the client names it.
+        """Reserve a slot for its group while a request of the client names it.
 
         Args:
             slot: the slot.
             command: ``GS``, ``GN``, ``GX`` or ``GP``.
-            settings: those of a ``GS``.
+            settings: settings of a ``GS``.
 
         Returns:
-            What is to be called when the request is over, with whether the gateway has executed it.
+            A function to call when the request is over, with whether the gateway has executed it.
         """
         slot.busy += 1
 
@@ -206,10 +206,10 @@ class SharedLink(Connection):
 
         def over(executed: bool) -> None:  # noqa: FBT001  (its only argument)
             slot.busy -= 1
-            # What was asked for before it was executed before it, also where that is answered later.
+            # Earlier requests of the client were executed before this one, even if their answers arrive later.
             while executed and change in slot.changes:
                 earlier = slot.changes.popleft()
-                # The client may have left meanwhile.
+                # The client may have left in the meantime.
                 if slot.group is not None:
                     earlier()
             if change in slot.changes:
@@ -230,13 +230,13 @@ class SharedLink(Connection):
             self.slots.settle(slot)
 
     def _stop(self, slot: Slot) -> None:
-        """Stop publication of a slot, also where its client could not stop it."""
+        """Stop the publication of a slot, also if its client could not stop it."""
         slot.change(running=False)
         slot.stopping = True
         self._run(self._stop_in_this_session(slot))
 
     async def _stop_in_this_session(self, slot: Slot) -> None:
-        # A new session has stopped all groups.
+        # At the beginning of a new session no group runs.
         if self.connected:
             with contextlib.suppress(UnityLinkError):
                 await self._do("GX", slot.text)
@@ -246,9 +246,9 @@ class SharedLink(Connection):
     # Send-immediate
 
     def settle_mode(self) -> None:
-        """Set the gateway to the send-immediate mode that its clients want.
+        """Set the gateway to the send-immediate mode that its clients need.
 
-        It has one mode for all: whoever wants answers at once gets them.
+        The gateway has one mode for all clients: if any of them wants answers at once, all get them.
         """
         if self._changing_mode is None or self._changing_mode.done():
             self._changing_mode = self._run(self._change_mode())
@@ -258,7 +258,7 @@ class SharedLink(Connection):
             self._mode = mode
             with contextlib.suppress(UnityLinkError):
                 await self._do("I", b"%02X" % mode)
-                # A new session, in which it was executed, may have begun meanwhile.
+                # Set it again: a new session, in which the mode was set, may have begun in the meantime.
                 self._mode = mode
             if self._flow.stream is not None:
                 await self._flow.stream.choose_send_immediate(_MODE_NAMES[mode])
@@ -270,11 +270,11 @@ class SharedLink(Connection):
     # The gateway
 
     async def _do(self, command: str, fields: bytes) -> None:
-        """Submit a request of the server's own."""
+        """Execute a request of the server's own."""
         await self._flow.answer(Request(self._session.codec, command, fields, 0, of_session=True))
 
     def _run(self, errand: Coroutine[Any, Any, None]) -> asyncio.Task[None]:
-        """Do something that no request waits for; a connection that fails it tells so itself."""
+        """Run a task that no request waits for. Errors are ignored: a lost connection is reported anyway."""
         task = self.loop.create_task(errand)
         self._errands.add(task)
         task.add_done_callback(self._forget)
@@ -286,7 +286,7 @@ class SharedLink(Connection):
             task.exception()
 
     def _begin(self, codec: HostCodec) -> None:
-        """Take the description of the gateway for clients, but for what is between it and here."""
+        """Make the configuration for clients from that of the gateway, without features of the gateway's own line."""
         self.tried.set()
         if self.leases is not None:
             self._check_map(self.leases.interface)
@@ -298,7 +298,7 @@ class SharedLink(Connection):
             self.slots = Slots(self._session.groups, codec.info.groups)
 
     def _check_map(self, interface: Interface) -> None:
-        """End for good where the gateway has another map than the spec that was given."""
+        """End the link for good if the gateway has another map than the given interface."""
         try:
             check_gateway(interface, self)
         except UnsupportedError as error:
@@ -307,9 +307,9 @@ class SharedLink(Connection):
                 self.ended.exception()
 
     async def _restore(self) -> None:
-        """Set up groups and mode in a new session; then let requests through.
+        """Set up groups and mode in a new session, and then pass requests on.
 
-        Clients come, leave and ask meanwhile. What they ask for waits, so that it is executed behind all this.
+        Clients may connect, leave and send requests in the meantime; these requests are executed after all this.
         """
         self._mode = _ADAPTIVE
         await self._read_leases()
@@ -327,7 +327,7 @@ class SharedLink(Connection):
         self._say(f"the gateway answers: {self.gateway.data_bits} data bits, {self.gateway.address_bits} address bits")
 
     async def _start_again(self, slot: Slot) -> None:
-        """Set up a slot in a new session as it was in the one before, as far as its client wants it to the end."""
+        """Configure a client's group again in a new session, unless the client has released it."""
         settings = slot.settings
         if settings is None:
             return
@@ -345,10 +345,10 @@ class SharedLink(Connection):
             self.slots.settle(slot)
 
     async def _ask(self, command: str, fields: bytes) -> None:
-        """Execute a request without which the session is of no use.
+        """Execute a request that the session needs.
 
         Raises:
-            LinkLostError: where it was not executed; the session has ended.
+            LinkLostError: if it was not executed; the session has ended.
         """
         try:
             await self._do(command, fields)
@@ -368,9 +368,9 @@ class SharedLink(Connection):
         self._say(f"the gateway is away: {reason}")
 
     def _gateway_was_reset(self, event: Interrupted) -> None:
-        """End the session of every client, and forget their groups.
+        """End the session of each client, and delete its groups.
 
-        What was sent has ended before, or is kept to be sent again, and the next session is not open yet.
+        At this time, requests in flight have ended or wait for their retransmission, and the next session is not open.
         """
         for client in list(self.clients):
             client.lose_session()
@@ -397,13 +397,13 @@ class SharedLink(Connection):
             self.ended.exception()
 
     def _say(self, text: str) -> None:
-        """Report, the same thing once."""
+        """Report a text, unless it is the same as the last one."""
         if text != self._last_words:
             self._last_words = text
             self._report(text)
 
     async def finish(self) -> None:
-        """Hang up on all clients, leave the gateway as it is without them, and end."""
+        """Disconnect all clients, free their groups and leases in the gateway, and close the link."""
         for stranger in list(self.strangers):
             stranger.abort()
         for client in list(self.clients):

@@ -1,16 +1,16 @@
-"""The order of requests: the requests of all clients take turns on the way into the one link's window.
+"""The order of requests: all clients take turns to send into the window of the shared link.
 
-Deficit round robin (Shreedhar and Varghese, 1995) over bytes: at its turn a client may send for a quantum of bytes of
-requests and answers, and what it overdraws is taken off its next turns. So one that moves blocks and one that reads
-words get the same share of the line, and one that has little to ask waits for one turn of each of the others at most.
+The method is deficit round robin (Shreedhar and Varghese, 1995) over bytes: at its turn a client may send a quantum of
+bytes of requests and answers, and bytes beyond that are deducted from its next turns. So a client that moves blocks and
+one that reads words get the same share of the line, and a client with few requests waits for at most one turn of each
+other client.
 
-What is under way can't be overtaken any more. So while several clients are at it, no more is sent than the line was
-seen to carry in `LONGEST_WAIT`, answers included; a quantum is half of that. Long turns are what a quick line needs,
-for many requests of one client cost little more than one; short ones are what a slow line needs, so that no client
-waits long.
+Requests in flight cannot be overtaken. So while several clients send, the bytes in flight are limited to those that the
+line has carried in `LONGEST_WAIT`, answers included; a quantum is half of that. A fast line needs long turns, because
+many requests of one client cost little more than one. A slow line needs short turns, so that no client waits long.
 
-One thing goes before fairness. A client whose connection was cut may be back by a new one while the server still holds
-writes that came by the old one. So a new session begins behind all writes that were received before it.
+One rule precedes fairness. A client whose connection was cut may have opened a new one while the server still has
+writes of the old one. So the requests of a new session follow all writes that the server has received before.
 """
 
 from __future__ import annotations
@@ -30,33 +30,33 @@ if TYPE_CHECKING:
     from unity_link.protocol.host.requests import Message, Source
 
 LONGEST_WAIT = 0.005
-"""Seconds that a request waits behind those that are under way."""
+"""Seconds that a request waits for those in flight."""
 LEAST_AHEAD = 4096
-"""Bytes that may be under way on any line, however slow."""
+"""Bytes that may be in flight on any line, however slow."""
 _SPAN = 0.005
-"""Seconds over which the line is watched."""
+"""Seconds over which the rate of the line is measured."""
 
 
 class ClientQueue:
-    """Requests of one client that are not sent yet."""
+    """Requests of one client that were not sent yet."""
 
     __slots__ = ("ahead", "balance", "followers", "in_line", "requests", "sent", "under_way")
 
     def __init__(self) -> None:
         self.ahead = 0
-        """Other queues that hold writes which go before all that is in this one."""
+        """Number of other queues with writes that must be sent before the requests of this queue."""
         self.followers: list[tuple[int, Callable[[], None]]] = []
-        """Count of `sent` at which each of what waits may go on, and what has it do so."""
+        """For each waiting function: the value of `sent` at which it is called, and the function."""
         self.sent = 0
-        """Number of requests that have left this queue."""
+        """Number of requests that have left the queue."""
         self.under_way = 0
-        """Bytes of requests that were sent and of their answers."""
+        """Bytes of the requests in flight, and of their answers."""
         self.requests: deque[Relayed | RelayedRows] = deque()
         self.balance = LEAST_AHEAD // 2
         self.in_line = False
 
     def last_write(self) -> int:
-        """Return what `sent` will be when no request is left here that changes anything; `sent` where none is."""
+        """Return the value of `sent` after the last write in the queue; the present one if there is no write."""
         place = self.sent + len(self.requests)
         for request in reversed(self.requests):
             if request.command not in REPEATABLE:
@@ -66,7 +66,7 @@ class ClientQueue:
 
 
 def _call_when_written(queues: Iterable[ClientQueue], then: Callable[[], None]) -> int:
-    """Call a function for each queue that holds writes, when these have been sent; return how many do."""
+    """For each queue with writes, call a function when these have been sent; return the number of such queues."""
     count = 0
     for queue in queues:
         place = queue.last_write()
@@ -77,20 +77,20 @@ def _call_when_written(queues: Iterable[ClientQueue], then: Callable[[], None]) 
 
 
 class Pace:
-    """Bytes that may be under way on a line.
+    """Limit on the bytes in flight on a line.
 
-    Where too little is, the line carries less than it could, but carries it quicker than `LONGEST_WAIT`: so more is
-    allowed, and so on until it is as quick as it gets.
+    If the limit is too low, the line carries fewer bytes than it could, but each of them in less than `LONGEST_WAIT`.
+    The rate that is measured then gives a higher limit, until the rate of the line is reached.
     """
 
     def __init__(self) -> None:
         self.most_ahead = LEAST_AHEAD
-        """Bytes."""
+        """The limit, in bytes."""
         self._carried = 0
         self._since = 0.0
 
     def carried(self, size: int, now: float) -> None:
-        """Record so many bytes that have come through."""
+        """Record the bytes of an answer and its request."""
         self._carried += size
         elapsed = now - self._since
         if elapsed >= _SPAN:
@@ -102,7 +102,7 @@ class Turns:
     """All queues, as one source of requests.
 
     Args:
-        submit: has the link's session send what a source has.
+        submit: lets the link's session send the requests of a source.
     """
 
     def __init__(self, submit: Callable[[Source], None]) -> None:
@@ -115,14 +115,14 @@ class Turns:
         self._submitted = False
 
     def join(self, queue: ClientQueue) -> None:
-        """Record that a queue has requests."""
+        """Add a queue to the line if it has requests."""
         if queue.requests and not queue.in_line and not queue.ahead:
             queue.in_line = True
             self._line.append(queue)
         self._submit()
 
     def follow(self, queue: ClientQueue, others: Iterable[ClientQueue]) -> None:
-        """Hold a queue back until the writes that are in others now have been sent."""
+        """Hold a queue back until the present writes in other queues have been sent."""
 
         def go_on() -> None:
             queue.ahead -= 1
@@ -131,13 +131,13 @@ class Turns:
         queue.ahead += _call_when_written(others, go_on)
 
     async def written(self, queues: Iterable[ClientQueue]) -> None:
-        """Wait until the writes that are in queues now have been sent."""
+        """Wait until the present writes in queues have been sent."""
         sent = asyncio.Semaphore(0)
         for _ in range(_call_when_written(queues, sent.release)):
             await sent.acquire()
 
     def leave(self, queue: ClientQueue) -> list[Relayed | RelayedRows]:
-        """Empty a queue, and return what was in it."""
+        """Empty a queue, and return its requests."""
         dropped = list(queue.requests)
         queue.requests.clear()
         if queue.in_line:
@@ -147,25 +147,25 @@ class Turns:
         return dropped
 
     def _sent(self, queue: ClientQueue, count: int) -> None:
-        """Record requests that have left a queue, and let those join that have waited for them."""
+        """Record requests that have left a queue, and call the functions that have waited for them."""
         queue.sent += count
         while queue.followers and queue.followers[0][0] <= queue.sent:
             _, go_on = queue.followers.pop(0)
             go_on()
 
     def arrived(self, queue: ClientQueue, cost: int) -> None:
-        """Record answers."""
+        """Record the arrival of answers."""
         queue.under_way -= cost
         self._under_way -= cost
         self._pace.carried(cost, self._now())
         self._submit()
 
     def forget(self, queue: ClientQueue) -> None:
-        """Record that the client of a queue has left, and hears no answers."""
+        """Record that the client of a queue has left, and receives no answers."""
         self.arrived(queue, queue.under_way)
 
     def hold(self) -> None:
-        """Send nothing until `release`."""
+        """Stop sending until `release`."""
         self._held = True
 
     def release(self) -> None:
@@ -179,7 +179,7 @@ class Turns:
             self._send(self)
 
     def _ready(self) -> bool:
-        """Return whether something is to be sent now, and not only when more of what is under way has been answered."""
+        """Return whether a request may be sent now, without waiting for answers to those in flight."""
         if not self._line or self._held:
             return False
         others = len(self._line) > 1 or self._under_way > self._first().under_way
@@ -198,7 +198,7 @@ class Turns:
             queue = line[0]
         return queue
 
-    # A source, asked by the session
+    # The interface of a source, for the session
 
     of_session = False
 
@@ -224,11 +224,11 @@ class Turns:
 
     @property
     def least(self) -> int:
-        """Number of requests for which room is wanted before the next turn."""
+        """Number of requests for which the window should have room before the next turn."""
         return self._first().requests[0].least
 
     def take(self, room: int, events: Events) -> Message:
-        """Return what the next client may send in one go."""
+        """Return the messages that the next client may send at once."""
         queue, alone = self._first(), len(self._line) == 1
         request = queue.requests[0]
         cost = request.cost
@@ -249,21 +249,21 @@ class Turns:
 
     @property
     def outlives_session(self) -> bool:
-        """Return True: the next session may send what waits, and the server ends what its clients' sessions end."""
+        """Return True: the next session may send waiting requests. The server ends those that need the old one."""
         return True
 
     def exhausted(self) -> bool:
-        """Return whether there is nothing to send now; the session forgets this source then."""
+        """Return whether no request can be sent now; the session then forgets this source."""
         self._submitted = self._ready()
         return not self._submitted
 
     def unwanted(self) -> bool:
-        """Return the same before a turn."""
+        """Return whether no request can be sent now, before a turn."""
         return self.exhausted()
 
-    def fail(self, error: UnityLinkError, events: Events) -> None:  # noqa: ARG002  (the clients are hung up on)
+    def fail(self, error: UnityLinkError, events: Events) -> None:  # noqa: ARG002  (the clients are disconnected)
         """Drop all requests: the link has ended."""
-        # What followed a queue joins when that is empty: it is not submitted to what has ended, but dropped as well.
+        # Queues that follow an emptied one join the line: mark it as submitted, so that they are dropped here, too.
         self._submitted = True
         while self._line:
             self.leave(self._line[0])

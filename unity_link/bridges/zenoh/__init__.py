@@ -1,14 +1,14 @@
-"""Zenoh: a gateway for other machines, with no broker, or behind a router where there is one.
+"""Zenoh: one gateway for other machines, without a broker, or with a router.
 
-    @link/...     Streams: links of others, whole          \
+    @link/...     Streams: links of other programs         \
     signals/...   Signals: reads and writes by keys         >  SharedLink: one window, one gateway
-    samples/...   Samples: publications, many in one       /
+    samples/...   Samples: publications of many samples    /
 
-- `bridge`: the life of all of it
-- `streams`: what ``unity_link.connect("zenoh:robot/1")`` speaks to; `unity_link.transport.zenoh` is the other end
-- `signals`, `writing`, `describing`: values by keys, for programs that have nothing but Zenoh
-- `samples`: what the robot gives by itself
-- `own_link`: how the bridge itself reaches the gateway, beside the links of others
+- `bridge`: begins and ends all parts
+- `streams`: the bridge's end of ``unity_link.connect("zenoh:robot/1")``; `unity_link.transport.zenoh` is the other end
+- `signals`, `writing`, `describing`: values by keys, for programs that only have Zenoh
+- `samples`: the samples of groups
+- `own_link`: the bridge's own link to the gateway, beside the links of clients
 """
 
 from unity_link.bridges.zenoh.bridge import ZenohBridge

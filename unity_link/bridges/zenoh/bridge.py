@@ -1,4 +1,4 @@
-"""The bridge: one gateway, for all who are in one Zenoh network."""
+"""The bridge: it shares one gateway with all programs in a Zenoh network."""
 
 from __future__ import annotations
 
@@ -35,26 +35,26 @@ if TYPE_CHECKING:
     from unity_link.transport import Medium
 
 NEVER = 1e9
-"""Seconds: the gateway may be away at the start."""
+"""Seconds to wait for the gateway, which may be away at the start."""
 LOOK = 1.0
-"""Seconds between looks for a router, and that another bridge of the same prefix has to answer."""
+"""Seconds between attempts to reach a router, and for which another bridge with the same prefix must answer."""
 
 
 class ZenohBridge:
     """Shares a gateway with a Zenoh network.
 
     Args:
-        robot_type: the class of the robot, as `unity_link.load` gives it.
-        target: the URL of the gateway, or one of this process.
-        prefix: what all keys begin with: ``robot/1``.
-        network: how the session finds others.
-        poll_hz: also publish, read so often, what nothing samples.
-        every: seconds between publications of samples at least.
-        report: is told in a sentence what a person should know.
+        robot_type: class of the robot, as `unity_link.load` returns it.
+        target: URL of the gateway, or a medium in this process.
+        prefix: prefix of all keys, such as ``robot/1``.
+        network: settings of the Zenoh session; None for the defaults.
+        poll_hz: rate at which readable registers that nothing samples are polled and published; None not to do so.
+        every: least number of seconds between two publications of samples of a group.
+        report: called with sentences for the user.
 
     Raises:
-        ArgumentError: for a prefix that Zenoh does not take.
-        ConnectError: where Zenoh is not installed.
+        ArgumentError: for a prefix that Zenoh does not accept.
+        ConnectError: if Zenoh is not installed.
     """
 
     def __init__(
@@ -80,30 +80,30 @@ class ZenohBridge:
 
     @property
     def published(self) -> int:
-        """Samples that were published: while somebody subscribes."""
+        """Number of samples published; samples without subscribers do not count."""
         return sum(samples.published for samples in self._samples)
 
     @property
     def messages(self) -> int:
-        """Publications that they were in."""
+        """Number of publications of samples."""
         return sum(samples.messages for samples in self._samples)
 
     @property
     def lost(self) -> int:
-        """Samples that the gateway took and that did not get as far."""
+        """Number of samples that the gateway took and that did not reach a publication."""
         return sum(samples.carrier.lost for samples in self._samples)
 
     @property
     def written(self) -> int:
-        """Values that came by keys and were written."""
+        """Number of values that clients have written by keys."""
         return 0 if self._signals is None else self._signals.written
 
     async def run(self) -> None:
-        """Be the bridge until it is cancelled.
+        """Run the bridge until this is cancelled.
 
         Raises:
-            ArgumentError: for an endpoint that Zenoh does not take.
-            ConnectError: where another bridge has the prefix, no session can be opened, or the link ends for good.
+            ArgumentError: for an endpoint that Zenoh does not accept.
+            ConnectError: if another bridge has the prefix, no session can be opened, or the link ends for good.
         """
         if isinstance(self._target, DriverUrl):
             await prepare(self._target)
@@ -115,7 +115,7 @@ class ZenohBridge:
                 await self._serve(session, self._prefix, shared)
             except LinkLostError:
                 if shared.ended.done():
-                    # It says why.
+                    # The result has the reason: it raises the error that ended the shared link.
                     shared.ended.result()
                 raise
             finally:
@@ -146,7 +146,7 @@ class ZenohBridge:
 
 
 async def _open(link: OwnLink, shared: SharedLink) -> None:
-    """Wait for the gateway, or for the news that it can't be."""
+    """Wait for the gateway, or for an error that ends the shared link for good."""
     opening = asyncio.ensure_future(link.open(NEVER))
     try:
         await asyncio.wait([opening, shared.ended], return_when=asyncio.FIRST_COMPLETED)
@@ -159,14 +159,14 @@ async def _open(link: OwnLink, shared: SharedLink) -> None:
 
 @contextlib.asynccontextmanager
 async def _session(network: Network, report: Callable[[str], None]) -> AsyncIterator[zenoh.Session]:
-    session, told = None, False
+    session, is_reported = None, False
     while session is None:
         try:
             session = await asyncio.to_thread(open_session, network, meeting=True)
         except UnreachableError as error:
-            if not told:
+            if not is_reported:
                 report(f"waiting for the router: {error}")
-            told = True
+            is_reported = True
             await asyncio.sleep(LOOK)
     try:
         yield session
@@ -175,7 +175,7 @@ async def _session(network: Network, report: Callable[[str], None]) -> AsyncIter
 
 
 def _take_prefix(session: zenoh.Session, prefix: str) -> Declaration:
-    """Show that there is a bridge with this prefix, unless there is one already. Blocks."""
+    """Declare that a bridge has this prefix; raise ConnectError if another bridge has it. Blocks."""
     place = f"{prefix}/@bridge"
     own = f"{place}/{secrets.token_hex(8)}"
     token: Declaration = session.liveliness().declare_token(own)

@@ -1,4 +1,4 @@
-"""The description of a robot in a Zenoh network: where everything is, and what values there can be."""
+"""The description of a robot for a Zenoh network: the keys of its signals, and their possible values."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def describe(robot: Robot, prefix: str) -> dict[str, Any]:
-    """Return the interface, the gateway, and every signal by its path."""
+    """Return the interface, the gateway, and each signal by its path, as values for JSON."""
     names = topic_names(robot.interface)
     return {
         "interface": robot.interface.name,

@@ -1,4 +1,4 @@
-"""The bridge's own link: one more client of the shared link, in the same process."""
+"""The bridge's own link: a client of the shared link in the same process."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ if TYPE_CHECKING:
 
 
 class OwnLink(Link):
-    """A link to a gateway through what shares it.
+    """A link to a gateway through a shared link.
 
     Args:
-        shared: the link that is shared.
-        target: what that is a link to: messages name it.
+        shared: the shared link.
+        target: target of the shared link, for messages.
     """
 
     def __init__(self, shared: SharedLink, target: DriverUrl | Medium) -> None:
-        # A node's number is between the shared link and its gateway alone.
+        # Without options: the number of a node matters only between the shared link and its gateway.
         super().__init__(
             msgspec.structs.replace(target, options={}) if isinstance(target, DriverUrl) else target,
             reconnect=None,

@@ -1,12 +1,12 @@
-"""Samples as publications: many in one, by columns.
+"""Publications of samples: many samples in one publication, by columns.
 
-At ``PREFIX/samples/GROUP``, as JSON, where all lists have the same length::
+The key is ``PREFIX/samples/GROUP``. The payload is JSON with lists of the same length::
 
     {"sequence": [7, 8], "time": [0.07, 0.08], "arrived": [...], "lost": [0, 0], "signals": {"j1.cpos": [1.5, 1.6]}}
 
-``sequence`` counts lost samples, too, ``lost`` says how many before each; ``time`` is in seconds of the gateway's clock
-and null where that gives none; ``arrived`` in seconds since 1970 by the clock of the bridge's machine. What JSON cannot
-say, a value that is not a number, is null.
+``sequence`` has the numbers of the samples, with lost ones counted, and ``lost`` the number lost before each sample.
+``time`` is in seconds of the gateway's clock, null without timestamps. ``arrived`` is in seconds since 1970 by the
+clock of the bridge's machine. Values that JSON cannot represent (NaN, infinities) are null.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from unity_link.data import Batch
 
 BUFFER = 1 << 17
-"""Samples of each group that wait while the network is slow: five seconds of 25,000 a second."""
+"""Samples of each group that may wait while the network is slow: five seconds at 25,000 per second."""
 
 
 class Samples:
@@ -36,10 +36,10 @@ class Samples:
 
     Args:
         session: an open session.
-        prefix: what all keys begin with.
+        prefix: prefix of all keys.
         sampled: the group.
-        every: seconds between publications at least: what comes meanwhile goes together.
-        report: is told in a sentence of polled reads that were refused.
+        every: least number of seconds between publications; samples that arrive meanwhile are published together.
+        report: called with a sentence about refused polled reads.
     """
 
     def __init__(
@@ -48,25 +48,25 @@ class Samples:
         import zenoh
 
         self.published = 0
-        """Samples that were published: while somebody subscribes."""
+        """Number of samples published; samples without subscribers do not count."""
         self.messages = 0
-        """Publications that they were in."""
+        """Number of publications."""
         self._every = every
         self._ended = threading.Event()
         self._paths = [proxy.path for proxy in sampled.group.proxies]
         self._publisher = session.declare_publisher(
             f"{prefix}/samples/{sampled.name}",
             encoding="application/json",
-            # The thread waits for the network; samples wait for the thread.
+            # The thread blocks if the network is slow; samples wait for the thread.
             congestion_control=zenoh.CongestionControl.BLOCK,
         )
         self.carrier = Carrier([sampled.group], self._publish, report, buffer=BUFFER)
 
     async def run(self) -> None:
-        """Publish until cancelled.
+        """Publish until this is cancelled.
 
         Raises:
-            LinkLostError: where the link ends.
+            LinkLostError: if the link ends.
         """
         thread = ThreadPoolExecutor(1, "zenoh-samples")
         try:
@@ -76,7 +76,7 @@ class Samples:
             thread.shutdown(wait=False)
 
     def _publish(self, _: int, batch: Batch) -> None:
-        # A group without subscribers costs nothing but the way of its samples to here.
+        # Without subscribers the samples are not encoded.
         if self._is_wanted():
             self._publisher.put(encode(batch, self._paths))
             self.published += len(batch)
@@ -85,14 +85,14 @@ class Samples:
             self._ended.wait(self._every)
 
     def _is_wanted(self) -> bool:
-        # Declared as a bool, it is an object that has one.
+        # Zenoh's stubs declare this attribute as a bool, but it is an object with a bool.
         status: Any = self._publisher.matching_status
         wanted: bool = status.matching
         return wanted
 
 
 def encode(batch: Batch, paths: list[str]) -> bytes:
-    """Return the payload for samples of a group whose signals have these paths, in their order."""
+    """Return the payload for samples of a group; `paths` has the paths of the group's signals in their order."""
     return msgspec.json.encode(
         {
             "sequence": batch.sequence.tolist(),

@@ -1,15 +1,15 @@
-"""Reads and writes by keys: queries that are answered, and publications of others that are written without an answer.
+"""Reads and writes by keys: queries, which are answered, and publications by clients, which are written.
 
-Below the prefix of the bridge:
+These keys are below the prefix of the bridge:
 
-- ``signals/j1/cpos``: a query gives the value, one with a payload writes it; ``signals/**`` gives all
-- ``read``: a query with a list of paths gives an object of values; without, those of all signals
-- ``write``: a query with an object of values by paths, or a list of such objects, writes them, and answers when all
-  are on the bus; a publication writes the same without an answer
-- ``info``: a query gives what there is
+- ``signals/j1/cpos``: a query returns the value, or writes its payload; a query of ``signals/**`` returns all values
+- ``read``: a query with a list of paths returns an object of values; without a payload, the values of all signals
+- ``write``: a query with an object of values by paths, or a list of such objects, writes them, and is answered after
+  all writes have been executed; a publication writes the same without an answer
+- ``info``: a query returns the description of the robot
 
-Payloads are JSON. Writes of one sender are executed in order. What one message asks for is checked whole before
-anything of it is written.
+Payloads are JSON. Writes of one sender are executed in order. All values of a message are checked before the first of
+them is written.
 """
 
 from __future__ import annotations
@@ -39,12 +39,12 @@ if TYPE_CHECKING:
     from unity_link.transport.zenoh_session import Declaration
 
     Answering = Callable[[zenoh.KeyExpr, bytes], Awaitable[dict[str, Any]]]
-    """Returns for a query's key and payload what is replied, by the names of keys below the prefix."""
+    """Returns the replies to a query with a key and a payload, by the names of keys below the prefix."""
 
 MOST_QUERIES = 1024
-"""Queries that are being answered, beyond which more are refused."""
+"""Most queries that are being answered; further ones are refused."""
 MOST_PUTS = 4096
-"""Publications that wait to be written, beyond which who publishes waits."""
+"""Most publications that wait to be written; with more, their publishers block."""
 JSON = "application/json"
 AWAY = "the gateway is away; nothing was done that it has not done already"
 
@@ -54,19 +54,19 @@ class ZenohSignals:
 
     Args:
         session: an open session.
-        prefix: what all keys begin with.
-        robot: the robot, behind an open link.
-        shared: what that link goes through.
-        report: is told in a sentence of what was published and could not be written, once for each kind of fault.
+        prefix: prefix of all keys.
+        robot: robot on an open link.
+        shared: shared link that this link is a client of.
+        report: called with a sentence about publications that cannot be written, once for each kind of fault.
     """
 
     def __init__(
         self, session: zenoh.Session, prefix: str, robot: Robot, shared: SharedLink, report: Callable[[str], None]
     ) -> None:
         self.written = 0
-        """Values that were written."""
+        """Number of values written."""
         self.answered = 0
-        """Queries that were answered."""
+        """Number of queries answered."""
         self._session = session
         self._prefix = prefix
         self._robot = robot
@@ -82,12 +82,12 @@ class ZenohSignals:
         self._ended = False
 
     async def run(self) -> None:
-        """Answer and write until cancelled; what was put before is written then, too.
+        """Answer queries and write publications until this is cancelled. Earlier publications are still written then.
 
         Raises:
-            LinkLostError: where the link ends for good.
+            LinkLostError: if the link ends for good.
         """
-        self._inbox = told = Inbox(self._take, MOST_PUTS)
+        self._inbox = published = Inbox(self._take, MOST_PUTS)
         kinds = {"signals/**": self._signals, "read": self._read, "write": self._write, "info": self._info}
         asked: list[Inbox[zenoh.Query]] = [Inbox(functools.partial(self._begin, kind)) for kind in kinds.values()]
         declared: list[Declaration] = [
@@ -95,14 +95,14 @@ class ZenohSignals:
             for key, inbox in zip(kinds, asked, strict=True)
         ]
         subscriber = self._session.declare_subscriber(
-            f"{self._prefix}/write", lambda sample: told.give(sample.payload.to_bytes())
+            f"{self._prefix}/write", lambda sample: published.give(sample.payload.to_bytes())
         )
         writing = asyncio.ensure_future(self._write_puts())
         try:
             await asyncio.shield(writing)
         finally:
             self._ended = True
-            self._puts.put_nowait(told.close())
+            self._puts.put_nowait(published.close())
             for inbox in asked:
                 inbox.close()
             for one in (*declared, subscriber):
@@ -111,10 +111,10 @@ class ZenohSignals:
                 task.cancel()
             await writing
 
-    # Publications of others
+    # Publications by clients
 
     def _take(self, payloads: list[bytes]) -> None:
-        # The next ones come together when these are written; so a publisher that is too fast blocks in the end.
+        # The inbox collects further publications until these are written; if it is full, a fast publisher blocks.
         self._inbox.hold()
         self._puts.put_nowait(payloads)
 
@@ -172,7 +172,7 @@ class ZenohSignals:
 
     async def _write(self, key: zenoh.KeyExpr, payload: bytes) -> dict[str, Any]:
         if not _names(key, "write") or (_is_pattern(key) and not payload):
-            # A query for all keys writes nothing.
+            # A query for all keys must not write.
             return {}
         return {"write": await self._write_objects(self._reader.read(payload))}
 
@@ -201,7 +201,7 @@ class ZenohSignals:
     async def _signals(self, key: zenoh.KeyExpr, payload: bytes) -> dict[str, Any]:
         found = {name: proxy for name, proxy in self._by_name.items() if key.intersects(_key(f"{self._prefix}/{name}"))}
         if payload:
-            # A payload for `read` or `write` is none for a signal, even if `**` includes signals.
+            # A query of `**` with a payload for `read` or `write` also matches signals: the payload is not for them.
             if "/signals/" not in str(key) or (_is_pattern(key) and not found):
                 return {}
             return await self._write_signal(key, found, payload)
@@ -211,7 +211,9 @@ class ZenohSignals:
                 # The wildcards select keys of another handler of this bridge, or of another bridge.
                 return {}
             one = next(iter(found.values()), None)
-            raise ArgumentError(f"there is no signal at {key}" if one is None else f"{one.path} cannot be read so")
+            raise ArgumentError(
+                f"there is no signal at {key}" if one is None else f"{one.path} cannot be read through Zenoh"
+            )
         values = await self._group(tuple(readable.values())).get()
         return {name: values[proxy] for name, proxy in readable.items()}
 
@@ -234,7 +236,7 @@ def _is_pattern(key: zenoh.KeyExpr) -> bool:
 
 
 def _names(key: zenoh.KeyExpr, name: str) -> bool:
-    """Return whether the last level of a key is a name, and no wildcard."""
+    """Return whether the last level of a key is this name, not a wildcard."""
     return str(key).rpartition("/")[2] == name
 
 

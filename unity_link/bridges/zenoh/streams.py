@@ -1,10 +1,10 @@
-"""Links of other machines: each is a client of the shared link, whose bytes come and go over two keys of its own.
+"""Links of other machines: each is a client of the shared link, with two keys for its bytes.
 
-A client asks at ``PREFIX/@link/open`` with a name that it has made up; from then on it publishes at
-``PREFIX/@link/NAME/up`` and is answered at ``PREFIX/@link/NAME/down``; each publication begins with its count, in eight
-hexadecimal digits. It shows by a token of liveliness,
-``PREFIX/@link/NAME/client``, that it is there, and the bridge by ``PREFIX/@link/NAME/bridge``. So either side learns of
-the other's end, however it came about, and what a client has set up ends with it.
+A client opens a link by a query at ``PREFIX/@link/open`` with a name that it has chosen. From then on the client
+publishes at ``PREFIX/@link/NAME/up``, and the bridge at ``PREFIX/@link/NAME/down``. Each publication begins with its
+number, in eight hexadecimal digits. The client declares a liveliness token at ``PREFIX/@link/NAME/client``, the bridge
+at ``PREFIX/@link/NAME/bridge``. So each side learns when the other ends, for any reason, and the groups of a client end
+with it.
 """
 
 from __future__ import annotations
@@ -31,8 +31,8 @@ class Streams:
 
     Args:
         session: an open session.
-        prefix: what all keys begin with.
-        shared: the link that is shared.
+        prefix: prefix of all keys.
+        shared: the shared link.
     """
 
     def __init__(self, session: zenoh.Session, prefix: str, shared: SharedLink) -> None:
@@ -41,7 +41,7 @@ class Streams:
         self._place = f"{prefix}/@link"
         self._shared = shared
         self._there: set[str] = set()
-        """Clients whose token was seen."""
+        """Names of the clients whose token was seen."""
         self._open: dict[str, tuple[KeyTransport, Declaration]] = {}
         asked: Inbox[zenoh.Query] = Inbox(self._answer)
         seen: Inbox[zenoh.Sample] = Inbox(self._watch)
@@ -68,7 +68,7 @@ class Streams:
                 payload = query.payload
                 name = payload.to_bytes().decode(errors="replace") if payload is not None else ""
                 if _NAME.fullmatch(name) and name not in self._there:
-                    # Its end could not be seen. It asks again, and by then its token has come.
+                    # Without the token, the client's end could not be detected: wait until it asks again.
                     continue
                 refusal = self._serve(name)
                 if refusal is None:
@@ -77,7 +77,7 @@ class Streams:
                     query.reply_err(refusal)
 
     def _serve(self, name: str) -> str | None:
-        """Serve a client; return what speaks against it."""
+        """Serve a client; return the reason for a refusal, or None."""
         if name in self._open:
             return None
         if not _NAME.fullmatch(name):

@@ -1,4 +1,4 @@
-"""Writes from JSON: values by paths, many in one go."""
+"""Writes from JSON: values by paths, also many at once."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ if TYPE_CHECKING:
 
 
 class Reader:
-    """Reads what is to be written to the signals of a robot.
+    """Parses values that are to be written to the signals of a robot.
 
     Args:
-        robot: the robot.
+        robot: robot with the signals.
     """
 
     def __init__(self, robot: Robot) -> None:
@@ -29,11 +29,10 @@ class Reader:
                 self._known[proxy.path] = self._known[proxy.id] = proxy
 
     def read(self, payload: bytes) -> Objects:
-        """Read an object of values by paths or IDs, or a list of such; check all that it says.
+        """Parse an object of values by paths or IDs, or a list of such objects, and check all values.
 
         Raises:
-            ArgumentError: for text that is something else, a signal that there is not, or a value that it does not
-                take.
+            ArgumentError: for any other text, an unknown signal, or a value that a signal cannot have.
         """
         try:
             given = msgspec.json.decode(payload)
@@ -43,10 +42,10 @@ class Reader:
         return [self._check(one) for one in objects]
 
     def read_one(self, proxy: Proxy[Any], payload: bytes) -> Objects:
-        """Read the value of one signal, and check it.
+        """Parse the value of one signal and check it.
 
         Raises:
-            ArgumentError: for text that is no value, or one that the signal does not take.
+            ArgumentError: for text that is no value, or a value that the signal cannot have.
         """
         try:
             value = msgspec.json.decode(payload)
@@ -62,6 +61,6 @@ class Reader:
         for path, value in given.items():
             proxy = known.get(path)
             if proxy is None:
-                raise ArgumentError(f"{self._robot[path].path} is not one that can be written so")
+                raise ArgumentError(f"{self._robot[path].path} cannot be written through Zenoh")
             found.append(Value.of(proxy, value))
         return found

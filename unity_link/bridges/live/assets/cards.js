@@ -1,7 +1,7 @@
-// Cards: what belongs together in one plot, with values and ways to write.
+// Cards: each has one plot of signals that belong together, with their values and controls to write them.
 //
-// Signals of one component with the same unit share a plot; others have one of their own. A plot moves with the fastest
-// of its streams, and signals of the others hold their latest value in it.
+// Signals of one component with the same unit share a plot; other signals have a plot each. A plot moves at the pace of
+// the fastest of its streams; signals of the other streams keep their latest value in it.
 
 import { Control } from "./controls.js";
 import { make, say } from "./dom.js";
@@ -11,7 +11,7 @@ import { stateNumbers, text } from "./values.js";
 
 const MOST_CURVES = 6;
 
-// Give the signals by cards.
+// Return the signals of each card.
 function sorted(signals) {
   const cards = new Map();
   for (const signal of signals) {
@@ -34,7 +34,7 @@ export class Card {
     const doc = alone ? first.doc : about.parts[first.part];
     this.element = make(
       "article", { class: "card", "aria-label": `${heading} ${first.unit}` },
-      // Cards of one component differ by the unit.
+      // Cards of one component differ in the unit.
       make("h2", {}, heading, alone ? null : make("small", {}, first.unit), doc ? make("small", {}, doc) : null),
       make("ul", { class: "signals" }, ...signals.map((signal, number) => this.row(signal, number))),
     );
@@ -63,28 +63,28 @@ export class Card {
     this.element.append(this.place);
   }
 
-  // Draw, once the element stands in the page.
+  // Make the plot, after the element was added to the page.
   start() {
     if (!this.place) return;
     const curves = this.curves.map((signal) => ({ label: signal.name, stepped: stateNumbers(signal) !== null }));
-    // What has states has no unit, and so a plot of its own.
+    // Signals with states have no unit, and so a plot each.
     const [first] = this.curves;
     this.plot = makePlot(this.place, curves, stateNumbers(first), (state) => text(first, state));
   }
 
-  // Draw if it can be seen; give how many plots were drawn.
+  // Draw the plot if it is visible; return the number of plots drawn.
   draw(until, window) {
     if (!this.plot || !this.visible) return 0;
     show(this.plot, this.history.rows, until, window);
     return 1;
   }
 
-  // Keep what is shown, whatever comes.
+  // Keep showing the present samples, whatever arrives later.
   freeze(until, window) {
     if (this.plot) show(this.plot, this.history.rows.map((row) => row.slice()), until, window);
   }
 
-  // Tell the values, if they can be seen: text that changes has the whole page laid out anew.
+  // Show the values if the card is visible; changes of hidden text would cost a layout of the whole page.
   say(streams, exact, written) {
     if (!this.visible) return;
     for (const signal of this.signals) {
@@ -100,7 +100,7 @@ export class Card {
 }
 
 export function makeCards(place, about, streams, send) {
-  // What arms, kicks and disarms is for programs; the page has a button.
+  // Registers that arm, kick and disarm a lease are for programs; the page has a button to stop.
   const shown = about.signals.filter((signal) => signal.stream !== null || !about.leases.includes(signal.part));
   const cards = sorted(shown).map((signals) => new Card(signals, about, streams, send));
   place.replaceChildren(...cards.map((card) => card.element));

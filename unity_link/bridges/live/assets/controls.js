@@ -1,16 +1,17 @@
-// Ways to write a signal: a slider and a number within its limits, a choice of names, a switch.
+// Controls that write a signal: a slider and a number within its limits, a choice of names, or a switch.
 //
-// While a value is under way, only the newest one waits: a slider that is dragged does not leave a queue behind. The
-// robot's value is shown again after the user has released the control.
+// While a write is in flight, only the newest value waits, so dragging a slider does not fill a queue. After the user
+// has released the control, it shows the robot's value again.
 //
-// A control of a signal whose value is unknown shows none, and is disabled. If nothing samples the signal, its value is
-// unknown until it is written: then a number can be typed and a state chosen, which no single key press does by mistake.
+// The control of a signal with an unknown value shows no value and is disabled. If no group samples the signal, its
+// value is unknown until it is written: then a number can be typed or a state chosen, but a single key press writes
+// nothing.
 
 import { make, say } from "./dom.js";
 import { limit, stateNumbers, text } from "./values.js";
 
-const WIDEST_SLIDER = 4096; // steps of a signal without limits of its own that still make a slider
-const HOLD = 700; // milliseconds that a written value is left alone
+const WIDEST_SLIDER = 4096; // most steps for which a signal without limits of its own has a slider
+const HOLD = 700; // milliseconds after a write for which the control keeps showing the written value
 
 export class Control {
   constructor(signal, send) {
@@ -67,7 +68,7 @@ export class Control {
       this.want(whole ? BigInt(number.value) : number.valueAsNumber);
     });
     slider?.addEventListener("input", () => {
-      // Fractions go as they are, for a limit that was rounded may be beyond the limit.
+      // Do not round fractions: a rounded limit may be outside of the limit.
       const value = Number.isInteger(step) ? Math.round(slider.valueAsNumber) : slider.valueAsNumber;
       number.value = write(value);
       this.want(value);
@@ -83,7 +84,7 @@ export class Control {
 
   compose(label, slider, input, ends = null) {
     [this.slider, this.input] = [slider, input];
-    // A browser steps from 0, from a limit, or to the first state.
+    // If there is no value, ignore these keys: the browser would step from 0, from a limit, or to the first state.
     input.addEventListener("keydown", (event) => {
       if (input.value === "" && /^(Arrow|Home|End|Page)/.test(event.key)) event.preventDefault();
     });
@@ -91,7 +92,7 @@ export class Control {
     return make("div", { class: "control" }, label, slider, make("span", { class: "enter" }, input, unit), ends, this.answer);
   }
 
-  // Have a value written as soon as the one before is.
+  // Write a value, as soon as the write before it has ended.
   want(value) {
     this.touched = performance.now();
     this.waiting = { value };
@@ -114,7 +115,7 @@ export class Control {
     say(this.answer, reason ?? "");
   }
 
-  // Show the robot's value, of a wide whole number also exactly, as text; null for a value that is unknown.
+  // Show the robot's value; null if it is unknown. `exact` is the text of a whole number that a double cannot hold.
   see(value, exact) {
     this.known = value !== null;
     if (!this.underWay && performance.now() - this.touched >= HOLD) this.show(this.known && !Number.isNaN(value) ? value : null, exact);
@@ -125,7 +126,7 @@ export class Control {
     const { slider, input, signal } = this;
     const place = Number.isFinite(value);
     if (slider) {
-      // Without a value the thumb is hidden, and the keys begin nearest to 0.
+      // Without a value, hide the thumb, and let keys begin at the value nearest to 0.
       slider.value = place ? value : Math.min(Math.max(signal.low, 0), signal.high);
       slider.toggleAttribute("data-unknown", !place);
     }

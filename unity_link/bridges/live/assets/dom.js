@@ -1,4 +1,4 @@
-// Elements in one call. Text is always text: what a spec says cannot become markup.
+// Functions that make elements. Texts are set as text, so a text of a spec cannot become markup.
 
 export function make(tag, attributes = {}, ...children) {
   const element = document.createElement(tag);
@@ -11,7 +11,7 @@ export function make(tag, attributes = {}, ...children) {
   return element;
 }
 
-// Change text only where it is another one, so that the browser has nothing to lay out anew.
+// Change a text only if it differs, so that the browser need not lay out the page again.
 export function say(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }

@@ -1,22 +1,22 @@
-// The rows of one plot: instants, and for each curve its values. Their number is bounded: where samples come faster
-// than the plot has points, each bin of time keeps the lowest and the highest of each curve, so that no peak is lost.
+// The rows of one plot: instants, and the values of each curve. Their number is limited: if samples arrive faster than
+// the plot has points, each bin of time keeps the lowest and highest value of each curve, so that peaks remain visible.
 
-const BINS = 500; // across the plot: about one for each of its pixels
+const BINS = 500; // bins across the plot: about one for each of its pixels
 const MOST_ROWS = 8192;
-const SET_ANEW = 1; // seconds by which time goes back where the gateway began anew
-const AWAY = 1; // seconds of a gap from which on what is held is from before the gateway was away
+const SET_ANEW = 1; // seconds by which an instant must be earlier to count as a restart of the gateway's clock
+const AWAY = 1; // seconds of a gap after which values of other streams count as older than the gateway's absence
 
 export class History {
   constructor(curves) {
-    this.curves = curves; // where each curve finds its values: { stream, column }
+    this.curves = curves; // source of each curve: { stream, column }
     this.rows = [[], ...curves.map(() => [])];
     this.values = curves.map(() => null);
     this.newest = -Infinity;
     this.bin = null;
-    this.width = 0; // seconds of a bin; 0: every sample is a row
+    this.width = 0; // seconds of a bin; 0 if each sample is a row
   }
 
-  // Take samples of the stream that leads this plot; curves of other streams hold their latest value.
+  // Add samples of the stream that leads this plot; curves of other streams keep their latest value.
   take(leader, batch, window) {
     const width = window / BINS;
     this.width = leader.rate * width > 2 ? width : 0;
@@ -24,12 +24,12 @@ export class History {
       let at = batch.at[i];
       if (at < this.newest - SET_ANEW) this.clear();
       at = Math.max(at, this.newest);
-      if (batch.missing[i]) { // before this sample
+      if (batch.missing[i]) { // samples before this one were lost
         if (at - this.newest > AWAY) this.forgetOthers(leader, (this.newest + at) / 2);
         this.gap(at);
       }
       this.newest = at;
-      // One list for all rows: this runs for every sample, and garbage would cost pictures.
+      // Use one array for all rows: this code runs for each sample, and garbage collection would delay drawing.
       const values = this.values;
       for (let curve = 0; curve < values.length; curve++) {
         const { stream, column } = this.curves[curve];
@@ -41,7 +41,7 @@ export class History {
     if (this.rows[0].length > MOST_ROWS) this.rows.forEach((row) => row.splice(0, MOST_ROWS / 2));
   }
 
-  // Interrupt the curves.
+  // End the curves with a gap.
   gap(at) {
     this.flush();
     this.push(at, this.curves.map(() => null));

@@ -1,4 +1,4 @@
-// The leases of the robot: what state each is in, and a button that disarms it, which needs no token.
+// The leases of the robot: the state of each, and a button that disarms it, which needs no token.
 
 import { make, say } from "./dom.js";
 import { text } from "./values.js";
@@ -14,9 +14,9 @@ export class Lease {
     this.element = make("div", { class: "lease", "data-lease": path }, make("span", { class: "name" }, path), this.output, button, this.answer);
   }
 
-  // Tell the state; of one that has ended, why it did.
+  // Show the state, and for a fault its reason.
   say(streams) {
-    // A lease of which no group is sampled has no signals that can be shown.
+    // If no group of the lease is sampled, no state can be shown.
     const value = (signal) => (signal ? streams[signal.stream].shown[signal.column] : null);
     const state = text(this.state, value(this.state));
     this.element.dataset.state = state;

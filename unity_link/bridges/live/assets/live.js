@@ -1,4 +1,4 @@
-// The page: its connection to unity-link live, and the pictures, drawn anew whenever the screen shows another one.
+// The page: its connection to unity-link live, and the plots, which are drawn for each frame of the screen.
 
 import { makeCards } from "./cards.js";
 import { make, say } from "./dom.js";
@@ -7,12 +7,12 @@ import { makeHistogram, refreshColors } from "./plots.js";
 import { Clock, Stream, batches, head } from "./streams.js";
 import { count, duration, roundDuration } from "./values.js";
 
-const DELAY = 0.08; // seconds that the plots are behind, so that samples are there before their place is shown
-const FIRST_PAUSE = 300; // milliseconds until the server is tried again
+const DELAY = 0.08; // seconds by which plots are delayed, so that samples arrive before their place is shown
+const FIRST_PAUSE = 300; // milliseconds before the first attempt to connect again
 const LONGEST_PAUSE = 2000;
-const TEXTS_EVERY = 100; // milliseconds: numbers that change faster cannot be read
+const TEXTS_EVERY = 100; // milliseconds between updates of numbers: faster changes cannot be read
 const BINS_PER_DECADE = 10;
-const SHORTEST = -6; // power of ten of the first bin of the histogram, in seconds
+const SHORTEST = -6; // decimal logarithm of the first bin of the histogram, in seconds
 
 const at = (id) => document.getElementById(id);
 const token = new URLSearchParams(location.hash.slice(1)).get("token") ?? "";
@@ -32,7 +32,7 @@ let pause = FIRST_PAUSE;
 let questions = 0;
 const answers = new Map();
 
-// What was drawn and what came, for those who want to know how smoothly the page runs.
+// Counts of frames, plots and samples, for measurements of how smoothly the page runs.
 const seen = (window.unityLink = { frames: 0, plots: 0, samples: 0, window: window_ });
 
 // The connection
@@ -47,7 +47,7 @@ function open() {
   socket.onmessage = ({ data }) => (typeof data === "string" ? hear(data) : take(data));
   socket.onclose = ({ reason }) => {
     status = null;
-    tellState(reason);
+    showState(reason);
     for (const answer of answers.values()) answer("the program has ended: it is not known whether this was written");
     answers.clear();
     setTimeout(open, pause);
@@ -77,7 +77,7 @@ function take(buffer) {
 function begin(message, data) {
   dropped = 0;
   if (data === aboutText) {
-    // The same robot again: what was drawn stays, with a gap.
+    // The same robot as before: keep the plots, with a gap.
     for (const card of cards) card.history?.gap(card.history.newest);
     for (const stream of streams) stream.forget();
     return;
@@ -100,14 +100,14 @@ function welcome(mayWrite) {
   }
 }
 
-// Have a value written; gives why it was not, or null.
+// Write a value; return the reason for a failure, or null.
 function write(signal, value) {
-  // JSON has whole numbers of any size, JavaScript's own writer has not.
+  // JSON has whole numbers of any size, but JSON.stringify does not accept BigInt.
   const written = typeof value === "bigint" ? String(value) : JSON.stringify(value);
   return ask((number) => `{"type":"write","number":${number},"signal":${JSON.stringify(signal)},"value":${written}}`);
 }
 
-// Have a lease disarmed; gives why it was not, or null.
+// Disarm a lease; return the reason for a failure, or null.
 function stop(lease) {
   return ask((number) => JSON.stringify({ type: "stop", number, lease }));
 }
@@ -129,13 +129,13 @@ function answer({ number, reason }) {
 function note(message) {
   const before = status;
   status = message;
-  if (before?.connected !== status.connected || before.refusal !== status.refusal) tellState();
+  if (before?.connected !== status.connected || before.refusal !== status.refusal) showState();
   say(at("lost"), count(status.lost));
   at("lost").classList.toggle("bad", status.lost > 0);
   say(at("round-trip"), duration(status.round_trips.median));
 }
 
-function tellState(reason) {
+function showState(reason) {
   const fault = status === null ? reason || "unity-link live has ended" : status.connected ? status.refusal : "gateway away";
   at("state").dataset.state = fault ? "bad" : "good";
   say(at("state"), fault || "connected");
@@ -164,7 +164,7 @@ function listFacts(list) {
   list.forEach(([, value], number) => say(place.children[2 * number + 1], value));
 }
 
-// The pictures
+// The plots
 
 let histogram = null;
 let lastTexts = 0;
@@ -185,11 +185,11 @@ function draw(now) {
   if (!paused) for (const card of cards) seen.plots += card.draw(clock.now() - DELAY, window_);
   if (now - lastTexts >= TEXTS_EVERY) {
     lastTexts = now;
-    tellTexts();
+    showTexts();
   }
 }
 
-function tellTexts() {
+function showTexts() {
   if (!paused) cards.forEach((card) => card.say(streams, status?.exact ?? {}, status?.written ?? {}));
   leases.forEach((lease) => lease.say(streams));
   if (status) {
@@ -212,9 +212,9 @@ function drawHistogram(counts) {
 
 const readWindow = () => (seen.window = window_ = Number(at("window").value));
 at("window").addEventListener("change", readWindow);
-addEventListener("pageshow", readWindow); // a browser that comes back to the page restores what was chosen
+addEventListener("pageshow", readWindow); // a browser that returns to the page restores the chosen option
 
-// The address of a program that was started anew differs in its token alone, which loads nothing by itself.
+// After a restart of the program only the token in the address differs. Browsers do not reload the page for that.
 addEventListener("hashchange", () => location.reload());
 
 at("pause").addEventListener("click", () => {

@@ -1,14 +1,14 @@
-// Scrolling plots by uPlot. The axis of time stands still, and the curves move under it.
+// Scrolling plots by uPlot. The axis of time does not move; the curves move below it.
 
 /* global uPlot */
 
-const AXIS = 54; // pixels of the axis of values
-const STATES = 90; // pixels beside a plot for names of states
-const POINT = 5; // pixels across a value that stands alone
-const WIDTH = 1; // pixels of a curve; a wider one takes twice the time where no graphics card draws it
+const AXIS = 54; // pixels for the axis of values
+const STATES = 90; // pixels for the names of states beside a plot
+const POINT = 5; // diameter in pixels of a value without neighbours
+const WIDTH = 1; // pixels of a curve; without a graphics card, wider curves take twice the time to draw
 
 export function color(name) {
-  // A colour that is one of two is not known to a canvas; as the colour of an element it has been chosen.
+  // A canvas cannot evaluate light-dark(), so let an element compute the colour.
   probe.style.color = `var(--${name})`;
   return getComputedStyle(probe).color;
 }
@@ -19,7 +19,7 @@ document.documentElement.append(probe);
 
 let colors = {};
 
-// Read the colours of the page again; to be called when it goes light or dark.
+// Read the colours of the page again, after a change between light and dark.
 export function refreshColors() {
   colors = {};
 }
@@ -47,12 +47,12 @@ function range(plot, low, high) {
   return [low - room, high + room];
 }
 
-// Have curves joined without the round corners that uPlot gives them: at so many points nobody sees them.
+// Join lines without uPlot's round corners, which take time and are not visible with so many points.
 function plainJoins(plot) {
   plot.ctx.lineJoin = "bevel";
 }
 
-// Make the axis and the range of states: all of them stand in the plot, by their names, at the same places for ever.
+// Return the axis and the range of states: all states are shown in the plot by their names, at fixed places.
 function stateAxis(states, name) {
   const [low, high] = [Math.min(...states), Math.max(...states)];
   const room = 0.15 * (high - low) || 1;
@@ -62,8 +62,8 @@ function stateAxis(states, name) {
   };
 }
 
-// Make a plot of curves { label, stepped } in an element; the caller gives it data and a window of time. Curves of
-// states have their numbers, and what gives the name of one.
+// Make a plot of curves { label, stepped } in an element; the caller sets its data and window of time. For curves of
+// states, `states` has the numbers of the states, and `name` returns the name of one.
 export function makePlot(element, curves, states, name) {
   const y = states === null ? { range, axis: axis({ size: AXIS, gap: 4 }) } : stateAxis(states, name);
   const splits = (plot, _, from, to) => {
@@ -104,7 +104,7 @@ export function makePlot(element, curves, states, name) {
   return plot;
 }
 
-// The places of values that stand alone, to which no line leads.
+// Return the places of values without neighbours, to which no line leads; null if there are none.
 function alone(plot, curve) {
   const values = plot.data[curve];
   const [first, last] = plot.series[0].idxs;
@@ -125,7 +125,7 @@ export function show(plot, rows, until, window) {
   });
 }
 
-// Make a histogram of bins of equal ratio, whose numbers are logarithms.
+// Make a histogram with bins of equal ratio; the numbers of bins are logarithms.
 export function makeHistogram(element, label) {
   const plot = new uPlot(
     {

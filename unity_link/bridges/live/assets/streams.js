@@ -1,14 +1,14 @@
-// Samples as they come, and the time that they are of.
+// Streams of samples from the server, and the server's clock.
 
 export class Stream {
   constructor({ name, rate_hz: rate }, columns) {
     this.name = name;
-    this.periodic = rate; // samples a second as the robot says; null where they are not periodic
-    this.rate = rate ?? 0; // as they come
-    this.latest = Array(columns).fill(null); // of the newest sample, for curves; null for a value that no curve can show
+    this.periodic = rate; // samples per second from the spec or the server; null if they are not periodic
+    this.rate = rate ?? 0; // samples per second, measured if they are not periodic
+    this.latest = Array(columns).fill(null); // values of the newest sample for curves; null for NaN and infinities
     this.newest = -Infinity;
-    this.shown = Array(columns).fill(null); // of the newest sample, as it came; null for a value that is unknown
-    this.cards = []; // whose plots move with it
+    this.shown = Array(columns).fill(null); // values of the newest sample, unchanged; null for an unknown value
+    this.cards = []; // cards whose plots this stream leads
     this.columns = columns;
     this.counted = 0;
   }
@@ -24,14 +24,14 @@ export class Stream {
     this.newest = batch.at[batch.count - 1];
   }
 
-  // Hold no value any longer that is from before an instant.
+  // Forget the values, if the newest sample is from before an instant.
   forget(until = Infinity) {
     if (this.newest >= until) return;
     this.latest.fill(null);
     this.shown.fill(null);
   }
 
-  // Note how many came within some seconds.
+  // Measure the rate, over `seconds` since the last call.
   measure(seconds) {
     const rate = this.counted / seconds;
     this.counted = 0;
@@ -40,7 +40,7 @@ export class Stream {
   }
 }
 
-// Read a message of samples: a head, then batches of tables of doubles.
+// Yield the streams and batches of a message of samples: a head, then tables of doubles.
 export function* batches(buffer, streams) {
   const view = new DataView(buffer);
   for (let place = 16; place < buffer.byteLength; ) {
@@ -61,10 +61,10 @@ export function head(buffer) {
   return { now: view.getFloat64(0, true), dropped: Number(view.getBigUint64(8, true)) };
 }
 
-const SET_ANEW = 1; // seconds
-const DRIFT = 1e-4; // seconds by which an estimate grows old with each message
+const SET_ANEW = 1; // seconds by which an estimate must be off to begin again
+const DRIFT = 1e-4; // seconds by which the estimate is reduced with each message
 
-// The other side's clock: of all messages the quickest tells best, and grows old slowly.
+// The server's clock, estimated from the message with the least delay; the estimate is reduced slowly.
 export class Clock {
   constructor() {
     this.ahead = null;

@@ -1,4 +1,4 @@
-// Numbers as people read them.
+// Numbers as texts for people.
 
 const MOST_DECIMALS = 4;
 
@@ -7,13 +7,13 @@ export function decimals(signal) {
   return Math.min(MOST_DECIMALS, Math.max(1, Math.ceil(-Math.log10(signal.step))));
 }
 
-// Give the numbers of the states that a signal can be in; null for one that has a value instead.
+// Return the numbers of the states that a signal can be in; null for a signal without states.
 export function stateNumbers({ kind, names }) {
   if (kind === "bool") return [0, 1];
   return kind === "enum" ? names.map(([number]) => number) : null;
 }
 
-// Write a value of a signal; nothing for one that never came.
+// Return the text of a signal's value; a dash for an unknown value.
 export function text(signal, value) {
   if (value === null || value === undefined) return "–";
   if (Number.isNaN(value)) return "not a number";
@@ -31,13 +31,13 @@ export function duration(seconds) {
   return `${(seconds * factor).toPrecision(3)} ${unit}`;
 }
 
-// The same for a round number.
+// Return the text of a round duration, without trailing zeros.
 export function roundDuration(seconds) {
   const [number, unit] = duration(seconds).split(" ");
   return `${Number(number)} ${unit}`;
 }
 
-// Write a limit: as short as it can be.
+// Return the shortest text of a limit.
 export function limit(signal, value) {
   const behind = decimals(signal);
   return String(Number(behind === null ? value.toPrecision(6) : value.toFixed(behind)));
