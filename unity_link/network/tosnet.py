@@ -68,7 +68,7 @@ class TosnetState(msgspec.Struct, frozen=True, kw_only=True):
     online: bool
     """True if the network is configured and running."""
     is_master: bool
-    """True if the gateway's node is the master, which starts the packets."""
+    """True if the gateway's node is the master, which sends the packets."""
     packet_error: bool
     """True if the last packet was damaged."""
     system_halt: bool
