@@ -91,7 +91,7 @@ class View(OfLink):
         return dir(self._thing)
 
     def __getitem__(self, key: Any) -> Any:
-        """Return a signal by its path or its ID, or a value of a sample."""
+        """Return a signal by its path or its ID."""
         return _shown(self._thing[key], self._link)
 
     def __len__(self) -> int:

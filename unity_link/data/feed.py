@@ -112,7 +112,7 @@ class Listener:
             self._error = error
         self._wake()
 
-    def is_deaf(self) -> bool:
+    def hides_errors(self) -> bool:
         """Return whether no caller of `next` would receive an error."""
         return self._callback is not None or not self._buffer
 
@@ -149,7 +149,7 @@ class Feed:
         self._subscribe = subscribe
         self._listeners: dict[Listener, None] = {}
         self._task: Job | None = None
-        self._began = self._deserted = False
+        self._began = self._is_abandoned = False
         self._starts = 0
         """Number of tasks that were started, plus those cancelled before they began."""
         self._reported: set[type[UnityLinkError]] = set()
@@ -174,7 +174,7 @@ class Feed:
         """Remove a listener; the last one ends the subscription."""
         self._listeners.pop(listener, None)
         if not self._listeners and self._task is not None:
-            self._deserted = True
+            self._is_abandoned = True
             self._task.cancel()
             if not self._began:
                 # Asyncio never runs a task that is cancelled before it begins; other event loops run it up to its first
@@ -183,7 +183,7 @@ class Feed:
                 self._starts += 1
 
     def _start(self) -> None:
-        self._began = self._deserted = False
+        self._began = self._is_abandoned = False
         self._reported.clear()
         self._starts += 1
         self._task = running().create_task(self._run(self._starts))
@@ -191,7 +191,7 @@ class Feed:
     def _stopped(self) -> None:
         self._task = None
         # A listener that was added while the subscription was ending needs another subscription.
-        if self._deserted and self._listeners:
+        if self._is_abandoned and self._listeners:
             self._start()
 
     async def _run(self, start: int) -> None:
@@ -245,4 +245,4 @@ def _fail(listeners: Collection[Listener], error: Exception) -> bool:
     """Pass an error to listeners, and return whether one of them has no caller that receives it."""
     for listener in listeners:
         listener.fail(error)
-    return any(listener.is_deaf() for listener in listeners)
+    return any(listener.hides_errors() for listener in listeners)
