@@ -186,8 +186,8 @@ class _Placement:
         """Simulate up to `around.now`.
 
         Args:
-            dt: seconds since the last call, 0 or more. The method is called before each step of the user's model,
-                before each access of the bus, and again after each step of that model.
+            dt: seconds since the last call, 0 or more. The method is called before each step of the user's model and
+                each access of the bus, and after each step of that model, then with 0 seconds.
         """
 
 
