@@ -28,12 +28,12 @@ ASK_EVERY = 0.2
 """Seconds between requests to a gateway without periodic samples."""
 
 
-def silence_at(rate_hz: float) -> float:
+def longest_silence(rate_hz: float) -> float:
     """Return the seconds without a sample after which a gateway with this sample rate counts as away."""
     return max(SILENCE, PERIODS / rate_hz)
 
 
-def rate_whatever_happens(group: Group, rate_hz: float | None) -> float | None:
+def periodic_rate(group: Group, rate_hz: float | None) -> float | None:
     """Return the rate of a group's samples; None if they are only sent on changes, so that silence means nothing.
 
     Args:
@@ -81,7 +81,7 @@ class Presence:
         signs = samples if rate_hz is not None else self._answers
         came, self._signs = signs != self._signs, signs
         self._silence = 0.0 if came else self._silence + min(now - self._looked, LONGEST_LOOK)
-        is_silent = self._refuses if rate_hz is None else self._silence > silence_at(rate_hz)
+        is_silent = self._refuses if rate_hz is None else self._silence > longest_silence(rate_hz)
         before, self._reconnections = self._reconnections, self._link.statistics.reconnections
         if self.away_since is None and (is_silent or not self._link.connected or self._reconnections != before):
             self.away_since = self._heard

@@ -9,7 +9,7 @@ from contextlib import AsyncExitStack
 from typing import TYPE_CHECKING, Any
 
 from unity_link.bridges.log_once import Faults
-from unity_link.bridges.presence import rate_whatever_happens
+from unity_link.bridges.presence import periodic_rate
 from unity_link.bridges.waiting import begin_when_there
 from unity_link.errors import GatewayError, LinkLostError, first_error
 
@@ -63,7 +63,7 @@ class Carrier:
     def rate_hz(self) -> float | None:
         """Samples per second of the fastest periodic group; None if no group is periodic."""
         several = zip(self._groups, self._subscriptions, strict=False)
-        rates = [rate_whatever_happens(group, samples.rate_hz) for group, samples in several]
+        rates = [periodic_rate(group, samples.rate_hz) for group, samples in several]
         return max((rate for rate in rates if rate is not None), default=None)
 
     async def run(self, thread: Executor, *beside: Coroutine[Any, Any, None]) -> None:

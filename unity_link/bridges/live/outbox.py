@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from unity_link.bridges.presence import rate_whatever_happens, silence_at
+from unity_link.bridges.presence import longest_silence, periodic_rate
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -43,8 +43,8 @@ class Tabulator:
     def __init__(self, stream: int, group: Group, rate_hz: float | None) -> None:
         self._stream = stream
         self._proxies = group.proxies
-        steady = rate_whatever_happens(group, rate_hz)
-        self._longest = np.inf if steady is None else silence_at(steady)
+        steady = periodic_rate(group, rate_hz)
+        self._longest = np.inf if steady is None else longest_silence(steady)
         self._epoch: int | None = None
         self._newest = -np.inf
 
@@ -52,12 +52,12 @@ class Tabulator:
         """Return the table of a batch."""
         table = np.empty((2 + len(self._proxies), len(batch)), "<f8")
         table[0] = instants
-        table[1] = self._are_behind_missing_ones(batch, instants)
+        table[1] = self._has_gap_before(batch, instants)
         for row, proxy in enumerate(self._proxies, start=2):
             table[row] = batch.columns[proxy]
         return Chunk(self._stream, table)
 
-    def _are_behind_missing_ones(self, batch: Batch, instants: NDArray[np.float64]) -> NDArray[np.bool_]:
+    def _has_gap_before(self, batch: Batch, instants: NDArray[np.float64]) -> NDArray[np.bool_]:
         """Return whether samples are missing before each sample: lost ones, or those while the gateway was away."""
         epochs = np.concatenate(([batch.epoch[0] if self._epoch is None else self._epoch], batch.epoch))
         times = np.concatenate(([instants[0] if self._epoch is None else self._newest], instants))

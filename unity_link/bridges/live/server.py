@@ -70,9 +70,9 @@ class PageConversation(WebSocketsSansIOProtocol):
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
         """Accept the connection, unless there are too many."""
-        self.unheard = bytearray()
+        self.unprocessed = bytearray()
         """Received bytes that have not been processed yet."""
-        self._may_say = 0
+        self._budget = 0
         self._interval: asyncio.TimerHandle | None = None
         super().connection_made(transport)
         if len(_open(PageConversation, self.connections)) > MOST_PAGES:
@@ -80,20 +80,20 @@ class PageConversation(WebSocketsSansIOProtocol):
 
     def data_received(self, data: bytes) -> None:
         """Process received data, as far as the limit allows."""
-        self.unheard += data
+        self.unprocessed += data
         if self._interval is None:
             self._begin_interval()
-        self._hear()
+        self._process()
 
     def handle_events(self) -> None:
         """Count the parsed events, and process them."""
-        self._may_say -= len(self.conn.events)
+        self._budget -= len(self.conn.events)
         super().handle_events()
 
     async def receive(self) -> Any:
         """Wait for a message. The library then reads on, so pause it if there are unprocessed bytes."""
         message = await super().receive()
-        if self.unheard:
+        if self.unprocessed:
             self.transport.pause_reading()
         return message
 
@@ -144,25 +144,25 @@ class PageConversation(WebSocketsSansIOProtocol):
             self.transport.abort()
 
     def _begin_interval(self) -> None:
-        talkers = sum(bool(page.unheard) for page in _open(PageConversation, self.connections))
+        senders = sum(bool(page.unprocessed) for page in _open(PageConversation, self.connections))
         # Deduct the messages beyond this page's share in the last interval.
-        self._may_say = min(self._may_say, 0) + max(1, MOST_FRAMES // max(1, talkers))
+        self._budget = min(self._budget, 0) + max(1, MOST_FRAMES // max(1, senders))
         self._interval = self.loop.call_later(INTERVAL, self._end_interval)
 
     def _end_interval(self) -> None:
         self._interval = None
-        if self.unheard and not self.transport.is_closing():
+        if self.unprocessed and not self.transport.is_closing():
             self._begin_interval()
-            self._hear()
+            self._process()
 
-    def _hear(self) -> None:
+    def _process(self) -> None:
         """Process received bytes up to this page's share of the interval. Pause reading while some remain."""
         with _ending(self):
-            while self.unheard and self._may_say > 0 and not self.transport.is_closing():
-                part = bytes(self.unheard[:_PART])
-                del self.unheard[:_PART]
+            while self.unprocessed and self._budget > 0 and not self.transport.is_closing():
+                part = bytes(self.unprocessed[:_PART])
+                del self.unprocessed[:_PART]
                 super().data_received(part)
-        if self.unheard:
+        if self.unprocessed:
             self.transport.pause_reading()
         elif not self.read_paused:
             self.transport.resume_reading()

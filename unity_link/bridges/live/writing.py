@@ -87,7 +87,7 @@ class Writing:
         self._known: dict[str, tuple[Writable[Any], int]] = {}
         """Signals that were written, and the number of reconnections of the link at that time, by path."""
         self._token = token.encode(errors="surrogatepass")
-        self._errands = _Errands(robot.link)
+        self._calls = _Calls(robot.link)
         self._signals: dict[str, Writable[Any]] = {
             proxy.path: proxy  # type: ignore[misc]
             for proxy in robot.signals
@@ -120,7 +120,7 @@ class Writing:
             if proxy not in self._sampled and proxy.signal.safe is None and proxy.signal.effect is None:
                 self._known[proxy.path] = proxy, self._link.statistics.reconnections
 
-        return await self._errands.run(wish.number, write)
+        return await self._calls.run(wish.number, write)
 
 
 class Stopping:
@@ -132,17 +132,17 @@ class Stopping:
 
     def __init__(self, robot: Robot) -> None:
         self._leases = leases_of(robot) if isinstance(robot, LeasedRobot) else {}
-        self._errands = _Errands(robot.link)
+        self._calls = _Calls(robot.link)
 
     async def stop(self, wish: Stop) -> Written | Refused:
         """Disarm a lease. Refuse that while the link is away; the lease then runs out by itself."""
         lease = self._leases.get(wish.lease)
         if lease is None:
             return Refused(wish.number, f"there is no lease {wish.lease!r}")
-        return await self._errands.run(wish.number, lease.stop)
+        return await self._calls.run(wish.number, lease.stop)
 
 
-class _Errands:
+class _Calls:
     """Requests of pages to the gateway, each executed to its end, or until the link goes away.
 
     Args:

@@ -15,7 +15,7 @@ import asyncio
 from collections import deque
 from typing import TYPE_CHECKING, cast
 
-from unity_link.bridges.serve.requests import Relayed, RelayedRows, Said
+from unity_link.bridges.serve.requests import LocalAnswer, Relayed, RelayedRows
 from unity_link.bridges.serve.turns import ClientQueue
 from unity_link.protocol.wire.messages import ErrorCode
 
@@ -57,14 +57,14 @@ class ClientConnection(asyncio.Protocol):
         """Number of samples that were dropped because the client did not read in time."""
         self._shared = shared
         self._transport: asyncio.Transport | None = None
-        self._pending: deque[Relayed | RelayedRows | Said] = deque()
+        self._pending: deque[Relayed | RelayedRows | LocalAnswer] = deque()
         self._asked = 0
         """Number of requests of the client so far."""
         self._last_posted = 0
         """Number, in the order of the client's requests, of the last posted write."""
         self._last_answered = 0
         """Number of the last answered request: all earlier ones were executed, including posted writes."""
-        self._last_told = 0
+        self._last_sent = 0
         """Number of the last request whose answer was sent to the client."""
         self._under_way = 0
         self._spent_here = 0
@@ -75,7 +75,7 @@ class ClientConnection(asyncio.Protocol):
         self._flushing = False
         self._slow = False
         self._held = False
-        self._said_all = False
+        self._at_eof = False
 
     # Called by the transport
 
@@ -98,7 +98,7 @@ class ClientConnection(asyncio.Protocol):
 
     def eof_received(self) -> bool:
         """Note that the client sends no more, as at the end of a pipe into it. Its requests are still answered."""
-        self._said_all = True
+        self._at_eof = True
         self._wake()
         return True
 
@@ -226,7 +226,7 @@ class ClientConnection(asyncio.Protocol):
         """Send an answer of the server's own, after the answers to earlier requests."""
         if self._pending:
             self._asked += 1
-            self._pending.append(Said(frame, self._asked))
+            self._pending.append(LocalAnswer(frame, self._asked))
             self._under_way += len(frame)
         else:
             self.write(frame)
@@ -249,7 +249,7 @@ class ClientConnection(asyncio.Protocol):
         self.queue.requests.extend(entry for entry in dropped if entry.of_no_session)
         self._shared.turns.join(self.queue)
 
-    def _refuse(self, entries: Iterable[Relayed | RelayedRows | Said], unsent: ErrorCode) -> None:
+    def _refuse(self, entries: Iterable[Relayed | RelayedRows | LocalAnswer], unsent: ErrorCode) -> None:
         """End requests. Those with an ID that were not sent end with the error `unsent`."""
         # Posted writes are only in the queue; their errors must be reported before those of later requests.
         for entry in sorted(entries, key=lambda entry: entry.order):
@@ -282,14 +282,14 @@ class ClientConnection(asyncio.Protocol):
         If an answer to a later request was sent already, the error is not sent: the count in the answer to an ``h``
         includes it.
         """
-        if not frame or order < self._last_told:
+        if not frame or order < self._last_sent:
             return
         place = sum(entry.order < order for entry in self._pending)
         if not place:
             self.write(frame)
-            self._last_told = order
+            self._last_sent = order
         else:
-            self._pending.insert(place, Said(frame, order))
+            self._pending.insert(place, LocalAnswer(frame, order))
             self._under_way += len(frame)
 
     def answer_rows(self, rows: RelayedRows) -> None:
@@ -305,18 +305,18 @@ class ClientConnection(asyncio.Protocol):
             entry = pending[0]
             if isinstance(entry, RelayedRows):
                 self._write_rows(entry)
-                self._last_told = entry.order if entry.answered else self._last_told
+                self._last_sent = entry.order if entry.answered else self._last_sent
                 if entry.answered < entry.count:
                     return
             elif entry.reply is None:
                 return
             else:
-                if isinstance(entry, Said):
+                if isinstance(entry, LocalAnswer):
                     self._under_way -= len(entry.reply)
                 elif entry.state is not None and entry.number is not None:
                     entry.state.awaited[entry.number] = 0
                 self.write(entry.reply)
-            self._last_told = entry.order
+            self._last_sent = entry.order
             pending.popleft()
 
     def _write_rows(self, rows: RelayedRows) -> None:
@@ -363,7 +363,7 @@ class ClientConnection(asyncio.Protocol):
         if self._transport is not None:
             self._transport.write(data)
             self._listen()
-            if self._said_all and not self._pending and not self.queue.requests:
+            if self._at_eof and not self._pending and not self.queue.requests:
                 self._transport.close()
 
 

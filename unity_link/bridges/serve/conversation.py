@@ -34,7 +34,7 @@ FEWEST_ROWS = 8
 """Least number of adjacent requests that are processed together with numpy."""
 ADAPTIVE = 2
 _DONE_HERE = frozenset({"Q", "K", "GS", "GN", "GX", "GP", "I"})
-"""Commands that the server answers: they concern only the client, or change groups of the gateway indirectly."""
+"""Commands that the server answers itself. The gateway gets requests only if one of its own groups must change."""
 _HEX = b"0123456789ABCDEF"
 _IS_HEX = np.zeros(256, np.bool_)
 _IS_HEX[list(_HEX)] = True

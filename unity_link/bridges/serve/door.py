@@ -38,7 +38,7 @@ out.
 """
 MOST_CLIENTS = 256
 MOST_STRANGERS = 512
-"""More than the backlog of the system, so that a valid token is not dropped before it is read."""
+"""Most unauthenticated clients; above the backlog of the system, so that none is dropped before its token is read."""
 LONGEST_TOKEN = 256
 
 

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from unity_link.protocol.host.events import Events
     from unity_link.protocol.host.host_codec import HostCodec
 
-FATES = {ErrorCode.BUS_ERROR, ErrorCode.BUS_TIMEOUT, ErrorCode.OUT_OF_RANGE}
+EXECUTED = {ErrorCode.BUS_ERROR, ErrorCode.BUS_TIMEOUT, ErrorCode.OUT_OF_RANGE}
 """Errors of requests that were executed."""
 
 
@@ -193,7 +193,7 @@ class Relayed(Request):
         if code is ErrorCode.NO_SESSION:
             state, self.state = self.state, None
             return no_session(self.codec, state, self.number, 0 if self.plain else self.characters)
-        if code in FATES and not self.repeated:
+        if code in EXECUTED and not self.repeated:
             self.state.fail(self.number, code, posted=self.stateless)
         return self.codec.error(code, self.number)
 
@@ -290,7 +290,7 @@ class RelayedRows(WordBatch):
         if code is ErrorCode.NO_SESSION:
             characters = len(self.command) + to_client.info.id_digits + self._fields.shape[1]
             return to_client.framing.checked(no_session(to_client, self.state, number, characters))
-        if code in FATES:
+        if code in EXECUTED:
             self.state.fail(number, code, posted=False)
         return to_client.framing.checked(to_client.error(code, number), self.state.seeds[1])
 
@@ -380,7 +380,7 @@ def _code_of(error: UnityLinkError) -> ErrorCode:
     return ErrorCode.BUS_TIMEOUT
 
 
-class Said:
+class LocalAnswer:
     """An answer of the server's own that waits for the answers to earlier requests."""
 
     __slots__ = ("order", "reply")

@@ -94,7 +94,7 @@ class SharedLink(Connection):
         self._mode = _ADAPTIVE
         """Send-immediate mode of the gateway."""
         self._changing_mode: asyncio.Task[None] | None = None
-        self._last_words = ""
+        self._last_report = ""
         self._patience: asyncio.TimerHandle | None = None
         self._errands: set[asyncio.Task[None]] = set()
 
@@ -364,7 +364,7 @@ class SharedLink(Connection):
             self.leases.interrupted()
         self.slots.interrupted(self.loop.time())
         if not self.away and self._patience is None:
-            self._patience = self.loop.call_later(PATIENCE, self._lose_patience)
+            self._patience = self.loop.call_later(PATIENCE, self._refuse_waiting)
         self._say(f"the gateway is away: {reason}")
 
     def _gateway_was_reset(self, event: Interrupted) -> None:
@@ -382,7 +382,7 @@ class SharedLink(Connection):
         self.tried.set()
         self._say(f"waiting for the gateway: {error}")
 
-    def _lose_patience(self) -> None:
+    def _refuse_waiting(self) -> None:
         self.away = True
         for client in self.clients:
             client.refuse_all()
@@ -398,8 +398,8 @@ class SharedLink(Connection):
 
     def _say(self, text: str) -> None:
         """Report a text, unless it is the same as the last one."""
-        if text != self._last_words:
-            self._last_words = text
+        if text != self._last_report:
+            self._last_report = text
             self._report(text)
 
     async def finish(self) -> None:
