@@ -422,13 +422,13 @@ class Lease(Sealed):
     def refusal(self, address: int) -> NotArmedError | None:
         """Return the error for a write to an address if the lease is over, or its time-out has passed; None otherwise.
 
-        Another program may have armed the lease after the time-out, and the write would act under that program's lease.
-        A kick asks the gateway, whose clock decides: if the lease has not ended there, writes are accepted again. What
-        is scheduled may be cancelled while the lease is finishing.
+        Another program may have armed the lease after the time-out; the write would then be executed under that lease.
+        A kick asks the gateway, whose clock decides: if the lease has not ended there, writes are accepted again.
+        Scheduled writes can still be cancelled while the lease is finishing.
         """
         error = self.ended()
         if error is None and self._has_ended() and not (self._finishes and address in self._registers.cancels):
-            more = ", and writes that were scheduled by then may still act" if self._finishes else ""
+            more = ", and writes that were scheduled by then may still be executed" if self._finishes else ""
             message = f"{self._registers.name} has ended: no kick came within {self.timeout:g} s{more}"
             error = NotArmedError(message, "silence")
         return error

@@ -50,7 +50,7 @@ class WritePort(Proxy[T], Generic[T, S]):
         """Append values.
 
         Raises:
-            ArgumentError: for a value outside of the limits, or one that the kind cannot represent; nothing is sent.
+            ArgumentError: for a value outside of the limits, or that the kind cannot represent; no value was sent.
             BusError: if the queue had no room for all and the gateware reports that; the first values were added.
         """
         signal = self.signal

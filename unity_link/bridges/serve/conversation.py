@@ -309,7 +309,7 @@ class Conversation:
 
     def _set_up_group(self, request: DecodedRequest, *, plain: bool) -> None:
         number, flags, divisor, _, addresses = request.values
-        # Use the gateway's own configuration: its medium, which the client does not see, affects what it can publish.
+        # Use the gateway's own configuration: the client's lacks features of the medium, which limit groups.
         for_program = self._session.state.for_program
         if not group_fits(self._shared.gateway, number, flags, divisor, addresses, for_program=for_program):
             self._refuse(request, plain=plain)
