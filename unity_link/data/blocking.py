@@ -121,7 +121,7 @@ class View(OfLink):
 
     def _leave(self, samples: Any) -> None:
         """End an iteration."""
-        # Close it here: the garbage collector would do so late, in any thread. A callback cannot wait, so leave it.
+        # Close the iterator here, unless in a callback, which cannot wait: the garbage collector would do so late.
         begun = _plain(samples)
         if begun is not self._thing and not self._link._runtime.is_running_here():  # noqa: SLF001  (as below)
             _take(self._link, begun.aclose)
@@ -149,7 +149,7 @@ class View(OfLink):
     ) -> None:
         try:
             leave = getattr(self._thing, "__aexit__", None) or self._thing.__exit__
-            # Not by `_call`, which raises if the link is closed: closing a link also ends its leases and schedules.
+            # Not by `_call`, which raises if the link is closed: a closed link has ended the block, which is no error.
             self._link._runtime.run(_awaited, leave, (kind, error, trace), {})  # noqa: SLF001  (as below)
         finally:
             if self._block is not None:

@@ -113,7 +113,7 @@ class Laps:
             name: name of the signal that is written.
 
         Raises:
-            ArgumentError: for any other value that is half a round or more away from the last one read, or if none was.
+            ArgumentError: for any other value if no value was read yet, or the last one is half a round or more away.
         """
         low, high = self.signal.kind.range
         last = self.last(epoch)

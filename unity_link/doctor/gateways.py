@@ -160,7 +160,7 @@ async def _round_trip(link: Link, count: int) -> float:
 
 def _judge_round_trip(round_trip: float, rate: float | None, info: GatewayInfo) -> Finding:
     text = f"{_time(round_trip)}, median of {ROUND_TRIPS}"
-    # The request and the answer, which also has the count of failed posted writes (one more ID field in size).
+    # Bytes of the request and the answer; the answer has one more field of an ID's size, the count of failed writes.
     size = 2 * (1 + info.id_digits + info.crc_bits // 4 + 1) + info.id_digits
     allowed = 0.0 if rate is None else size / rate
     if rate is not None:

@@ -187,7 +187,7 @@ def _check_chip(url: DriverUrl) -> Iterator[Finding]:
 
 
 def _judge_baud(baud: int) -> Finding:
-    """Return whether the rate that a chip makes, in bits/s, is close enough to the requested one for a UART."""
+    """Return a finding about a rate in bits/s; a fault if the chip can only make one that is too far off for a UART."""
     text = describe_baud(baud)
     if abs(made_of(baud) / baud - 1) <= MOST_BAUD_ERROR:
         return Finding("speed", text)

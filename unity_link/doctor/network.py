@@ -207,7 +207,7 @@ def _by_number(error: OSError) -> tuple[str, FaultName | None]:
 
 
 def judge_loss(heard: Questioned) -> Finding:
-    """Return a finding about the unanswered datagrams; a fault from 2 on."""
+    """Return a finding about the unanswered datagrams; two or more are a fault."""
     lost = heard.asked - heard.answered
     text = f"{lost} of {heard.asked} datagrams not answered"
     if lost < 2:

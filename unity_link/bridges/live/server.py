@@ -1,9 +1,9 @@
 """The web server of the page, uvicorn, with limits on what clients can cost.
 
-Any program of this machine can connect. These are the limits: of connections, the oldest that has not become a page is
-closed, so that silent ones do not block others; the data that waits for a client that does not read; the parts of a
-message; and the messages of all pages in an interval, so that time remains for samples. Data that the libraries below
-do not expect ends only the client's own connection.
+Any program of this machine can connect. There are limits on connections (with too many, the oldest that has not become
+a page is closed, so that silent ones do not block others), on data that waits for a client that does not read, on the
+parts of a message, and on the messages of all pages in an interval, so that time remains for samples. Data that the
+libraries below do not expect ends only the client's own connection.
 """
 
 from __future__ import annotations
