@@ -5,8 +5,8 @@ makes a command of it, and has all texts for users. A bridge reports by a callab
 context ends, and raises one exception if it cannot continue.
 
 - `serve`: the protocol itself, for several programs at once
-- `ros1`, `ros2`: topics of ROS; `ros` has the common parts, `topics` the names and types of signals, `commands` the
-  values that ROS sends
+- `ros1`, `ros2`: topics of ROS; `ros` has the common parts, `topics` the topics of signals and joints, `topic_names`
+  their names and types, `commands` the values that ROS sends
 - `zenoh`: links, samples and values for other machines
 - `waiting`: a link to a gateway that may be away at the start, and its samples
 - `thread_queue` and `gateway_time`: the way of samples to a thread that sends them, and the instants of samples

@@ -48,11 +48,11 @@ def check_number(name: str, value: float) -> None:
     rclpy serialises an int in a ``Float64`` as the bits of another object, which are a subnormal number.
 
     Args:
-        name: of the signal or the topic.
-        value: of the message.
+        name: name of the signal or the topic.
+        value: value in the message.
 
     Raises:
-        ArgumentError: if it is subnormal.
+        ArgumentError: if the value is subnormal.
     """
     if 0 < abs(value) < sys.float_info.min:
         raise ArgumentError(

@@ -1,4 +1,4 @@
-"""The state of a bridge in terms of ``diagnostic_msgs``: what `RosBridge` publishes on ``/diagnostics``."""
+"""The state of a bridge as ``diagnostic_msgs``, which `RosBridge` publishes on ``/diagnostics``."""
 
 from __future__ import annotations
 
@@ -38,11 +38,11 @@ def array_of(
     """Return a ``DiagnosticArray`` without a stamp.
 
     Args:
-        statuses: what it has.
+        statuses: statuses in the message.
         array: class of the message.
         status: class of a ``DiagnosticStatus``.
         pair: class of a ``KeyValue``.
-        level: converts a level to what the message has for it.
+        level: converts a level to the message's type.
     """
     fields = (
         {

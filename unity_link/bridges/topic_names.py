@@ -20,20 +20,21 @@ _TYPES = {
     "f8": "Float64",
 }
 SI = {"deg": math.pi / 180, "deg/s": math.pi / 180, "mm": 1e-3, "mm/s": 1e-3, "cm": 1e-2, "cm/s": 1e-2, "Nmm": 1e-3}
-"""Factors to what REP 103 asks for; every other unit is taken as it is."""
+"""Factors to the units of REP 103; values in other units are not converted."""
 
 
 def topic_names(interface: Interface) -> dict[str, str]:
     """Return the names in ROS of all components and signals by their paths: ``legs[2].coxa`` is ``legs_2/coxa``.
 
-    Each is another one: where ``legs_2`` is a member too, the element of the array is ``legs_2_2``. That of the
-    interface, which a joint needs whose signals stand there, is before no other.
+    All names differ: if the component has a member ``legs_2``, too, the element of the array is ``legs_2_2``. The
+    name of the interface itself, under the empty path, is for joints whose signals are in no component; it is not
+    a prefix of the other names.
     """
     names = {"": ""}
     for component in interface.root.walk():
         parts = [part for part in component.parts if isinstance(part, ComponentSpec)]
         elements = [one for part in component.parts if isinstance(part, ComponentArray) for one in part.items]
-        # What has a name in the spec keeps it.
+        # Members without an index come first, so that they keep their names in the spec.
         signals = sorted(component.signals, key=lambda signal: signal.index is not None)
         members: list[Signal | ComponentSpec] = [*signals, *parts, *elements]
         taken: set[str] = set()
@@ -53,5 +54,5 @@ def _unique(wanted: str, taken: set[str]) -> str:
 
 
 def message_type(kind: Kind) -> str:
-    """Return the type of ``std_msgs`` that holds every value of a kind; enumerations are their numbers."""
+    """Return the type in ``std_msgs`` that can hold all values of a kind; values of enumerations are numbers."""
     return _TYPES[f"{kind.dtype.kind}{kind.dtype.itemsize}"]

@@ -208,7 +208,7 @@ def published_groups(robot: Robot, poll_hz: float | None = None) -> list[Publish
     sampled = sampled_groups(robot, poll_hz, is_needed=is_needed)
     several = sum(group.model is not None and bool(group.model.joints) for _, group in sampled) > 1
     names = topic_names(robot.interface)
-    # The bridge has a topic of this name itself.
+    # The bridge itself has a topic of this name.
     armed = {f"{lease}.armed" for lease in robot.interface.leases}
     found = []
     taken = {"joint_states", *names.values()}
@@ -234,7 +234,7 @@ def command_topics(robot: Robot, published: list[PublishedGroup]) -> list[Comman
     names = topic_names(robot.interface)
     found = []
     for proxy in robot.signals:
-        # Words of leases and schedules have the token and the clock of a program in them; ROS arms by `RosLease`.
+        # Words of leases and schedules contain a program's token and instants; for ROS, `RosLease` arms the lease.
         if isinstance(proxy, Writable) and proxy.path.rpartition(".")[0] not in raw:
             name = names[proxy.path]
             full_name = f"{name}/set" if name in taken else name

@@ -84,7 +84,7 @@ def path_of(component: Any) -> str:
 
 
 def members_of(robot: Any, kind: type[V]) -> dict[str, V]:
-    """Return the components of a robot with verbs of a kind, by their paths."""
+    """Return the components of a robot that have a core API of a type, by their paths."""
     found: dict[str, V] = {}
     waiting = list(getattr(robot, "_members", ()))
     while waiting:

@@ -71,7 +71,7 @@ async def robot_behind(
 async def check_board(interface: Interface, link: Link) -> None:
     """Compare an interface with the gateway's description of itself, if their fingerprints differ.
 
-    If the gateway has no description, nothing is compared here: `check_gateway` compares its configuration.
+    If the gateway has no description, only `check_gateway` compares the configuration, when the robot is made.
 
     Raises:
         SpecMismatchError: if the gateway lacks a part of the interface, or has a different one.
