@@ -18,31 +18,31 @@ if TYPE_CHECKING:
     from unity_link.spec import Sensor
 
 Field = str | tuple[Any, Any]
-"""A text, or the numpy type of a field and its value; a value of shape (samples, ...) differs between messages."""
+"""A text; or the numpy type of a field, and its value for all messages or one for each, of shape (samples, ...)."""
 KINDS = {"IMU": "Imu", "BATTERY": "BatteryState", "RANGEFINDER": "Range"}
-"""Types of ``sensor_msgs`` by the words of UL-spec."""
+"""Types in ``sensor_msgs`` by the words for sensors in a spec."""
 TOPICS = {"IMU": "imu", "BATTERY": "battery_state", "RANGEFINDER": "range"}
 _FACTORS = SI | {"g": 9.80665, "mV": 1e-3, "mA": 1e-3, "mAh": 1e-3, "%": 1e-2}
 _NOT_MEASURED = (-1.0, *[0.0] * 8)
-"""Covariance of what an IMU does not measure; zeros mean that the covariance is not known."""
+"""Covariance for a quantity that an IMU does not measure; zeros would mean an unknown covariance."""
 _BATTERY = ("VOLTAGE", "TEMPERATURE", "CURRENT", "CHARGE", "CAPACITY", "DESIGN_CAPACITY", "PERCENTAGE")
 _BYTE, _COUNT, _FLOAT, _DOUBLE = "u1", "<u4", "<f4", "<f8"
 
 
 class SensorTopic(NamedTuple):
-    """A sensor that is published."""
+    """A sensor whose samples are published as a topic."""
 
     name: str
     kind: str
-    """Type of ``sensor_msgs``."""
+    """Type in ``sensor_msgs``."""
     frame: str
-    """Frame of the messages: the name of the component, with _ for each slash."""
+    """Frame of the messages: the name of the component, with ``_`` in place of each slash."""
     sensor: Sensor
     proxies: Mapping[str, Sequence[Proxy[Any]]]
-    """Signals of each part."""
+    """Signals of each part of the sensor, such as ``ORIENTATION``."""
 
     def fields(self, batch: Batch, *, has_variance: bool) -> list[Field]:
-        """Return the fields of the messages after their header; has_variance is True for the Range of ROS 2."""
+        """Return the fields of the messages after their header; `has_variance` must be True for the Range of ROS 2."""
         if self.sensor.word == "IMU":
             return self._imu(batch)
         if self.sensor.word == "BATTERY":
@@ -60,7 +60,7 @@ class SensorTopic(NamedTuple):
 
     def _battery(self, batch: Batch) -> list[Field]:
         numbers = [self._columns(part, batch)[:, 0] if part in self.proxies else math.nan for part in _BATTERY]
-        # Status, health and technology are unknown; it is present; no cells, no place and no serial number.
+        # Status, health and technology are unknown, the battery is present; other fields are empty.
         states: list[Field] = [(_BYTE, state) for state in (0, 0, 0, 1)]
         return [*((_FLOAT, number) for number in numbers), *states, (_COUNT, 0), (_COUNT, 0), "", ""]
 
@@ -82,10 +82,10 @@ def sensor_topics(sensors: Sequence[Sensor], robot: Robot, names: dict[str, str]
     """Return the topics of the sensors of a group.
 
     Args:
-        sensors: of the group.
-        robot: with their signals.
-        names: in ROS of components and signals, by their paths.
-        taken: names of topics that are used already; those of the sensors are added.
+        sensors: sensors of the group.
+        robot: robot with their signals.
+        names: names of components and signals in ROS, by their paths.
+        taken: names of topics in use; the names of the sensors' topics are added.
     """
     found = []
     for sensor in sensors:

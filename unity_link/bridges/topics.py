@@ -88,7 +88,7 @@ class JointTopic(NamedTuple):
     kind: str
     """Type of ``sensor_msgs``."""
     frame: str | None
-    """Frame of the messages; None for that of the bridge's settings."""
+    """Frame of the messages; None for the frame in the bridge's settings."""
     names: list[str]
     positions: list[Any]
     velocities: list[Any]

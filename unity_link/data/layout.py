@@ -24,16 +24,16 @@ if TYPE_CHECKING:
     from unity_link.protocol.wire.arrays import Words
 
 MOST_BLOCKS = 8
-"""Blocks by which a group is read; a group with more runs of addresses is read word by word."""
+"""Most blocks with which a group is read; a group with more runs of addresses is read word by word."""
 
 
 class _Requests(NamedTuple):
-    """The requests that read the words of some addresses."""
+    """The requests that read the words at some addresses."""
 
     most: int
-    """Words of a block for which these were chosen."""
+    """Most words of a block, for which the requests were chosen."""
     single: NDArray[np.uint64]
-    """Addresses that are read by a request each."""
+    """Addresses that are read with one request each."""
     blocks: list[range]
     order: NDArray[np.intp] | None
     """Place of each address among the words of all requests; None if they are in the order of the addresses."""
@@ -43,10 +43,10 @@ class _Requests(NamedTuple):
         """Choose the requests.
 
         Args:
-            addresses: of all words.
-            parts: addresses of each value. A value of several words is read in one bus transaction, because it could
-                be of two instants otherwise.
-            most: words of a block.
+            addresses: addresses of all words.
+            parts: addresses of each value. A value of several words is read in one bus transaction; otherwise its
+                words could be of different instants.
+            most: most words of a block.
         """
         runs: list[range] = []
         for part in sorted(parts, key=lambda one: (one.start, one.stop)):
@@ -54,7 +54,7 @@ class _Requests(NamedTuple):
                 runs[-1] = range(runs[-1].start, max(part.stop, runs[-1].stop))
             else:
                 runs.append(part)
-        # Many short blocks take longer than single words, of which one batch has all.
+        # Many short blocks take longer than single words, which are all read in one batch.
         blocks = runs if len(runs) <= MOST_BLOCKS else [part for part in parts if len(part) > 1]
         of_blocks = [address for block in blocks for address in block]
         single = [address for address in addresses if address not in set(of_blocks)]
@@ -140,7 +140,7 @@ class GroupLayout:
         try:
             words = await reads[0] if len(reads) == 1 else np.concatenate(await gather(*reads))
         except GatewayError:
-            # The error of a block names no word of it; that of a word does.
+            # The error of a block does not name the word that failed, so read the words one by one.
             await link.read_many(self.addresses)
             raise
         return words if order is None else words[order]
