@@ -71,7 +71,7 @@ class Slow(Session):
             self._admit(now, events)
 
     def receive(self, data: bytes, now: float) -> list[Any]:
-        with mock.patch.object(Window, "is_quiet", return_value=False):
+        with mock.patch.object(Window, "has_no_loss", return_value=False):
             return super().receive(data, now)
 
     def submit_alone(self, request: Request, now: float) -> bytes:
