@@ -31,7 +31,7 @@ from unity_link.link.connection import Connection, Reconnect
 from unity_link.link.interrupts import whole_exit
 from unity_link.link.living import LeftOpen
 from unity_link.link.publishing import Overflow, Publishing, Sample, Schedule
-from unity_link.link.runtimes.runtime import told_now
+from unity_link.link.runtimes.runtime import raises_now
 from unity_link.link.subscription import LARGEST_DIVISOR, Subscription, asked_rate, check_addresses
 from unity_link.protocol import wire
 from unity_link.protocol.host.batches import RequestBlock, WordBatch, common_outcome
@@ -342,7 +342,7 @@ class Link(OfLink, Connection):
 
     async def _fence_for(self, caller: Any) -> None:
         self._posted = False
-        is_told = told_now(self._runtime, caller)
+        is_told = raises_now(self._runtime, caller)
         try:
             await self._fence(leaving=False)
         except LinkLostError as lost:

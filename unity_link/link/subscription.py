@@ -142,7 +142,7 @@ class Subscription(OfLink):
             raise
         receiver.holder = self
         self._left_open = LeftOpen(self._warn_of_left_open)
-        self._publishing.runtime.attend()
+        self._publishing.runtime.start_polling()
         return self
 
     @whole_exit
@@ -155,7 +155,7 @@ class Subscription(OfLink):
         if self._group is not None:
             group, self._group = self._group, None
             self._receiver.holder = None
-            self._publishing.runtime.leave()
+            self._publishing.runtime.stop_polling()
             await self._publishing.release(group)
 
     def __aiter__(self) -> Self:

@@ -181,7 +181,7 @@ class Host:
                 self.sent += frame
             else:
                 self.events += self.session.submit(request, now)
-                if self.window.is_lone():
+                if self.window.has_one_request():
                     self.flush()
         self.flush()
         if request is not None and turn.cancelled:

@@ -92,7 +92,7 @@ def names(parts: list[Unanswered[Named]]) -> list[tuple[str, bool]]:
 def test_one_request_is_alone_also_at_the_end_of_the_ring() -> None:
     window: Window[Named] = Window(RING, RING - 1)
     sent(window, "a")
-    assert window.is_lone()
+    assert window.has_one_request()
 
 
 def test_an_answer_is_no_matter_of_its_own_while_others_are_to_be_sent_again() -> None:

@@ -135,7 +135,7 @@ class Sequence:
         self.outcomes = bytearray(self._half)
         """Error code of the last request of each ID, modulo half the sequence space; 0 for success.
 
-        Neither a reset nor a new session clears them, as in the gateware: a host asks only for outcomes of its requests.
+        Neither a reset nor a new session clears them, as in the gateware; a host asks only for its own outcomes.
         """
         self.reset()
 

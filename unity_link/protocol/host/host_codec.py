@@ -26,7 +26,7 @@ class HostCodec(Codec):
         self.prefix_size = len(self.framing.prefix)
         self.burst_end = b"" if Feature.HALF_DUPLEX in info.features else LF
         """An empty frame to send after a burst, so that a damaged end of the last frame is detected at once. Nothing on
-        a half-duplex line, where only one frame is sent at a time."""
+        a half-duplex line, because only one frame is sent there at a time."""
         self.begin(NO_SESSION)
 
     def begin(self, session: int) -> None:

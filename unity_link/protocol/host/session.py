@@ -157,7 +157,7 @@ class Session:
         self._proofs = 0
         """Number of exchanges of the pending proof, from 1; 0 without a pending proof."""
         self._is_half_duplex = self._queried_alone = False
-        """True on a half-duplex line, where one frame is sent at a time. The second: that frame is a session query."""
+        """True on a half-duplex line: one frame is sent at a time. The second: that frame is a session query."""
         self._byte_time: float | None = None
         self._longest_try = math.inf
         self._is_transparent = False

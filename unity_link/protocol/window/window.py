@@ -125,7 +125,7 @@ class Window(SequenceSpace[R]):
         """Return whether no request is in flight."""
         return self.next == self.oldest and not self.posted_writes.executed
 
-    def is_lone(self) -> bool:
+    def has_one_request(self) -> bool:
         """Return whether exactly one request is in flight."""
         return self.next - self.oldest & self.mask == 1
 
