@@ -169,7 +169,7 @@ class CallingThread:
         CALLING.add(self)
 
     def disown(self) -> None:
-        """Refuse all calls, because this process was forked: the polling thread and the lock's holder do not exist here."""
+        """Refuse all calls in a forked process, in which the polling thread and the lock's holder do not exist."""
         self.is_disowned = True
         self.is_running_here = _refuse
 
