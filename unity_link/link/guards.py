@@ -1,6 +1,6 @@
 """Addresses of a link that a program writes under a lease, and the check that the program still holds the lease.
 
-A write to such an address ends with the session in which it was asked for. If it waited for the next session, it could
+A write to such an address ends with the session in which it was submitted. If it waited for the next session, it could
 act under a lease that another program has armed there.
 """
 

@@ -95,7 +95,7 @@ class Deferred:
         self._finalizing = 0
         """Number of nested finalizers that run now."""
         self._delivering = 0
-        """Number of nested calls that are at a safe point, where handlers run."""
+        """Number of nested calls that are at a safe point, so that handlers may run."""
         self.is_in_callback = False
         """True in a callback of the program, in which handlers are called at once."""
         self.raised: BaseException | None = None

@@ -1,7 +1,7 @@
-"""Layer 2, message link: what a program holds of one gateway.
+"""Layer 2: the link of a program to one gateway.
 
-`Link` checks what it is asked for, makes requests of it, and waits for their futures. `connection` is its life,
-`flow` moves the requests, `subscription` the publishes; this module joins them.
+`Link` checks the arguments of calls, makes requests of them, and waits for their futures. It is a `Connection`; its
+`flow` carries requests and answers, and `subscription` handles samples.
 """
 
 from __future__ import annotations

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from unity_link.transport import DriverUrl, MemoryBus, WordsByAddress
 
 TURN = 256
-"""Number of accesses after which a call lets other tasks run, because it waits for nothing else."""
+"""Number of accesses after which a call lets other tasks run; the accesses themselves do not wait."""
 _EARLY = 1e-6
 """Fraction of a period by which a timer may fire early."""
 

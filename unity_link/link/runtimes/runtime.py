@@ -86,7 +86,7 @@ class Job(Protocol):
 
 
 class Runtime(Protocol):
-    """What a link needs of the program's kind of concurrency."""
+    """The interface of a runtime."""
 
     @property
     def ended(self) -> Sequence[object]:

@@ -2,8 +2,9 @@
 
 1. A datagram of the open session, from the address that opened it, and with a newer count: its frames are executed.
 2. A datagram with the offered session number that begins with `K i s`: that session begins, and the previous one ends.
-3. A datagram without a header, or a session query: requests without an ID are executed; the answer offers a session.
-4. Any other datagram with a header is refused by error 0A.
+3. A datagram without a header, or one with the offered session number and a session query: requests without an ID are
+   executed, others are refused. The answers have a header that offers a session.
+4. Any other datagram with an undamaged header is refused by error 0A, unless it is itself an offer or a refusal.
 """
 
 from __future__ import annotations

@@ -209,7 +209,7 @@ class WordBatch(Awaited):
 
 
 class BatchRun(Message):
-    """Consecutive messages of a batch that are sent together, and whose answers are decoded together.
+    """Consecutive messages of a batch, which are sent together; numpy decodes their answers together.
 
     Args:
         batch: the batch.

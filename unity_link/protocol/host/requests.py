@@ -487,7 +487,7 @@ class Fence(Confirmation):
     def fail_part(self, offset: int, count: int, error: UnityLinkError, events: Events) -> None:
         """End the fence with an error.
 
-        An error response of the gateway ends it without one: then the outcome of each posted write was asked for.
+        An error response to the fence is no error of the call: the window has asked for each posted write's outcome.
         """
         if isinstance(error, GatewayError):
             self.take_data(b"0", events)

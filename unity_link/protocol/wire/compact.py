@@ -123,7 +123,7 @@ class Packer:
         return b"".join([self._pack_equal(b"".join(group)) or b"".join(map(self.pack_one, group)) for group in groups])
 
     def _pack_equal(self, frames: bytes) -> bytes:
-        """Convert two or more frames of one command and one length; return nothing if `frames` is anything else."""
+        """Convert two or more frames of one command and one length; return nothing if they differ in these."""
         size = frames.find(b"\n") + 1
         count = len(frames) // size if size else 0
         head, at = self._head(frames)

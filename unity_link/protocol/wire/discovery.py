@@ -71,7 +71,12 @@ class Found(NamedTuple):
 
 
 def ask(mac: bytes = EVERYBODY, ip: bytes = NOWHERE) -> bytes:
-    """Return a question to all gateways, or to the gateway with one MAC address; `ip` gives it an IPv4 address."""
+    """Return a question to all gateways, or to the gateway with one MAC address.
+
+    Args:
+        mac: MAC address of the gateway, or `EVERYBODY`.
+        ip: IPv4 address that this gateway is to use from now on, or `NOWHERE`.
+    """
     return _LAYOUT.pack(_MARK, mac, ip, 0, 0, b"")
 
 
