@@ -347,7 +347,9 @@ async def test_one_that_is_lost_beside_an_idle_group_is_sent_again_as_soon_as_wi
         assert asyncio.get_running_loop().time() - began < 0.1
 
 
-@pytest.mark.parametrize("hot", [Flow, SampleReceiver, Session, ResponseReceiver, Window, Request, Stream, InlineFuture])
+@pytest.mark.parametrize(
+    "hot", [Flow, SampleReceiver, Session, ResponseReceiver, Window, Request, Stream, InlineFuture]
+)
 def test_what_every_request_passes_has_attributes_that_python_finds_quickly(hot: type) -> None:
     assert not hasattr(hot, "__getattr__")
     assert "__slots__" in vars(hot) or hot not in (Window, Request, InlineFuture)
