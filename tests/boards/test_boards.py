@@ -318,7 +318,7 @@ RMII_TEXT = (DATA / "ulx3s_rmii.toml").read_text()
             ('io = "ulx3s"', 'io = "ulx3s"\nmac = "03:55:4c:00:00:01"'),
             "03:55:4c:00:00:01 is the address of a group, not",
         ),
-        (('io = "ulx3s"', 'io = "ulx3s"\nmac = "lamp"'), "'lamp' is no address of a MAC, such as 02:55:4c:00:00:01"),
+        (('io = "ulx3s"', 'io = "ulx3s"\nmac = "lamp"'), "'lamp' is no MAC address, such as 02:55:4c:00:00:01"),
         (('io = "ulx3s"', 'io = "ulx3s"\nip = "10.0.0"'), "'10.0.0' is no IPv4 address, such as 192.168.1.101"),
         (('"rmii"', '"uart"'), "the pin uart_rxd has no site"),
         (
@@ -851,7 +851,7 @@ def test_wrong_use_is_one_sentence_and_its_code(tmp_path: Path) -> None:
         ),
         (
             ["--board", "ulx3s_rmii", "--mac", "02:55"],
-            "--mac: '02:55' is no address of a MAC, such as 02:55:4c:00:00:01",
+            "--mac: '02:55' is no MAC address, such as 02:55:4c:00:00:01",
         ),
         (["--board", "ulx3s_rmii", "--ip", "224.0.0.1"], "--ip: 224.0.0.1 can't be the address of a board"),
     ],

@@ -224,7 +224,7 @@ def test_foreign_datagrams_are_no_boards() -> None:
     ("arguments", "code", "words"),
     [
         (["--assign", "02:55:4c:00:00:01"], 2, "MAC=ADDRESS was expected, such as 02:55:4c:00:00:01=192.168.1.101"),
-        (["--assign", "02:55=10.0.0.1"], 2, "'02:55' is no address of a MAC, such as 02:55:4c:00:00:01"),
+        (["--assign", "02:55=10.0.0.1"], 2, "'02:55' is no MAC address, such as 02:55:4c:00:00:01"),
         (["--assign", "03:55:4c:00:00:01=10.0.0.1"], 2, "is the address of a group, not of one board"),
         (["--assign", "02:55:4c:00:00:01=10.0.0"], 2, "'10.0.0' is no IPv4 address"),
         (["--assign", "02:55:4c:00:00:01=224.0.0.1"], 2, "224.0.0.1 can't be the address of a board"),

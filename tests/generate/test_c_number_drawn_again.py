@@ -133,7 +133,7 @@ def test_a_client_leaves_a_gateway_that_never_answers_n(driver: Path) -> None:
     with line.client:
         line.idle()
         line.draw_again(RING // 4)
-        line.gateway._sequence.gap_told = True
+        line.gateway._sequence.gap_reported = True
         assert ANOTHER in line.write()
     assert [frame[:1] for frame in line.sent].count(b"K") == MOST_TRIES + 1
     assert line.bus.writes == []

@@ -19,7 +19,7 @@ from support.valve import Valve, as_gateway, cut
 from unity_link import LinkClosedError, LinkLostError
 from unity_link.link.flow import Flow
 from unity_link.link.publishing import SampleReceiver
-from unity_link.link.runtimes.runtime import AsyncioRuntime, LoneFuture
+from unity_link.link.runtimes.runtime import AsyncioRuntime, InlineFuture
 from unity_link.protocol.host.receiver import ResponseReceiver
 from unity_link.protocol.host.requests import Request
 from unity_link.protocol.host.session import Session
@@ -105,7 +105,7 @@ async def test_a_medium_may_answer_while_it_is_given_the_request(make_bare: Make
 @on_simulated_time
 async def test_where_another_task_runs_it_goes_on_in_the_next_turn() -> None:
     runtime, order = AsyncioRuntime(), []
-    future = runtime.create_lone_future()
+    future = runtime.create_inline_future()
 
     async def wait() -> None:
         order.append(await future)
@@ -160,7 +160,7 @@ def spinning(monkeypatch: pytest.MonkeyPatch, processors: int = 2) -> tuple[Asyn
 
 def ask(runtime: AsyncioRuntime, loop: ModelledLoop, seconds: float) -> int:
     """Return how many turns of the loop went by until an answer that takes so long."""
-    future = runtime.create_lone_future()
+    future = runtime.create_inline_future()
     loop.wait(seconds)
     future.set_result(None)
     runtime.wake()
@@ -197,7 +197,7 @@ def test_on_a_clock_that_stands_still_until_all_wait_the_loop_does_not_spin(monk
 
 def test_while_several_answers_are_awaited_the_loop_sleeps(monkeypatch: pytest.MonkeyPatch) -> None:
     runtime, loop = spinning(monkeypatch)
-    other = runtime.create_lone_future()
+    other = runtime.create_inline_future()
     loop.wait(20 * SPIN)
     for _ in range(3):
         assert ask(runtime, loop, SPIN / 2) == 0
@@ -230,7 +230,7 @@ def test_on_a_single_processor_the_loop_does_not_spin(monkeypatch: pytest.Monkey
 @on_simulated_time
 async def test_a_result_or_an_error_that_is_there_before_it_is_awaited_is_not_waited_for() -> None:
     runtime = AsyncioRuntime()
-    future, failed = runtime.create_lone_future(), runtime.create_lone_future()
+    future, failed = runtime.create_inline_future(), runtime.create_inline_future()
     future.set_result(5)
     failed.set_exception(LinkClosedError("over"))
     runtime.wake()
@@ -249,7 +249,7 @@ async def test_a_task_that_is_cancelled_ends_with_what_it_was_told_and_the_link_
         valve.answers_pass = False
         task = asyncio.create_task(link.read(1))
         await asyncio.sleep(1e-4)
-        assert isinstance(task._fut_waiter, LoneFuture)  # type: ignore[attr-defined]
+        assert isinstance(task._fut_waiter, InlineFuture)  # type: ignore[attr-defined]
         task.cancel("enough")
         with pytest.raises(asyncio.CancelledError, match="enough"):
             await task
@@ -264,7 +264,7 @@ async def test_a_task_that_is_cancelled_ends_with_what_it_was_told_and_the_link_
 @on_simulated_time
 async def test_a_task_that_is_cancelled_when_its_answer_has_come_is_cancelled(make_bare: Maker) -> None:
     async with unity_link.connect(make_bare(**SLOW)) as link:
-        future = link._runtime.create_lone_future()
+        future = link._runtime.create_inline_future()
 
         async def wait() -> Any:
             return await future
@@ -347,7 +347,9 @@ async def test_one_that_is_lost_beside_an_idle_group_is_sent_again_as_soon_as_wi
         assert asyncio.get_running_loop().time() - began < 0.1
 
 
-@pytest.mark.parametrize("hot", [Flow, SampleReceiver, Session, ResponseReceiver, Window, Request, Stream, LoneFuture])
+@pytest.mark.parametrize(
+    "hot", [Flow, SampleReceiver, Session, ResponseReceiver, Window, Request, Stream, InlineFuture]
+)
 def test_what_every_request_passes_has_attributes_that_python_finds_quickly(hot: type) -> None:
     assert not hasattr(hot, "__getattr__")
-    assert "__slots__" in vars(hot) or hot not in (Window, Request, LoneFuture)
+    assert "__slots__" in vars(hot) or hot not in (Window, Request, InlineFuture)

@@ -255,7 +255,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("a host in doubt does not ask whose the session is")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(session.Session, "_ask_whose", lambda self: None)
+    monkeypatch.setattr(session.Session, "_query_session", lambda self: None)
 
 
 @bug("a host takes the line back from another program")
@@ -298,7 +298,7 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("a request that failed is acknowledged where it is repeated")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(reception.Sequence, "fate", lambda self, number: 0)
+    monkeypatch.setattr(reception.Sequence, "outcome", lambda self, number: 0)
 
 
 @bug("the fate of an earlier request is told")
@@ -306,9 +306,9 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
     advance = reception.Sequence.advance
 
     def keeping(self: Any, count: int = 1) -> None:
-        before = bytes(self.fates)
+        before = bytes(self.outcomes)
         advance(self, count)
-        self.fates[:] = before
+        self.outcomes[:] = before
 
     monkeypatch.setattr(reception.Sequence, "advance", keeping)
 
@@ -325,12 +325,12 @@ def _(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @bug("posted writes are told as done whatever the count of those that failed")
 def _(monkeypatch: pytest.MonkeyPatch) -> None:
-    told = window.Window.told
+    told = window.Window.fence_answered
 
     def believing(self: Any, number: int, failed: int, now: float) -> bool:
         return told(self, number, self.posted_writes.failed, now)
 
-    monkeypatch.setattr(window.Window, "told", believing)
+    monkeypatch.setattr(window.Window, "fence_answered", believing)
 
 
 @bug("a gateway keeps fewer words of destructive reads than hosts count on")

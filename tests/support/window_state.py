@@ -25,4 +25,4 @@ def _state_of(thing: object) -> object:
     slots = [name for kind in type(thing).__mro__ for name in getattr(kind, "__slots__", ())]
     if not slots:
         return thing
-    return {name: _state_of(getattr(thing, name)) for name in slots if name != "_ring"}
+    return {name: _state_of(getattr(thing, name)) for name in slots if name != "_ids"}

@@ -127,8 +127,8 @@ def test_the_short_way_of_single_words_answers_as_the_long_way(requests: list[tu
             data = spelling(codec.request(command, number, codec.fields(command, *values), seed))
         assert quick.receive(data, 0.0) == slow.receive(data, 0.0)
         assert (quick.session, quick.expected, quick.memory) == (slow.session, slow.expected, slow.memory)
-        assert quick._sequence.gap_told == slow._sequence.gap_told
-        assert quick._sequence.fates == slow._sequence.fates
+        assert quick._sequence.gap_reported == slow._sequence.gap_reported
+        assert quick._sequence.outcomes == slow._sequence.outcomes
 
 
 def test_a_repeated_read_is_read_again_and_a_repeated_destructive_read_gives_the_same_words() -> None:

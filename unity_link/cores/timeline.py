@@ -31,7 +31,7 @@ from unity_link.errors import (
 from unity_link.link.asked import Asked, most_words, post_in_session
 from unity_link.link.calls import returns_coroutine
 from unity_link.link.interrupts import whole_exit
-from unity_link.link.runtimes.runtime import told_now
+from unity_link.link.runtimes.runtime import raises_now
 from unity_link.link.runtimes.synchronisation import Lock, running
 from unity_link.modules import caller_on
 from unity_link.spec.model import STAGE_BITS
@@ -355,7 +355,7 @@ class ScheduleFeed:
             GatewayResetError: if the gateway was reset since the last write, and its clock with it.
         """
         was_reset = await self._see_session()
-        await self.raise_failures(told_now(running(), poster))
+        await self.raise_failures(raises_now(running(), poster))
         if was_reset:
             reason = f"the gateway was reset, and its clock with it: {instant} is an instant of before"
             raise GatewayResetError(reason, Outcome.NOT_EXECUTED)
@@ -409,7 +409,7 @@ class ScheduleFeed:
             if self._room < size:
                 await self._pause(max(size - self._room, self.registers.depth // PARTS), lease)
         if not self.has_begun:
-            await self.raise_failures(told_now(running(), poster))
+            await self.raise_failures(raises_now(running(), poster))
             raise LateError(f"{self.registers.name} was cancelled before the write at {instant}", instant.ticks)
 
     def _is_passed(self, place: int) -> bool:

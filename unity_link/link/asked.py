@@ -1,4 +1,4 @@
-"""Requests that a program makes without waiting, to look at their answers when it comes by again."""
+"""Pending reads and writes: a program submits a request, and collects its answer later."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ if TYPE_CHECKING:
 
 
 async def post_in_session(link: Link, address: int, value: int) -> None:
-    """Post a write that ends with the session under way: if it waits for room then, it is never sent."""
+    """Post a write that belongs to the current session: if it is still queued when the session ends, it is not sent."""
     await link._post_for(link._caller(), address, value, of_session=True)  # noqa: SLF001  (the same package)
 
 
 def most_words(link: Link) -> int:
-    """Return the most words of one request: ``gateway.block_words``, or over UDP as many as a datagram holds."""
+    """Return the most words of one request: ``gateway.block_words``, or fewer if a UDP datagram holds fewer."""
     return link._flow.block_words  # noqa: SLF001  (the same package)
 
 
@@ -35,42 +35,42 @@ async def read_blocks(link: Link, blocks: Sequence[range]) -> Words:
 
 
 class Asked:
-    """A request that is on its way, or waits for room behind those before it; one transaction of the bus.
+    """A pending read or write of consecutive words, in one bus transaction.
 
     Args:
         link: an open link.
-        address: of the first of the consecutive words that are read or written.
+        address: address of the first word.
         count: number of words to read, at most `most_words`.
-        write: words to write in place of that, at most as many.
-        to_queue: whether all are written to the first address, the port of a queue.
+        write: words to write instead of reading, at most `most_words`.
+        to_queue: write all words to the same address, the port of a queue.
 
     Raises:
-        LinkLostError: where the link has ended.
-        UnsupportedError: for the port of a queue, where the gateway was built without queue commands.
+        LinkLostError: if the link has ended.
+        UnsupportedError: if `to_queue` is set and the gateway was built without queue commands.
     """
 
     def __init__(
         self, link: Link, address: int, count: int = 0, *, write: Sequence[int] = (), to_queue: bool = False
     ) -> None:
-        begin = link._begin_block  # noqa: SLF001  (the same room)
+        begin = link._begin_block  # noqa: SLF001  (the same package)
         self._waiter, self._cancel = begin(address, count, write, to_queue=to_queue)
 
     def done(self) -> bool:
-        """Return whether the answer is there."""
+        """Return whether the answer or an error has arrived."""
         return self._waiter.done()
 
     async def words(self) -> list[int]:
-        """Return the words that were read; waits for the answer where it is not there yet.
+        """Wait for the answer, and return the words read; empty for a write.
 
         Raises:
-            LinkLostError: where the link has ended.
-            GatewayError: where the gateway refused the request.
+            LinkLostError: if the link has ended.
+            GatewayError: if the gateway refused the request.
         """
         answer: Any = await self._waiter
         return [] if answer is None else [int(word) for word in answer]
 
     def give_up(self) -> None:
-        """Want the answer no more: what waits for room is not sent."""
+        """Cancel the request: if it is still queued, it is not sent; otherwise its answer is ignored."""
         self._cancel()
         if not self._waiter.cancel() and not self._waiter.cancelled():
             # Retrieved, so that the event loop does not log it as never retrieved.

@@ -1,7 +1,7 @@
-"""Methods that look up their caller when they are called, and return a coroutine.
+"""Marks for plain methods that return a coroutine.
 
-`asyncio.wait_for`, `asyncio.gather` and `asyncio.create_task` run a coroutine in a task of its own. A method that asks
-for the current task inside its coroutine would find that task, and not the one that called the method.
+Some methods look up their caller before they return a coroutine. `asyncio.wait_for`, `asyncio.gather` and
+`asyncio.create_task` run a coroutine in a task of its own, so inside it the current task is not the caller.
 """
 
 from __future__ import annotations

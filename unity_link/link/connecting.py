@@ -1,4 +1,4 @@
-"""Opening of a link: `connect`, and what it returns."""
+"""Opening of a link: `connect`, and the object that it returns."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class Connecting:
         return self.open(AsyncioRuntime()).__await__()
 
     async def open(self, runtime: Runtime) -> Link:
-        """Return an open link that something runs."""
+        """Open a link on a runtime, and return it."""
         target = parse_url(self._target) if isinstance(self._target, str) else self._target
         if isinstance(target, DriverUrl):
             await runtime.prepare(target)
@@ -107,14 +107,15 @@ def connect(
             print(await link.read(0x0A))
 
     Args:
-        target: the URL of a gateway, or a virtual gateway of this process.
-        timeout: seconds until the gateway must have answered, in each attempt to open the connection again, too.
-        reconnect: open a lost connection again, with pauses as a `Reconnect` says. Subscriptions are set up again and
-            reads and what had not been sent are sent again; other requests that were under way raise `LinkLostError`.
+        target: URL of a gateway, or a simulated gateway in this process.
+        timeout: most seconds until the session is open, also in each attempt to reconnect.
+        reconnect: open a lost connection again; a `Reconnect` sets the pauses. Subscriptions are set up again. Reads,
+            and requests that were not sent, are sent in the new session; other requests in flight raise
+            `LinkLostError`.
 
     Raises:
-        ArgumentError: for a URL that no driver knows, or an argument of another type.
-        ConnectError: where nothing answers in time; it says what was tried.
+        ArgumentError: for a URL with an unknown scheme, or an argument of another type.
+        ConnectError: if no session is open after `timeout` seconds; the text describes the received bytes.
         UnsupportedError: for a gateway of another protocol version.
     """
     if not isinstance(reconnect, bool | Reconnect):

@@ -1,8 +1,12 @@
-"""Layer 2, the life of a link: it is opened, lost, opened again and closed.
+"""Layer 2: opening, losing, reopening and closing the connection to a gateway.
 
-`Connection` is what a link and the bridges that hand on requests of others have in common. It decides when a connection
-is opened, and opened again; what passes on it is the matter of its `Flow`, which joins the session with the stream.
-What else the events of the session are for is the matter of those who build on it.
+1. `open` connects a stream and waits for the first session; the attempt fails after a timeout.
+2. A lost connection ends the link, unless `Reconnect` is given. Then it is opened again, with exponential backoff.
+3. A gateway that was reset is given a new session on the same connection.
+4. In a new session of the same link, `_restore` sets up the groups again before the connection counts as opened.
+
+`Connection` is the base class of `Link` and of the server of shared links. Its `Flow` carries the bytes; subclasses
+handle the events of requests and groups.
 """
 
 from __future__ import annotations
@@ -45,56 +49,56 @@ if TYPE_CHECKING:
 
 log = logging.getLogger("unity_link.link")
 CONNECT_TIMEOUT = 5.0
-"""Seconds until a gateway must have answered, where nothing else is said."""
+"""Default seconds until the handshake must be complete."""
 _MOST_DOUBLINGS = 100
-"""Enough to come from any pause to any other that a program may want."""
+"""Upper limit of the exponent in `Reconnect.pause_after`; larger than any pause needs."""
 _SEED_BITS = 16
-"""Enough to choose any ID by."""
+"""Random bits for the choice of a session number and a first ID."""
 
 
 class Reconnect(msgspec.Struct, frozen=True, kw_only=True):
-    """Reopening of a lost connection: with pauses that double from `first_pause` to `longest_pause` seconds.
+    """Reopening of a lost connection, with pauses that double from `first_pause` to `longest_pause` seconds.
 
-    Each attempt may take as long as the first one might, the ``timeout`` of `connect`. The first is made at once. A
-    connection that was opened again, and lost before the next pause was over, counts as an attempt that failed.
+    The first attempt is made at once. Each attempt may take the ``timeout`` of `connect`. A connection that is opened
+    again and lost before the next pause would be over counts as a failed attempt.
     """
 
     first_pause: float = 0.1
-    """Seconds before the first attempt."""
+    """Seconds between the first failed attempt and the next one."""
     longest_pause: float = 5.0
     """Most seconds between two attempts."""
     give_up_after: float | None = None
-    """Seconds after which the link is lost for good; None: never."""
+    """Seconds without a connection after which the link ends; None: never."""
 
     def __post_init__(self) -> None:
-        """Refuse what would fail, or never rest, when a connection is lost."""
+        """Raise `ArgumentError` for values that are no durations."""
         for name, seconds in (("first_pause", self.first_pause), ("longest_pause", self.longest_pause)):
             seconds_from(seconds, f"{name} is a number of seconds above 0")
         if self.give_up_after is not None:
             seconds_from(self.give_up_after, "give_up_after is a number of seconds from 0 on, or None", zero=True)
 
     def pause_after(self, failures: int) -> float:
-        """Return the seconds from the last of so many failed attempts, 1 at least, to the next attempt.
+        """Return the seconds from the last of `failures` failed attempts (1 or more) to the next one.
 
-        They are a little different each time, so that programs that lost the same gateway come one after the other.
+        A random part separates the attempts of programs that have lost the same gateway.
         """
         doubled = self.first_pause * 2.0 ** min(failures - 1, _MOST_DOUBLINGS)
         return min(doubled, self.longest_pause) + random.uniform(0, self.first_pause)  # noqa: S311  (no secret)
 
 
 def choose_seed() -> int:
-    """Return a number by which the first ID of a session is chosen."""
-    return random.getrandbits(_SEED_BITS)  # no secret: it tells this session's answers from those of the last
+    """Return a random number for the choice of a session number and a first ID."""
+    return random.getrandbits(_SEED_BITS)  # no secret: it only distinguishes this session from the last one
 
 
 class Connection:
     """A connection to one gateway, with its sessions.
 
     Args:
-        target: the URL of a gateway, or one of this process.
-        reconnect: how a lost connection is opened again; None: it is not.
-        resumes: whether reads are sent again in the next session on the same connection, too.
-        runtime: what runs it; None: the event loop that is running.
+        target: URL of a gateway, or a gateway in this process.
+        reconnect: how a lost connection is opened again; None: the link ends.
+        resumes: send reads again in the next session, also after a reset on the same connection.
+        runtime: runtime of the link; None: the running event loop of asyncio.
     """
 
     gateway: GatewayInfo
@@ -115,9 +119,9 @@ class Connection:
         self._now = self._runtime.time
         self._new_waiter = self._runtime.create_future
         self.any_map = isinstance(target, DriverUrl) and target.any_map
-        """True if robots of another map than the gateway's are taken."""
+        """True if specs with another fingerprint than the gateway's are accepted."""
         self.compatible_maps: set[int] = set()
-        """Fingerprints of specs of which the gateway has all alike, by its description."""
+        """Fingerprints of specs whose declarations are all in the gateway's description."""
         self._session = Session(
             node_of(target),
             choose_seed,
@@ -128,69 +132,69 @@ class Connection:
         self._session.on_retransmission = self._retransmitted
         self._flow = Flow(self._session, self._runtime, self._happened, self._disconnected)
         self._opened: Waiter = self._new_waiter()
-        """Done when the connection that is being opened is of use, or is known not to be."""
+        """Future of the session that is being opened; it ends with an error if that fails."""
         self._opening = False
-        """True if `open` is under way."""
+        """True while a connection is being opened."""
         self._open_timeout = CONNECT_TIMEOUT
-        """Seconds that an attempt to open the connection again may take."""
+        """Most seconds of an attempt to open the connection again."""
         self._restored: Waiter = self._new_waiter()
-        """Done when all groups are set up again in a new session."""
+        """Future that is done when all groups are set up again in a new session."""
         self._reconnection: Job | None = None
         self._resumption: Job | None = None
         _CONNECTIONS.add(self)
         self.interruptions = 0
-        """Sessions that were lost and are opened again; the gateway may have been reset since."""
+        """Number of sessions that were lost and followed by another one; the gateway may have been reset."""
         self.resets = 0
-        """Resets that the gateway has reported, or the handshake of a new connection."""
+        """Number of resets of the gateway that this link has detected."""
         self.interrupted_by = ""
-        """Reason for the last of the interruptions."""
+        """Reason for the last interruption."""
         self._opened_again_at = -math.inf
-        """Instant of the last attempt to connect again that succeeded."""
+        """Instant of the last successful reconnection."""
         self._lost_at_once = 0
-        """Reconnections, up to now and one after the other, that were lost again before the next pause was over."""
+        """Number of consecutive reconnections that were lost again before the next pause would have been over."""
         self._closed = self._closed_by_program = False
 
-    # What builds on this says
+    # Methods that subclasses override
 
     def _happened(self, event: UnsolicitedEvent) -> None:
-        """Take an event that is nothing a call awaits; `_take_change` takes those of sessions."""
+        """Handle an unsolicited event; `_take_change` handles those of sessions."""
         raise NotImplementedError
 
     def _begin(self, codec: HostCodec) -> None:
-        """Record that a session has begun with a gateway."""
+        """Handle the beginning of a session."""
 
     async def _restore(self) -> None:
-        """Set up again what a new session of the same link needs, or wait until it is."""
+        """Set up the groups of the link again in a new session, or wait until they are set up."""
         await self._restored
 
     def _interrupted(self, reason: str) -> None:
-        """Record that the session was lost, and that another is being opened."""
+        """Handle the loss of a session that is followed by another one."""
 
     def _unreachable(self, error: BaseException | None) -> None:
-        """Record that an attempt to open the connection failed, and that there will be another."""
+        """Handle a failed attempt to open the connection that is followed by another one."""
 
     def _ended(self, error: LinkLostError) -> None:
-        """Record that the link has ended for good."""
+        """Handle the end of the link."""
 
     # The session
 
     @property
     def name(self) -> str:
-        """Name of the gateway in messages: its URL."""
+        """Name of the gateway in errors and logs: its URL."""
         return self._name
 
     @property
     def epoch(self) -> int:
-        """Number of the session, as samples have it: 0, and one more after each reconnection or reset."""
+        """Number of the session, as in `Sample.epoch`: 0, and one more after each reconnection or reset."""
         return self._session.epoch
 
     @property
     def connected(self) -> bool:
-        """Return whether there is a session now; not while it is being opened again, nor after the end."""
+        """True if a session is open; False while the connection is being opened again, and after the end."""
         return self._session.is_open
 
     def _disconnected(self, reason: Exception | None) -> None:
-        """Record that the stream has ended."""
+        """Handle the end of the stream."""
         if not self._opened.done():
             self._opened.set_exception(self._session.connection_error(reason))
         elif not self._opening:
@@ -204,6 +208,7 @@ class Connection:
     # Events
 
     def _take_change(self, event: SessionEvent) -> None:
+        """Handle an event of a session."""
         match event:
             case Opened(info):
                 self._session_opened(info)
@@ -212,7 +217,7 @@ class Connection:
             case Unusable(error):
                 self._connection_failed(error)
             case Taken(error):
-                # The line is left to the program that has it.
+                # The other program keeps the line: do not connect again.
                 if not self._opened.done():
                     self._opened.set_exception(error)
                 if not self._opening or self._reconnection is not None:
@@ -257,7 +262,7 @@ class Connection:
     def _fail_restoring(self, error: UnityLinkError) -> None:
         if not self._restored.done():
             self._restored.set_exception(error)
-            # No call may be waiting at this moment.
+            # Retrieve the error, because asyncio logs it if no call awaits the future.
             self._restored.exception()
 
     def _connection_failed(self, error: UnityLinkError) -> None:
@@ -267,21 +272,21 @@ class Connection:
             self._lose(reason_of(error))
 
     async def _resume(self) -> None:
-        """Set up in a new session on the same connection what a gateway has forgotten that was reset."""
+        """Set up the groups again after a reset of the gateway, in a new session on the same connection."""
         try:
             await self._restore()
         except (UnansweredError, GatewayError) as error:
             if self._session.is_open:
                 self._lose(reason_of(error))
 
-    # Life
+    # Opening and closing
 
     async def open(self, timeout: float) -> None:  # noqa: ASYNC109  (it is an argument of `connect`)
-        """Connect and start a session.
+        """Connect, and open a session.
 
         Raises:
-            ConnectError: where nothing answers within `timeout` seconds; it says what was tried.
-            UnsupportedError: for a gateway of another protocol version, or another one than before.
+            ConnectError: if no session is open after `timeout` seconds; the text contains the received bytes.
+            UnsupportedError: for another protocol version, or another gateway than before.
         """
         self._open_timeout = timeout
         await self._open(timeout)
@@ -293,7 +298,7 @@ class Connection:
         try:
             async with self._runtime.timeout(timeout):
                 if self._flow.latest is not None:
-                    # A port that this link has lost is not free before it has been closed.
+                    # Wait until the lost port is closed: it cannot be opened before.
                     await self._flow.latest.close()
                 await self._connect_stream(stream)
                 log.info("%s: connected", name)
@@ -301,7 +306,7 @@ class Connection:
         except BaseException as error:
             heard = self._session.describe_silence()
             self._leave(stream)
-            # A port is not free for the next attempt before it has been closed.
+            # Wait until the port is closed: the next attempt cannot open it before.
             await stream.close()
             if isinstance(error, TimeoutError):
                 raise ConnectError(f"no gateway answered at {name} within {timeout:g} s; {heard}") from None
@@ -324,7 +329,7 @@ class Connection:
             raise self._session.connection_error(None)
 
     def _leave(self, stream: Stream) -> None:
-        """Record that nothing comes of a stream."""
+        """Abandon a stream on which no session was opened."""
         stream.receiver = stream.on_pause = None
         if self._opened.done() and not self._opened.cancelled():
             self._opened.exception()
@@ -333,7 +338,7 @@ class Connection:
             self._flow.go_on(self._session.disconnect("the connection could not be opened"))
 
     def _lose(self, reason: str) -> None:
-        """End the session and its connection; and the link, if it is not to reconnect."""
+        """End the session and its connection, and reconnect; without `Reconnect`, end the link."""
         self._flow.detach()
         if self._closed:
             return
@@ -347,26 +352,26 @@ class Connection:
             self._reconnection = self._runtime.create_task(self._reopen(reason, self._reconnect))
 
     def open_when_there(self) -> None:
-        """Open as soon as the gateway is there, in a task of its own, as a lost connection is opened again."""
+        """Open the connection in a task of its own, with the attempts of a reconnection, until the gateway answers."""
         if self._reconnection is None and self._reconnect is not None:
             self._reconnection = self._runtime.create_task(self._reopen("", self._reconnect))
 
     async def _reopen(self, reason: str, reconnect: Reconnect) -> None:
-        """Open the connection as soon as that can be, or end the link."""
+        """Try to open the connection until it succeeds; end the link after `give_up_after`, or a final error."""
         longest = reconnect.give_up_after
         end = math.inf if longest is None else self._now() + longest
         failures = self._lost_at_once = self._count_lost_at_once(reconnect)
         try:
             while True:
                 if failures:
-                    # The last attempt has time, too.
+                    # Pause for at most half of the remaining time, so that the last attempt has the other half.
                     await self._runtime.sleep(max(0.0, min(reconnect.pause_after(failures), (end - self._now()) / 2)))
                 error = await self._attempt(max(min(self._open_timeout, end - self._now()), reconnect.first_pause))
                 if error is None:
                     self._opened_again_at = self._now()
                     return
                 if self._closed:
-                    # Another program has the line.
+                    # The link ended during the attempt: another program uses the line.
                     return
                 if end - self._now() <= reconnect.first_pause:
                     self._end(LinkLostError(f"{reason}, and no reconnection succeeded ({error})"))
@@ -386,10 +391,10 @@ class Connection:
         return count if self._now() - self._opened_again_at < reconnect.pause_after(count) else 0
 
     async def _attempt(self, timeout: float) -> Exception | None:  # noqa: ASYNC109  (as `open`)
-        """Open the connection again, and return the error of an attempt that another one may follow.
+        """Open the connection again. Return None, or the error if another attempt may succeed.
 
         Raises:
-            UnityLinkError: where no other attempt would succeed.
+            UnityLinkError: if no other attempt can succeed.
         """
         try:
             await self._open_again(timeout)
@@ -409,8 +414,8 @@ class Connection:
         try:
             await self._restore()
         except (UnansweredError, GatewayError) as error:
-            # On a bad line, or where a server has no group free, this attempt has failed; the next one begins with a
-            # connection of its own.
+            # The line is bad, or a server has no free group: the attempt failed. Close this connection, because the
+            # next attempt opens its own.
             reason = reason_of(error)
             if self._flow.stream is not None:
                 self._lose(reason)
@@ -429,15 +434,15 @@ class Connection:
         self._ended(error)
 
     def disown(self) -> None:
-        """Let go of the connection, which is that of the process from which this one was forked."""
+        """Detach from the connection, which belongs to the process from which this one was forked."""
         self._closed = self._closed_by_program = True
         self._flow.stream = self._flow.latest = self._flow.seat = self._reconnection = None
         self._session.close(forked())
 
     async def aclose(self) -> None:
-        """End the link: what still waits raises `LinkClosedError`. May be called twice.
+        """End the link: calls that still wait raise `LinkClosedError`. A second call has no effect.
 
-        The medium is closed when this returns, also if the link has ended before: its port can be opened again at once.
+        When it returns, the medium is closed, so that its port can be opened again.
         """
         self._closed_by_program = True
         task = self._reconnection

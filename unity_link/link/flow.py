@@ -1,11 +1,10 @@
-"""Layer 2, between a session and the world: bytes, time and the results of calls.
+"""Layer 2: the connection of a session with a stream, a clock and the futures of calls.
 
-A session does no I/O. `Flow` gives it what arrives and the time, sends what it has to send, and tells those who wait
-what has become of their requests. All that happens for every request is here, and none of it knows how a connection is
-opened or lost: `connection` does.
+A session does no I/O. `Flow` passes received bytes and the time to it, sends its output, and completes the futures of
+calls. The code that runs for each request is here; `connection` opens and closes connections.
 
-It is an object of its own for the sake of speed, too: Python finds the attributes of an object many times as fast where
-its class has no `__getattr__`, and links have one for names that there are not.
+`Flow` is separate from `Link` for speed: `Link` has a `__getattr__` for mistyped names, and Python 3.11 looks up the
+attributes of such classes about ten times as slowly.
 """
 
 from __future__ import annotations
@@ -30,17 +29,17 @@ if TYPE_CHECKING:
     from unity_link.transport.turns import Seat
 
 _LATE = 0.05
-"""Seconds by which a timer may be behind the deadline before it is set anew: progress may have brought that forward."""
+"""Seconds that a timer may be later than the deadline, which progress can bring forward, before it is set again."""
 
 
 class Flow:
     """Traffic between a session and the streams of its connections, one at a time.
 
     Args:
-        session: of one link.
-        runtime: what runs the link.
-        happened: takes the events that are nothing a call awaits.
-        disconnected: is called when the stream has ended, with the reason, None where the other side closed it.
+        session: session of the link.
+        runtime: runtime of the link.
+        happened: called with each unsolicited event.
+        disconnected: called when the stream has ended, with the reason; None if the other side closed it.
     """
 
     def __init__(
@@ -52,28 +51,28 @@ class Flow:
     ) -> None:
         self.session = session
         self.path: Path | None = None
-        """The network of the latest connection; None if frames are not in datagrams."""
+        """Longest datagram of the latest connection; None if frames are not in datagrams."""
         self.stream: Stream | None = None
-        """Stream of the connection, None while there is none."""
+        """Stream of the connection; None without a connection."""
         self.latest: Stream | None = None
-        """Stream of this connection or of the one before, whose medium may still be closing."""
+        """Stream of the latest connection, whose medium may still be closing."""
         self.seat: Seat | None = None
-        """Seat of the link, where nodes share the medium; its turn is waited for."""
+        """The link's place on a line that several nodes share; None on a line of its own."""
         self._happened, self._disconnected = happened, disconnected
         self._reads_on = False
-        """True if more of what has arrived is looked at when what runs now waits."""
+        """True if `_read_on` is scheduled to process the rest of the received bytes."""
         self.now = runtime.time
-        self.create_future, self._create_lone_future = runtime.create_future, runtime.create_lone_future
+        self.create_future, self._create_inline_future = runtime.create_future, runtime.create_inline_future
         self._ended = runtime.ended
         self._runtime = runtime
         self._timer: Timer | None = None
         self._timer_at = math.inf
-        """Instant at which `_timer` is due."""
+        """Instant at which `_timer` is due; infinite without a timer."""
         self._turn_timer: Timer | None = None
         self._flushing = False
-        """True if the output of the session is sent when what runs now waits."""
+        """True if `_flush` is scheduled to send the output of the session."""
         self._bytes_before = (0, 0)
-        """Sent and received on the streams before this one."""
+        """Bytes sent and received on earlier streams."""
 
     # Requests
 
@@ -81,18 +80,18 @@ class Flow:
         """Submit the requests of a source to the session.
 
         Raises:
-            LinkLostError: where the link has ended.
+            LinkLostError: if the link has ended.
         """
         events = self.session.submit(source, self.now())
-        # Else what is to be sent goes with what came before it in this turn.
+        # Otherwise the scheduled `_flush` sends the output.
         if events or not self._flushing or self.seat is not None:
             self.go_on(events)
 
     def ask(self, request: Request) -> Waiter:
-        """Submit a request that has an answer to the session, and return the waiter for that.
+        """Submit a request that has an answer to the session, and return the future of the answer.
 
         Raises:
-            LinkLostError: where the link has ended.
+            LinkLostError: if the link has ended.
         """
         now = self.now()
         frame = self.session.submit_alone(request, now)
@@ -101,18 +100,18 @@ class Flow:
             self.submit(request)
             return waiter
         if self.stream is not None:
-            # First of all, so that the gateway has it while the rest is done.
+            # Send first, so that the gateway works while this side creates the future.
             self.stream.send(frame)
-        request.waiter = waiter = self._create_lone_future()
+        request.waiter = waiter = self._create_inline_future()
         if self._timer_at - now > _LATE or self.session.window.send_limit.loses:
             self._set_timer()
         if request.done:
-            # A medium within the program may answer at once.
+            # A simulated gateway in this process may have answered during `send`.
             request.settle()
         return waiter
 
     async def answer(self, request: Request | WordBatch) -> Any:
-        """Execute a request, and return its answer; one that is cancelled is given up."""
+        """Execute a request or batch, and return its answer; cancel the request if the caller is cancelled."""
         if isinstance(request, Request):
             waiter = self.ask(request)
         else:
@@ -125,7 +124,7 @@ class Flow:
             raise
 
     def go_on(self, events: Events) -> None:
-        """Do what follows from a call of the session."""
+        """Handle the events of a call of the session, and send its output."""
         if events:
             self._tell(events)
             if self._ended:
@@ -147,9 +146,9 @@ class Flow:
                 self._happened(event)
 
     def _send(self) -> None:
-        """Send what the session has to: together with what follows in this turn, at once where nothing can."""
+        """Send the output of the session: at once if no request can follow in this turn, otherwise at its end."""
         session = self.session
-        if session.window.is_lone() or session.is_full:
+        if session.window.has_one_request() or session.is_full:
             self._flush()
         else:
             self._flushing = True
@@ -160,14 +159,14 @@ class Flow:
         stream, data = self.stream, self.session.take_output()
         if stream is not None and data:
             stream.send(data)
-        # Once for all that is sent together. Of posted writes, the first sets a time for their confirmation.
+        # Once for all frames sent together. The first posted write sets the time of a fence.
         self._set_timer()
 
     # Streams
 
     @property
     def block_words(self) -> int:
-        """Most words of a block: as many as the gateway takes, and as its medium carries without cutting a frame."""
+        """Most words of a block: limited by the gateway, and by the longest datagram of the network."""
         info = self.session.codec.info
         return info.block_words if self.path is None else info.block_words_in(self.path.longest_frame)
 
@@ -178,11 +177,11 @@ class Flow:
 
     @property
     def bytes_received(self) -> int:
-        """Bytes that have arrived on all connections."""
+        """Bytes received on all connections."""
         return self._bytes_before[1] + (0 if self.stream is None else self.stream.bytes_received)
 
     def attach(self, stream: Stream) -> None:
-        """Begin with a stream that is connected."""
+        """Begin the handshake on a connected stream."""
         self.stream = self.latest = stream
         self.path = stream.path
         stream.receiver, stream.on_pause = self, self._pause
@@ -200,7 +199,7 @@ class Flow:
         )
 
     def detach(self) -> None:
-        """End the connection, and have nothing more to do with its stream."""
+        """End the connection, and ignore its stream from now on."""
         stream = self.stream
         if self._turn_timer is not None:
             self._turn_timer.cancel()
@@ -212,18 +211,18 @@ class Flow:
             stream.abort()
 
     def receive(self, data: bytes) -> None:
-        """Take what has arrived."""
+        """Process received bytes."""
         now = self.now()
         request = self.session.receive_alone(data, now) if self.seat is None else None
         if request is None:
             self._receive(data, now)
         else:
             request.settle()
-            # With nothing in flight the deadline is never earlier than a timer that exists, which sets itself again.
+            # No request is in flight, so the deadline is not earlier than an existing timer, which checks it again.
             if self._timer is None and self.session.window.send_limit.loses:
                 self._set_timer()
         if self._ended:
-            # When all else is done: who goes on may ask for more at once, or close the link.
+            # Resume the awaiting tasks last, because they may submit requests at once, or close the link.
             self._runtime.wake()
 
     def _receive(self, data: bytes, now: float) -> None:
@@ -243,20 +242,20 @@ class Flow:
             if events:
                 self._send()
             else:
-                # No call goes on for what has arrived, so nothing follows in this turn.
+                # No call resumes because of these bytes, so no request follows in this turn.
                 self._flush()
         elif self._timer_at - now > _LATE or session.window.send_limit.loses:
             self._set_timer()
 
     def _read_on(self) -> None:
-        """Take more of what has arrived, in a turn of its own."""
+        """Process more of the received bytes, in another turn of the event loop."""
         self._reads_on = False
         self.receive(b"")
         if not self._reads_on and self.stream is not None:
             self.stream.resume_reading()
 
     def disconnected(self, reason: Exception | None) -> None:
-        """Hand on the end of the stream, behind all that has arrived on it."""
+        """Report the end of the stream, after all bytes received on it are processed."""
         stream = self.stream
         if self._reads_on:
             self._runtime.call_soon(lambda: self.disconnected(reason) if self.stream is stream else None)
@@ -269,10 +268,10 @@ class Flow:
         else:
             self.go_on(self.session.resume_writing(self.now()))
 
-    # Turns, where nodes share the medium
+    # Slots of a line that several nodes share
 
     def _take_turns(self) -> None:
-        """Release the turn when no answer is outstanding, and request the next one if there is something to send."""
+        """Release the slot if no answer is outstanding, and request the next slot if there are frames to send."""
         session = self.session
         if self._turn_timer is not None:
             self._turn_timer.cancel()
@@ -294,14 +293,14 @@ class Flow:
                 self._turn_timer = self._runtime.call_at(self.now() + patience, self._take_turns)
 
     def _turn_has_come(self) -> None:
-        """Take the turn, where this link runs; its loop may be gone."""
+        """Schedule the use of a slot in the thread of this link; the link's event loop may have ended."""
         with contextlib.suppress(RuntimeError):
             self._runtime.call_soon_threadsafe(self._take_turns)
 
     # Time
 
     def _set_timer(self) -> None:
-        """Set the timer for the session's deadline; one that comes too early sets itself again."""
+        """Set the timer for the session's deadline. An earlier timer stays: `_tick` sets it again."""
         deadline = self.session.deadline
         if self._timer is not None:
             if deadline is None or self._timer_at <= deadline:
@@ -310,7 +309,7 @@ class Flow:
         if deadline is None:
             self._forget_timer()
         else:
-            # Kept here, for a timer of uvloop that is due at once cannot tell it.
+            # Store the instant: a timer of uvloop that is due at once cannot report it.
             self._timer_at = deadline
             self._timer = self._runtime.call_at(deadline, self._tick)
 
@@ -321,7 +320,7 @@ class Flow:
         self._forget_timer()
         now, deadline = self.now(), self.session.deadline
         if deadline is not None and deadline > now:
-            # Answers have come since the timer was set.
+            # Answers have moved the deadline since the timer was set.
             self._set_timer()
             return
         sent_again = self.session.counters.repetitions

@@ -1,33 +1,34 @@
-"""Ages of the samples of one periodic group, for readers that want the newest alone."""
+"""Ages of the samples of a periodic group, for readers that want only the newest sample."""
 
 from __future__ import annotations
 
 import math
 
 MOST_DRIFT = 200e-6
-"""Seconds a second by which two quartzes may differ."""
+"""Relative difference of two quartz clocks, at most."""
 _MOST_PERIODS = 3
-"""Periods by which a sample may be later than usual."""
+"""Periods that a sample may be later than usual without a pause."""
 _LEAST_LATE = 0.05
-"""Seconds by which it may be later in any case: buffers and schedulers hold it back for so long."""
+"""Seconds that a sample may be later than usual in any case, because of buffers and schedulers."""
 _FORGETTING = 0.1
-"""Seconds a second by which a lateness that was usual is forgotten."""
+"""Seconds per second by which the usual age decreases."""
 _WINDOW = 0.5
-"""Seconds over which samples tell that they come as fast as they are taken; for slow ones, more."""
+"""Fewest seconds over which the rate of arrival is compared with the rate of sampling."""
 _STEADY = 0.25
-"""Part by which that speed may be off."""
+"""Relative difference of these two rates, at most, if they count as equal."""
 
 
 class Freshness:
-    """Tells samples of before a pause from others.
+    """Detects samples that were taken before a pause of the program or the line, and arrive after it.
 
-    The sample that was on its way for the shortest time says how the clocks of the gateway and of this machine go
-    together, so the others have ages. One that is much older than usual shows that the program or the line has paused.
-    From then on samples are old that were taken before it came, as long as they come faster than they are taken: others
-    are the newest that there are.
+    1. The sample with the shortest delay relates the clocks of the gateway and of this machine. It gives each other
+       sample an age.
+    2. A sample that is much older than usual shows a pause.
+    3. After a pause, samples taken before its end are old, while they arrive faster than they are taken. If they arrive
+       as fast as they are taken, no buffer is being emptied, and they are the newest samples available.
 
     Args:
-        rate_hz: of the samples.
+        rate_hz: rate of the samples.
     """
 
     def __init__(self, rate_hz: float) -> None:
@@ -36,24 +37,24 @@ class Freshness:
         self.forget()
 
     def forget(self) -> None:
-        """Begin anew: the clock of the samples may be another one."""
+        """Reset the state, because the samples may have another clock from now on."""
         self._earliest = math.inf
-        """Instant of time 0 of the samples' clock on this machine's, as the quickest sample says."""
+        """Time 0 of the samples' clock, in seconds of this machine's clock, from the sample with the shortest delay."""
         self._newest = -math.inf
         self._arrived = -math.inf
         self._usual = 0.0
-        """Age that is no sign of a pause."""
+        """Age in seconds that does not show a pause."""
         self._fresh_from: float | None = None
-        """During and behind a pause: samples that were taken earlier are old."""
+        """After a pause: samples taken before this instant are old; None without a pause."""
         self._window_began = (0.0, 0.0)
-        """The instant of a sample, and of its arrival."""
+        """Instants of sampling and of arrival of the first sample of the window in `_is_steady`."""
 
     def is_old(self, instant: float, now: float) -> bool:
-        """Return whether a sample that has arrived was taken before a pause.
+        """Return whether a sample that arrives now was taken before a pause.
 
         Args:
-            instant: of sampling, in seconds of the samples' clock.
-            now: in seconds of this machine's clock.
+            instant: instant of sampling, in seconds of the samples' clock.
+            now: instant of arrival, in seconds of this machine's clock.
         """
         passed = max(0.0, instant - self._newest) if self._arrived > -math.inf else 0.0
         self._earliest = min(now - instant, self._earliest + MOST_DRIFT * passed)
@@ -72,7 +73,7 @@ class Freshness:
         return False
 
     def has_aged(self, instant: float, now: float) -> bool:
-        """Return whether a sample that was fresh has waited over a pause."""
+        """Return whether a buffered sample is old now, because its reader has paused."""
         if now - instant - self._earliest <= self._usual + self._late:
             return False
         self._pause(instant, now)
@@ -83,7 +84,7 @@ class Freshness:
         self._window_began = (instant, now)
 
     def _is_steady(self, instant: float, now: float) -> bool:
-        """Return whether samples have come as fast as they are taken: nothing drains, so no newer one is near."""
+        """Return whether samples arrived as fast as they were taken in the window, so that no buffer is emptied."""
         taken, passed = instant - self._window_began[0], now - self._window_began[1]
         if passed < self._window:
             return False

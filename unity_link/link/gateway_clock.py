@@ -1,4 +1,4 @@
-"""The gateway's clock: an endless time in seconds from timestamps of 32 bits."""
+"""The gateway's clock: a time in seconds without wrap-around, from timestamps of 32 bits."""
 
 from __future__ import annotations
 
@@ -13,53 +13,57 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 TICKS_PER_TURN = 1 << 32
-"""Ticks after which a timestamp comes again."""
+"""Ticks after which a timestamp wraps around; a *turn* of the counter."""
 _ROUND = 256
-"""Samples after which a sequence comes again."""
+"""Samples after which a sequence number wraps around."""
 _LONGEST_BUSY = 200e-6
-"""Seconds that a sample waits for the bus, at most."""
+"""Most seconds that a due sample waits for the bus."""
 _MOST_ROUNDING = 1e-6
-"""Part of a rate by which it may be rounded."""
+"""Relative rounding error of a rate, at most."""
 RESET_TOLERANCE = 1
-"""Seconds by which the clock of a gateway that was not reset may be off this machine's after an interruption."""
+"""Most seconds between the expected and the received time after an interruption, if the gateway was not reset."""
 
 
 class GatewayClock:
-    """Makes an endless time of the 32 bits of a timestamp.
+    """Extends timestamps of 32 bits to a time without wrap-around.
 
-    Of all the instants that a timestamp may mean, `seconds` guesses the one nearest to what this machine's clock says
-    has passed since the last. That is wrong where this program stood still, and samples waited for it, for half a turn
-    of the counter (43 s at 50 MHz) or longer. So the sequences of periodic groups decide: `turns_from`, `correct`.
+    1. A timestamp may mean several instants, one turn of the counter apart. `seconds` guesses the one nearest to the
+       time that has passed on this machine since the last timestamp.
+    2. The guess is wrong if the program paused for half a turn or longer (43 s at 50 MHz) while samples waited. Then
+       the sequence numbers of periodic groups decide: `turns_from` and `correct`.
+    3. A reset of the gateway also resets its counter. If the first timestamp of a session is not within
+       `RESET_TOLERANCE` of the expected time, the time continues at the expected one, so that it never goes back.
 
-    The gateway may have been reset between two sessions, and its counter with it. Where the first timestamp of a
-    session is not close to what this machine's clock expects, the time goes on from there, so it never goes back.
+    Args:
+        frequency_hz: frequency of the gateway's clock.
     """
 
     def __init__(self, frequency_hz: int) -> None:
         self.turn = TICKS_PER_TURN / frequency_hz
-        """Seconds after which a timestamp comes again."""
+        """Seconds after which a timestamp wraps around."""
         self.corrections = 0
-        """Turns of the counter by which guesses were corrected, all together."""
+        """Sum of all corrections of guesses, in turns of the counter."""
         self._frequency = frequency_hz
         self._ticks: int | None = None
+        """The last timestamp without wrap-around, in ticks; None before the first."""
         self._at = 0.0
+        """Instant of its arrival on this machine."""
         self._earliest = self._earliest_before = math.inf
-        """Instant of time 0 by this machine's clock, as the sample says that was on its way for the shortest time.
-
-        The other is what those before the last guess say.
-        """
+        """Time 0 of the gateway's clock in seconds of this machine's clock, from the sample with the shortest delay.
+        The second is the value before the last guess."""
         self._offset = 0
-        """Ticks that are added to timestamps since a reset of the gateway."""
+        """Ticks that are added to timestamps since the last reset of the gateway."""
         self._began = -math.inf
         """Time of the first sample since that reset."""
         self._resumed = False
+        """True if the next timestamp is the first of a session after the first session."""
 
     def resume(self) -> None:
-        """Begin with a new session."""
+        """Prepare for the first timestamp of a new session."""
         self._resumed = self._ticks is not None
 
     def seconds(self, timestamp: int, now: float) -> float:
-        """Return the time of a timestamp that arrived at `now`, in seconds."""
+        """Return the time of a timestamp in seconds; `now` is the instant of its arrival on this machine."""
         if self._ticks is None:
             ticks = timestamp
         elif self._resumed:
@@ -74,17 +78,17 @@ class GatewayClock:
         return seconds
 
     def timestamp(self, seconds: float) -> int:
-        """Return the 32 bits that the gateway sent for a time.
+        """Return the gateway's timestamp for a time in seconds.
 
         Raises:
-            ArgumentError: for a time of before the last reset of the gateway, whose clock has begun again since.
+            ArgumentError: if the time is before the gateway's last reset, since when its counter has begun again.
         """
         if seconds < self._began:
             raise ArgumentError(f"the sample of {seconds:.6f} s was taken before the gateway was reset")
         return (round(seconds * self._frequency) - self._offset) % TICKS_PER_TURN
 
     def age(self, seconds: float, now: float) -> float:
-        """Return how long ago a time was, in seconds; 0 before the first sample."""
+        """Return the seconds from a time of the gateway's clock to `now`; 0 before the first sample."""
         return max(0.0, now - self._earliest - seconds) if self._earliest < math.inf else 0.0
 
     def _first_of_session(self, timestamp: int, estimate: int) -> int:
@@ -104,12 +108,12 @@ class GatewayClock:
         )
 
     def seconds_of(self, timestamps: NDArray[np.unsignedinteger], now: float, expected: int = 0) -> NDArray[np.float64]:
-        """Return the times of timestamps that arrived together, in order.
+        """Return the times of timestamps that arrived together, in seconds; shape (n,).
 
         Args:
-            timestamps: shape (n,).
-            now: when they arrived.
-            expected: ticks from one to the next.
+            timestamps: the timestamps in order, shape (n,).
+            now: instant of their arrival.
+            expected: expected ticks from each timestamp to the next.
         """
         self.seconds(int(timestamps[0]), now)
         assert self._ticks is not None
@@ -121,16 +125,16 @@ class GatewayClock:
         return ticks / self._frequency
 
     def turns_from(self, last: float, at: float, advance: int, rate_hz: float, now: float) -> int:
-        """Return how many turns of the counter a periodic sample was later than was guessed, as its sequence tells.
+        """Return by how many turns of the counter the guessed time of a periodic sample is too early.
 
-        That is the earliest instant that the sequence and the timestamp allow together, or none where they don't.
+        The result gives the earliest instant that fits both the sequence number and the timestamp; 0 if none fits.
 
         Args:
-            last: the time of the sample before, in seconds.
-            at: what was guessed.
-            advance: by how much the sequence has advanced, 1 to 256; it may have gone round, too.
-            rate_hz: of the samples.
-            now: when the sample arrived.
+            last: time of the previous sample, in seconds.
+            at: guessed time of the sample, in seconds.
+            advance: difference of the sequence numbers, 1 to 256; further multiples of 256 are possible.
+            rate_hz: rate of the samples.
+            now: instant of the sample's arrival.
         """
         turn, guessed = self.turn, at - last
         first, most = guessed % turn, now - self._earliest - last + self.turn / 2
@@ -149,19 +153,22 @@ class GatewayClock:
         return 0
 
     def correct(self, turns: int) -> None:
-        """Record that the last guess was wrong by turns of the counter."""
+        """Correct the last guess by turns of the counter."""
         assert self._ticks is not None
         self.corrections += turns
         self._ticks += turns * TICKS_PER_TURN
         self._earliest = min(self._earliest_before, self._at - self._ticks / self._frequency)
 
     def moved(self, instant: float, turns: int) -> float:
-        """Return an instant that is some turns later, to the tick."""
+        """Return an instant that is `turns` turns of the counter later, rounded to a tick."""
         return (round(instant * self._frequency) + turns * TICKS_PER_TURN) / self._frequency
 
 
 def steps_between(timestamps: NDArray[np.unsignedinteger], expected: int) -> NDArray[np.int64]:
-    """Return the ticks to each timestamp from the one before, nearest to what is expected; shape (n,), first 0."""
+    """Return the ticks between successive timestamps, unwrapped to the values nearest `expected`; shape (n,).
+
+    The first is 0.
+    """
     steps = timestamps.astype("int64")
     steps[1:] = (
         (steps[1:] - steps[:-1] - expected + TICKS_PER_TURN // 2) % TICKS_PER_TURN - TICKS_PER_TURN // 2 + expected
@@ -171,10 +178,10 @@ def steps_between(timestamps: NDArray[np.unsignedinteger], expected: int) -> NDA
 
 
 def tolerance_of(rate_hz: float, turn: float) -> float:
-    """Return by how many periods a sample may be off: the bus may have been busy when it was due.
+    """Return the most periods by which a sample may be late, because the bus was busy when it was due.
 
     Args:
-        rate_hz: of the samples.
-        turn: seconds after which a timestamp comes again, by which none may be off.
+        rate_hz: rate of the samples.
+        turn: seconds after which a timestamp wraps around; the result is always shorter.
     """
     return min(max(0.5, _LONGEST_BUSY * rate_hz), 0.4 * turn * rate_hz)

@@ -1,6 +1,6 @@
-"""Addresses of a link that a program writes under a lease, and what checks that the program still has the lease.
+"""Addresses of a link that a program writes under a lease, and the check that the program still holds the lease.
 
-A write to such an address ends with the session in which it was asked for. If it waited for the next session, it could
+A write to such an address ends with the session in which it was submitted. If it waited for the next session, it could
 act under a lease that another program has armed there.
 """
 
@@ -15,26 +15,26 @@ if TYPE_CHECKING:
 
 
 class Guard(Protocol):
-    """A lease, as a link knows it."""
+    """The part of a lease that a link uses."""
 
     def refusal(self, address: int) -> NotArmedError | None:
-        """Return the error for a write under a lease that the program has no more; None while it may have it."""
+        """Return the error of a write to the address if the program has lost the lease, otherwise None."""
 
 
 class Guarded(Protocol):
-    """A link, as this module knows it."""
+    """The part of a link that this module uses."""
 
     _guards: dict[int, Guard]
     """The lease under which the program writes to each address."""
 
 
 def guard(link: Guarded, addresses: Iterable[int], by: Guard) -> None:
-    """Refuse writes to addresses of a link once a lease is over."""
+    """Refuse writes to these addresses of a link once the lease `by` is over."""
     link._guards.update(dict.fromkeys(addresses, by))  # noqa: SLF001  (the same package)
 
 
 def release(link: Guarded, by: Guard) -> None:
-    """Refuse no writes for a lease any more."""
+    """Stop refusing writes because of the lease `by`."""
     guards = link._guards  # noqa: SLF001  (the same package)
     for address in [address for address, other in guards.items() if other is by]:
         del guards[address]

@@ -1,4 +1,4 @@
-"""The HTML that notebooks show in place of a `repr`: small tables. Nothing is asked of a gateway for them."""
+"""HTML tables of links and robots for notebooks. No request is sent for them."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ if TYPE_CHECKING:
     from unity_link.protocol.wire.configuration import GatewayInfo
 
 LONGEST = 200
-"""Characters of a cell that are shown."""
+"""Most characters of a cell; longer texts are cut."""
 _CELL = 'style="text-align: left"'
 
 
 class ShownStatistics(Protocol):
-    """Counters of a link: `unity_link.Statistics`."""
+    """The part of `unity_link.Statistics` that this module uses."""
 
     __struct_fields__: ClassVar[tuple[str, ...]]
 
@@ -29,23 +29,23 @@ class ShownStatistics(Protocol):
 
 
 class ShownLink(Protocol):
-    """A link of any face."""
+    """The part of an asynchronous or blocking link that this module uses."""
 
     @property
     def gateway(self) -> GatewayInfo:
-        """Description of its gateway."""
+        """Configuration of its gateway."""
 
     @property
     def statistics(self) -> ShownStatistics:
-        """Counters since it was opened."""
+        """Counters since the link was opened."""
 
 
 def table(title: str, rows: Iterable[Sequence[object]], head: Sequence[object] = ()) -> str:
     """Return a table in HTML.
 
     Args:
-        title: stands above it.
-        rows: the cells; whatever is in them is shown as text.
+        title: text above the table.
+        rows: cells of each row; they are converted to text and escaped.
         head: names of the columns.
     """
     parts = [f"<p>{_text(title)}</p>", "<table>"]
@@ -56,13 +56,13 @@ def table(title: str, rows: Iterable[Sequence[object]], head: Sequence[object] =
 
 
 def link_table(link: ShownLink) -> str:
-    """Return where a link leads, what its gateway is, and what it has seen."""
+    """Return a table with the URL of a link, its gateway and its statistics."""
     rows = [("gateway", summary(link.gateway)), *statistics_rows(link.statistics)]
     return table(repr(link)[1:-1], rows)
 
 
 def statistics_rows(statistics: ShownStatistics) -> list[tuple[str, str]]:
-    """Return what a link has seen, as rows of a table."""
+    """Return the statistics of a link as rows of a table."""
     counts = [name for name in statistics.__struct_fields__ if name != "round_trip"]
     rows = [(name.replace("_", " "), f"{getattr(statistics, name):,}") for name in counts]
     return [*rows, ("round trip", duration_text(statistics.round_trip))]
@@ -71,14 +71,14 @@ def statistics_rows(statistics: ShownStatistics) -> list[tuple[str, str]]:
 def long_table(
     title: str, count: int, row: Callable[[int], Sequence[object]], head: Sequence[object], *, most: int
 ) -> str:
-    """Return a table of `count` rows, or of some at the beginning and some at the end where there are more than `most`.
+    """Return a table of `count` rows; if they are more than `most`, of the first and the last ones.
 
     Args:
-        title: stands above it.
-        count: of the rows.
-        row: returns the cells of one by its number; it is asked for those that are shown.
+        title: text above the table.
+        count: number of rows.
+        row: returns the cells of the row with a number from 0 on; called only for rows that are shown.
         head: names of the columns.
-        most: rows that are shown.
+        most: most rows of the table.
     """
     if count <= most:
         return table(title, map(row, range(count)), head)
@@ -87,7 +87,7 @@ def long_table(
 
 
 def value_text(value: Any) -> str:
-    """Return a value of a signal as people read it."""
+    """Format the value of a signal for display."""
     if value is None:
         return "-"
     if isinstance(value, enum.Enum):
@@ -96,7 +96,7 @@ def value_text(value: Any) -> str:
 
 
 def duration_text(seconds: float | None) -> str:
-    """Return a duration as people read it."""
+    """Format a duration in seconds for display, with a unit."""
     if seconds is None:
         return "-"
     for factor, unit in ((1e6, "µs"), (1e3, "ms")):

@@ -1,12 +1,13 @@
-"""Signal handlers of the program, deferred while code of a link runs in the main thread.
+"""Deferred signal handlers: the program's handlers do not run within code of a link in the main thread.
 
-CPython calls the handlers of `signal.signal` in the main thread, between any two bytecodes, and a handler may raise:
-KeyboardInterrupt at Ctrl-C, SystemExit, the time-out of a test. An exception in the middle of a change of state would
-break the session. So a handler that is due in code of a link is called at the next safe point instead.
+CPython calls the handlers of `signal.signal` in the main thread, between any two bytecodes. A handler may raise an
+exception: KeyboardInterrupt at Ctrl-C, SystemExit, the timeout of a test. In the middle of a change of state it would
+break the session. So a handler for a signal that arrives in code of a link is called at the next safe point instead.
 
-Blocking code: a call holds the handlers from its beginning to its end. Safe points are its waits and its end. In the
-block of a lease they are deferred in all code of links, so that its end is reached. trio: links defer the handlers
-while they are open. The safe point is a task in the block of the link.
+- Blocking code: a call holds the handlers from its beginning to its end. Safe points are its waits and its end. In the
+  block of a lease, handlers are deferred in all code of links, so that the end of the block is reached.
+- trio: a link defers the handlers while it is open. The safe point is a task of its nursery.
+- asyncio: handlers are not deferred. `asyncio.run` turns Ctrl-C into a cancellation.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ import sys
 import threading
 import time
 
-# Every call asks: these are quicker than the functions of `signal`, which make enumerations of numbers.
+# Every call uses these functions. They are faster than those of `signal`, which convert numbers to enumerations.
 from _signal import getsignal  # type: ignore[import-not-found]
 from _signal import signal as set_handler
 from _thread import get_ident, interrupt_main, start_new_thread
@@ -36,9 +37,9 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 P = ParamSpec("P")
 _OF_CALLBACK = 0
-"""Number in place of a signal's, for what is raised in a callback."""
+"""Key in `Deferred.pending` for an exception of a callback, instead of the number of a signal."""
 _SOON = 0.001
-"""Seconds after which a signal is tripped again."""
+"""Seconds after which a signal is raised again."""
 _NUMBERS = tuple(
     int(number)
     for number in sorted(signal.valid_signals())
@@ -47,21 +48,21 @@ _NUMBERS = tuple(
 
 
 class Interruptible(Protocol):
-    """Call or block of a link that has safe points."""
+    """A call or block of a link with safe points."""
 
     def interrupt(self) -> None:
-        """Come to a safe point soon; called in the main thread, between any two bytecodes."""
+        """Reach a safe point soon. Called in the main thread, between any two bytecodes."""
 
 
 class Block(Interruptible, Protocol):
-    """Block of a program in which handlers are deferred in all code of links, and not in calls alone."""
+    """A block of a program in which handlers are deferred in all code of links, not only in calls."""
 
     def is_protected(self, frame: FrameType | None, /) -> bool:
-        """Return whether a frame that was interrupted runs code that no handler may interrupt, as trio's own."""
+        """Return whether an interrupted frame runs other code that no handler may interrupt, such as trio's own."""
 
 
 class _Deferring:
-    """Handler of a signal that defers another handler in code of a link, and calls it at once elsewhere."""
+    """A signal handler that defers the program's handler within code of a link, and calls it at once elsewhere."""
 
     __slots__ = ("handler",)
 
@@ -80,36 +81,38 @@ class _Deferring:
 
 
 class Deferred:
-    """Signals whose handlers are to be called at a safe point; all methods are for the main thread."""
+    """The state of deferred signal handlers. Its methods are for the main thread, unless they say otherwise."""
 
     def __init__(self) -> None:
         self.thread = threading.main_thread().ident
-        """The main thread, which is the only one that runs handlers."""
+        """Identifier of the main thread, the only one that runs handlers."""
         self.is_held = False
-        """True in a call of blocking code: all handlers are deferred."""
+        """True in a call of blocking code, in which all handlers are deferred."""
         self.pending: dict[int, Handler] = {}
-        """Handlers to be called, by the numbers of their signals."""
+        """Handlers to call at a safe point, by the numbers of their signals."""
         self._caller: Interruptible | None = None
-        """Call that holds the handlers."""
+        """Call that holds the handlers; None without one."""
         self._finalizing = 0
-        """Number of finalizers that run now, one within another."""
+        """Number of nested finalizers that run now."""
         self._delivering = 0
-        """Calls that have stopped at a safe point, for handlers to run."""
+        """Number of nested calls that are at a safe point, so that handlers may run."""
         self.is_in_callback = False
-        """True in a callback of the program: handlers are called at once."""
+        """True in a callback of the program, in which handlers are called at once."""
         self.raised: BaseException | None = None
-        """Error that a handler has raised in a callback."""
+        """Exception that a handler raised within a callback; None without one."""
         self._blocks: list[Block] = []
+        """Open blocks, the innermost last."""
         self.exits = 0
-        """Calls of an `__aexit__` that are not awaited yet: no handler runs between the call and the `await`."""
+        """Number of calls of an `__aexit__` that are not awaited yet; handlers are deferred until the `await`."""
         self._seen: tuple[object, ...] = ()
-        """Handlers of all signals before they were last replaced, in the order of `_NUMBERS`."""
+        """Handlers of all signals before the last replacement, in the order of `_NUMBERS`."""
         self._replaced: tuple[object, ...] = ()
-        """Handlers of all signals after that."""
+        """Handlers of all signals after the last replacement, in the order of `_NUMBERS`."""
         self._handlers: list[tuple[int, Handler, _Deferring]] = []
+        """Number of each replaced signal, the program's handler, and the deferring one."""
 
     def add(self, number: int, handler: Handler, frame: FrameType | None) -> bool:
-        """Defer a handler if the signal has interrupted code of a link, and return whether it did."""
+        """Defer a handler if its signal interrupted code of a link; return whether it is deferred."""
         if not self.is_held and (
             self.is_in_callback
             or not self._blocks
@@ -128,7 +131,7 @@ class Deferred:
     # Blocking code
 
     def hold(self, caller: Interruptible | None) -> None:
-        """Defer all handlers, until `release`. A handler may still raise in here: then none is deferred."""
+        """Defer all handlers until `release`. If a handler raises within this method, no handler is deferred."""
         seen = tuple(map(getsignal, _NUMBERS))
         if seen == self._seen:
             for number, _, deferring in self._handlers:
@@ -136,17 +139,17 @@ class Deferred:
         elif seen != self._replaced:
             self.replace()
         self._caller = caller
-        # Last of all: up to here handlers are called at once, and may raise.
+        # Set this last: until here handlers are called at once, and may raise.
         self.is_held = True
 
     def release(self) -> None:
-        """Call the handlers that are pending, and defer none from now on; raises what they raise."""
-        # First of all: from here on handlers are called at once, and may raise.
+        """Stop deferring handlers, and call the pending ones; their exceptions are raised."""
+        # Set this first: from here on handlers are called at once, and may raise.
         self.is_held, self._caller = False, None
         try:
             if not (self._delivering or self._blocks):
                 for number, handler, deferring in self._handlers:
-                    # A callback may have installed another one.
+                    # Do not replace a handler that a callback has installed.
                     if getsignal(number) is deferring:
                         set_handler(number, handler)
         finally:
@@ -154,7 +157,7 @@ class Deferred:
                 self._call_pending()
 
     def held(self, function: Callable[[], object]) -> None:
-        """Call a function that does not wait, and defer all handlers meanwhile; for any thread."""
+        """Call a function that does not wait, with all handlers deferred; for any thread."""
         holds = get_ident() == self.thread and not self.is_held
         try:
             if holds:
@@ -165,9 +168,9 @@ class Deferred:
                 self.release()
 
     def finalize(self, function: Callable[[], object]) -> None:
-        """Call a function in the finalizer of an object, and defer handlers until a moment after it.
+        """Call a function within the finalizer of an object, and raise pending signals again shortly after it.
 
-        The interpreter drops what a handler raises in a finalizer.
+        The interpreter would drop an exception of a handler within a finalizer. For any thread.
         """
         if get_ident() != self.thread:
             function()
@@ -181,26 +184,26 @@ class Deferred:
                 self.raise_again()
 
     def raise_again(self) -> None:
-        """Trip the signals of the pending handlers again a moment later."""
+        """Raise the signals of the pending handlers again, after `_SOON`."""
         numbers = tuple(number for number in self.pending if number != _OF_CALLBACK)
         self.pending.clear()
-        # At the end of the program there are no new threads.
+        # A thread cannot be started at the end of the program.
         with suppress(RuntimeError):
             start_new_thread(_raise_again, (numbers,))
 
     def may_deliver(self, caller: Interruptible) -> bool:
-        """Return whether this is the call that holds the handlers, in its thread, and may call them."""
+        """Return whether a call holds the handlers and may call them now: in the main thread, not in a finalizer."""
         return self._caller is caller and get_ident() == self.thread and not self._finalizing
 
     def deliver(self) -> None:
-        """Call the handlers that are pending, at a safe point of the call that holds them; raises what they raise."""
+        """Call the pending handlers at a safe point of the call that holds them; their exceptions are raised."""
         self._outside(self._call_pending, is_in_callback=False)
 
     def call(self, function: Callable[[T], object], value: T) -> object:
-        """Call a callback of the program, from code of a link.
+        """Call a callback of the program from code of a link; for any thread.
 
-        In the main thread handlers are called at once meanwhile, for it may never return. What they raise, and
-        SystemExit of the callback itself, is raised at the next safe point.
+        In the main thread, handlers are called at once during the callback, because it may never return. Their
+        exceptions, and a SystemExit of the callback itself, are raised at the next safe point.
         """
         if get_ident() != self.thread or not (self.is_held or self._blocks):
             return function(value)
@@ -220,7 +223,7 @@ class Deferred:
         return None
 
     def _outside(self, function: Callable[[], T], *, is_in_callback: bool) -> T:
-        """Call a function, and handlers at once meanwhile."""
+        """Call a function during which handlers are called at once."""
         before = self.is_held, self._caller, self.is_in_callback, self._delivering
         self._delivering += 1
         try:
@@ -228,7 +231,7 @@ class Deferred:
             return function()
         finally:
             self.is_held, self._caller, self.is_in_callback, self._delivering = before
-            # Those that were installed meanwhile.
+            # Replace handlers that the function has installed.
             self.replace()
 
     def _call_pending(self) -> None:
@@ -242,13 +245,13 @@ class Deferred:
     # Blocks
 
     def begin(self, block: Block) -> None:
-        """Defer handlers in code of links, until `end`; where the block is protected, too."""
+        """Begin a block: until `end`, defer handlers in code of links, and in code that the block protects."""
         if get_ident() == self.thread:
             self._blocks.append(block)
             self.replace()
 
     def end(self, block: Block) -> None:
-        """End a block. If it was the last one, handlers that are pending are called, and may raise."""
+        """End a block. After the last one, the pending handlers are called, and may raise."""
         if get_ident() != self.thread or block not in self._blocks:
             return
         self._blocks.remove(block)
@@ -258,13 +261,13 @@ class Deferred:
             self._blocks[-1].interrupt()
 
     def defers_in_blocks(self) -> bool:
-        """Return whether this thread runs handlers, and a block is open."""
+        """Return whether a block is open and this is the main thread."""
         return bool(self._blocks) and get_ident() == self.thread
 
-    # Replacing
+    # Replacing handlers
 
     def replace(self) -> None:
-        """Replace the handlers of the program, and those that it has installed since, by handlers that defer them."""
+        """Replace the program's signal handlers, also newly installed ones, by handlers that defer them."""
         seen = tuple(map(getsignal, _NUMBERS))
         if seen != self._seen:
             if seen == self._replaced:
@@ -277,7 +280,7 @@ class Deferred:
         handlers: list[tuple[int, Handler, _Deferring]] = []
         replaced = list(seen)
         for index, handler in enumerate(seen):
-            # One that defers is left where a handler has raised while others were restored.
+            # A deferring handler may be left: another handler raised while `release` restored the handlers.
             own: Any = handler.handler if isinstance(handler, _Deferring) else handler
             if callable(own):
                 replaced[index] = deferring = _Deferring(own)
@@ -285,7 +288,7 @@ class Deferred:
         self._handlers, self._replaced, self._seen = handlers, tuple(replaced), seen
 
     def leave_to_child(self) -> None:
-        """Begin anew in a process that was forked, whose main thread may be another."""
+        """Reset the state in a forked process, in which the forking thread is the main thread."""
         self.thread = get_ident()
         self.is_held, self._caller, self.is_in_callback = False, None, False
         self._delivering = self._finalizing = self.exits = 0
@@ -295,18 +298,18 @@ class Deferred:
 
 
 def _raise_again(numbers: tuple[int, ...]) -> None:
-    """Trip signals again, when the main thread has left the code in which their handlers could not be called."""
+    """Raise signals again after `_SOON`, when the main thread has probably left the protected code."""
     time.sleep(_SOON)
     for number in numbers:
-        interrupt_main(number)  # type: ignore[arg-type]  # real-time signals are none of `signal.Signals`
+        interrupt_main(number)  # type: ignore[arg-type]  # real-time signals are not in `signal.Signals`
 
 
 PACKAGE = _raise_again.__code__.co_filename.removesuffix("interrupts.py").removesuffix(f"link{os.sep}")
-"""Beginning of the file names of the code of this package."""
+"""First characters of the file names of this package."""
 
 
 def _is_inside(frame: FrameType | None) -> bool:
-    """Return whether code of this package runs in a frame, or has called it."""
+    """Return whether a frame, or one of its callers, runs code of this package."""
     while frame is not None:
         if frame.f_code.co_filename.startswith(PACKAGE):
             return True
@@ -315,19 +318,19 @@ def _is_inside(frame: FrameType | None) -> bool:
 
 
 class BlockingBlock:
-    """A block of blocking code that is left by a call, which no handler may keep from being made."""
+    """A block of blocking code whose end must be reached, so that no handler may raise before its last call."""
 
     def interrupt(self) -> None:
-        """Trip the signals again a moment later, because no safe point may follow."""
+        """Raise the signals again shortly, because no safe point may follow."""
         DEFERRED.raise_again()
 
     def is_protected(self, _: FrameType | None, /) -> bool:
-        """Return False."""
+        """Return False, because the block protects only code of links."""
         return False
 
 
 class _Exit:
-    """Coroutine of an `__aexit__` that has been called. Handlers are deferred until it is awaited, or dropped."""
+    """The coroutine of an `__aexit__` that was called. Handlers are deferred until it is awaited or deleted."""
 
     __slots__ = ("_coroutine", "_is_awaited")
 
@@ -347,9 +350,9 @@ class _Exit:
 
 
 def whole_exit(exit_block: Callable[P, Coroutine[Any, Any, T]]) -> Callable[P, Coroutine[Any, Any, T]]:
-    """Return an `__aexit__` that runs even if a signal comes between its call and the `await` of its coroutine.
+    """Decorate an `__aexit__` so that it runs even if a signal arrives between its call and its `await`.
 
-    CPython may run a handler there, in the code of the program. If the handler raises, the coroutine never runs.
+    Without the decorator, CPython may run a handler there. If the handler raises, the coroutine never runs.
     """
 
     @functools.wraps(exit_block)

@@ -1,7 +1,7 @@
-"""Layer 2, message link: what a program holds of one gateway.
+"""Layer 2: the link of a program to one gateway.
 
-`Link` checks what it is asked for, makes requests of it, and waits for their futures. `connection` is its life,
-`flow` moves the requests, `subscription` the publishes; this module joins them.
+`Link` checks the arguments of calls, makes requests of them, and waits for their futures. It is a `Connection`; its
+`flow` carries requests and answers, and `subscription` handles samples.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from unity_link.link.connection import Connection, Reconnect
 from unity_link.link.interrupts import whole_exit
 from unity_link.link.living import LeftOpen
 from unity_link.link.publishing import Overflow, Publishing, Sample, Schedule
-from unity_link.link.runtimes.runtime import told_now
+from unity_link.link.runtimes.runtime import raises_now
 from unity_link.link.subscription import LARGEST_DIVISOR, Subscription, asked_rate, check_addresses
 from unity_link.protocol import wire
 from unity_link.protocol.host.batches import RequestBlock, WordBatch, common_outcome
@@ -55,7 +55,7 @@ if TYPE_CHECKING:
 
 NOT_CONNECTED = "write `async with unity_link.connect(...) as link:`, or `link = await unity_link.connect(...)`"
 MOST_QUEUE_WORDS = 1 << 24
-"""Words that one call reads from a queue, whose length no address bounds."""
+"""Most words that one call reads from a queue; no address limits this number."""
 SendImmediate = Literal["off", "always", "adaptive"]
 _SEND_IMMEDIATE: dict[str, int] = {"off": 0, "always": 1, "adaptive": 2}
 
@@ -64,52 +64,52 @@ class Statistics(msgspec.Struct, frozen=True, kw_only=True):
     """Counters of a link since it was opened."""
 
     requests: int
-    """Requests sent, repetitions not counted."""
+    """Requests sent, without retransmissions."""
     responses: int
-    """Responses that a request waited for."""
+    """Responses to requests."""
     in_flight: int
     """Requests sent and not answered yet."""
     repetitions: int
-    """Requests sent again."""
+    """Requests retransmitted."""
     timeouts: int
-    """Number of repetitions that were due to silence."""
+    """Number of times that requests were retransmitted because of a timeout."""
     errors: int
-    """Responses that were errors of the bus or out of range."""
+    """Error responses: the bus refused an access or did not answer, or a value was out of range."""
     damaged_frames: int
     """Frames that arrived with a wrong CRC."""
     stray_frames: int
-    """Sound frames that nothing waited for."""
+    """Undamaged frames that no request or subscription expected."""
     bytes_sent: int
-    """Bytes handed to the medium."""
+    """Bytes written to the medium."""
     bytes_received: int
-    """Bytes that came from the medium."""
+    """Bytes read from the medium."""
     samples: int
     """Samples that arrived."""
     samples_lost: int
-    """Samples that the gateway took and that did not arrive, or that no reader was quick enough for."""
+    """Samples that were lost in the gateway, on the line, or because their reader was too slow."""
     reconnections: int
-    """Connections that were opened again."""
+    """Number of sessions after the first one, each on a new connection or after a reset of the gateway."""
     round_trip: float | None
-    """Smoothed round trip in seconds."""
+    """Smoothed round trip in seconds; None before the first measurement."""
 
     if not TYPE_CHECKING:  # A type checker refuses them by itself.
         __getattr__ = missing_attribute("the statistics of a link")
 
     def _repr_html_(self) -> str:
-        """Return the numbers as a table."""
+        """Return the counters as an HTML table."""
         from unity_link.link import html
 
         return html.table("statistics of a link", html.statistics_rows(self))
 
 
 class Link(OfLink, Connection):
-    """A connection to one gateway; made by `connect`.
+    """A connection to one gateway, made by `connect`.
 
-    Any number of tasks may use it at once. Requests are executed exactly once, and in the order of the calls; blocks
-    and batches of several tasks take turns. Cancelling a call leaves all others as they are; a write that was cancelled
-    may or may not have been executed.
+    Any number of tasks may use it at once. Requests are executed exactly once, in the order of the calls; blocks and
+    batches of several tasks take turns. The cancellation of a call does not disturb other calls. A cancelled write may
+    or may not have been executed.
 
-    Every call may raise `UnansweredError`, most often a `LinkLostError`, and `BusError` and `BusTimeoutError`.
+    Every call may raise `BusError`, `BusTimeoutError` and `UnansweredError`, most often its subclass `LinkLostError`.
     """
 
     def __init__(
@@ -126,19 +126,17 @@ class Link(OfLink, Connection):
         self._posted = False
         self._caller = self._runtime.caller
         self._posted_failures: dict[Any, PostedFailure] = {}
-        """Failed posts that nobody was told of, the oldest first: of each task, and under None of those that are over.
-        """
+        """Failures of posted writes that no call has raised yet, oldest first: by task; under None for tasks that have
+        ended."""
         self._guards: dict[int, Guard] = {}
         """Leases under which the program writes, by the addresses that they guard."""
         self._explanations: dict[int, Callable[[BusError], Awaitable[BusError]]] = {}
-        """Functions that return the error with the reason for a refused posted write, by the addresses of signals."""
+        """By the address of a signal: a function that adds the reason to the error of a refused posted write."""
         self.told_by_fence: dict[int, Any] = {}
-        """Writers in the gateway's own time, each with `see` and `drop_answers`, by their addresses.
+        """Writers of scheduled writes, by address. A fence calls `see`, which raises their errors, and the end of the
+        link calls `drop_answers`."""
 
-        A fence raises their errors.
-        """
-
-    # Life
+    # Events of the connection
 
     def _happened(self, event: UnsolicitedEvent) -> None:
         if isinstance(event, GroupEvent):
@@ -149,7 +147,7 @@ class Link(OfLink, Connection):
             self._take_change(event)
 
     def _begin(self, codec: HostCodec) -> None:
-        # Where both sides share a pair of wires, each must know when its turn is.
+        # On a half-duplex line a posted write has an answer, because the host must know when it may send again.
         self._takes_turns = Feature.HALF_DUPLEX in codec.info.features
         self._publishing.start(codec)
         self._left_open = self._left_open or LeftOpen(self._warn_of_left_open)
@@ -160,11 +158,14 @@ class Link(OfLink, Connection):
         return "" if stream is None else stream.refusal
 
     def name_addresses(self, names: Mapping[int, str]) -> None:
-        """Name addresses, for errors to call them by; a robot does so for its signals."""
+        """Set the names of addresses in error texts; a robot sets those of its signals."""
         self._session.codec.names.update(names)
 
     def explain_refusals(self, explanations: Mapping[int, Callable[[BusError], Awaitable[BusError]]]) -> None:
-        """Register what explains bus errors of posted writes, by addresses; a robot registers signals under leases."""
+        """Register functions that add the reason to bus errors of posted writes, by address.
+
+        A robot registers the signals that a lease guards.
+        """
         self._explanations.update(explanations)
 
     def _ended(self, error: LinkLostError) -> None:
@@ -188,17 +189,17 @@ class Link(OfLink, Connection):
     async def __aexit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        """Close; where the block ended well, not before the posted writes are executed, and with their errors.
+        """Close the link. After a block without an error, wait for the posted writes first, and raise their errors.
 
-        A gateway that is away is not waited for: what is not known of posted writes is then one of their errors. The
-        first error is raised, and has those behind it as notes: nobody is told of them later.
+        If the gateway is away, do not wait: posted writes whose outcome is unknown are then errors, too. The first
+        error is raised, with the others as its notes.
         """
         try:
             if error is None and (self._posted or self._posted_failures or self.told_by_fence):
                 if self.connected:
                     with contextlib.suppress(LinkLostError):
                         await self._fence(leaving=True)
-                # A program that closes its link in the block knows that it gives up what is under way.
+                # A program that calls `aclose` in the block abandons the requests in flight knowingly.
                 if not self._closed_by_program:
                     await self._raise_all()
         finally:
@@ -214,12 +215,12 @@ class Link(OfLink, Connection):
         return "a link"
 
     def __repr__(self) -> str:
-        """Return where it leads, and whether there is a connection now."""
+        """Return the URL of the gateway and the state of the connection."""
         state = "connected" if self.connected else "closed" if self._closed else "not connected"
         return f"<link to {self._name}, {state}>"
 
     def _repr_html_(self) -> str:
-        """Return the same, what the gateway is, and the statistics, as a table."""
+        """Return the URL, the gateway and the statistics as an HTML table."""
         from unity_link.link import html
 
         return html.link_table(self)
@@ -251,11 +252,11 @@ class Link(OfLink, Connection):
         """Read the word at `address`."""
         flow = self._flow
         codec = flow.session.codec
-        # Also a number that is no `int`, as numpy's, may be right.
+        # A number of another type, such as an integer of numpy, may be valid: `_whole_address` decides.
         if type(address) is not int or not 0 <= address <= codec.highest_address:
             address = self._whole_address(address)
         request = Request(codec, "R", codec.fields("R", address), codec.data_digits)
-        # As `answer` would: this is the most frequent call.
+        # The same as `Flow.answer`, inlined because this is the most frequent call.
         waiter = flow.ask(request)
         try:
             word: int = await waiter
@@ -265,7 +266,7 @@ class Link(OfLink, Connection):
         return word
 
     async def write(self, address: int, value: int) -> None:
-        """Write `value` to `address`; when this returns it is on the bus."""
+        """Write `value` to `address`; returns when the gateway has executed the write."""
         flow = self._flow
         codec = flow.session.codec
         if type(address) is not int or not 0 <= address <= codec.highest_address:
@@ -278,13 +279,13 @@ class Link(OfLink, Connection):
         await flow.answer(request)
 
     async def write_masked(self, address: int, value: int, mask: int) -> int:
-        """Replace the bits of a word that are 1 in `mask` by those of `value`, atomically.
+        """Replace the bits of a word that are 1 in `mask` by those of `value`, in one bus transaction.
 
         Returns:
-            The whole word as it was before.
+            The whole word before the write.
 
         Raises:
-            UnsupportedError: where the gateway was built without masked write.
+            UnsupportedError: if the gateway was built without masked write.
         """
         self._require(Feature.MASKED_WRITE)
         where, what, bits = self._whole_address(address), self._whole_word(value), self._whole_word(mask)
@@ -296,11 +297,11 @@ class Link(OfLink, Connection):
 
     @returns_coroutine
     def post(self, address: int, value: int) -> Coroutine[Any, Any, None]:
-        """Send a write without waiting for its execution; waits only while too many requests are under way.
+        """Send a write without waiting for its execution. It waits only while too many requests are in flight.
 
-        It is executed exactly once and in order all the same. Its errors are raised by the next `fence` of the task
-        that calls `post`, or where the ``async with`` block of the link ends. On a half-duplex medium each write is
-        answered, and this returns then.
+        The write is executed exactly once and in order. Its error is raised by the next `fence` of the task that calls
+        `post`, or at the end of the ``async with`` block of the link. On a half-duplex medium each write is answered,
+        and `post` waits for the answer.
         """
         return self._post_for(self._caller(), address, value)
 
@@ -327,63 +328,63 @@ class Link(OfLink, Connection):
 
     @returns_coroutine
     def fence(self) -> Coroutine[Any, Any, None]:
-        """Wait until everything that was asked for before has been executed.
+        """Wait until all requests that were submitted before are executed.
 
-        It raises the errors of writes that the task which calls `fence` has posted (on blocking links: the thread), and
-        those of tasks that are over; under `asyncio.wait_for` and `asyncio.gather`, too, which run the coroutine in a
-        task of its own. What other tasks have posted is left to their fences, and to the end of the block.
+        It raises the errors of writes that the calling task has posted (on blocking links: the calling thread), and of
+        writes of tasks that have ended. It finds the calling task also under `asyncio.wait_for` and `asyncio.gather`,
+        which run the coroutine in another task. Errors of other tasks are raised by their fences, and at the end of the
+        block.
 
         Raises:
-            UnityLinkError: the first error of these writes that nobody was told of; or, of their writes at instants
-                that are not awaited, the one of the first that is known not to have acted. Those to come are not waited
-                for.
+            UnityLinkError: the first error of these posted writes that was not raised before; or that of the first of
+                their scheduled writes which has failed. Scheduled writes that are still to come are not awaited.
         """
         return self._fence_for(self._caller())
 
     async def _fence_for(self, caller: Any) -> None:
         self._posted = False
-        is_told = told_now(self._runtime, caller)
+        is_raised = raises_now(self._runtime, caller)
         try:
             await self._fence(leaving=False)
         except LinkLostError as lost:
-            # What is known of the posted writes says more than what is known of the fence.
-            raise self._take_posted(is_told) or lost from None
+            # Prefer the error of the posted writes, because it contains their outcome.
+            raise self._take_posted(is_raised) or lost from None
         except BaseException:
             self._posted = True
             raise
-        await self._raise_errors(is_told)
+        await self._raise_errors(is_raised)
 
     async def _fence(self, *, leaving: bool) -> None:
         await self._flow.answer(Fence(self._session.codec, of_session=leaving))
 
     async def _ping(self) -> None:
-        """Ask the gateway for an answer, which changes nothing.
+        """Wait for an answer of the gateway to a request that changes nothing.
 
         Raises:
-            BusTimeoutError: where a server answers, whose gateway is away.
+            BusTimeoutError: if a server answers whose gateway is away.
         """
         await self._flow.answer(Confirmation(self._session.codec, of_session=True))
 
-    async def _raise_errors(self, is_told: Callable[[Any], bool]) -> None:
+    async def _raise_errors(self, is_raised: Callable[[Any], bool]) -> None:
         if self._posted_failures:
-            await self._raise_posted(is_told)
+            await self._raise_posted(is_raised)
         for writer in tuple(self.told_by_fence.values()):
-            await writer.see(is_told, is_connected=self.connected)
+            await writer.see(is_raised, is_connected=self.connected)
 
     async def _raise_all(self) -> None:
-        """Raise the first error of all, with the others as notes."""
+        """Raise the first error of all tasks' writes, with the others as notes."""
         errors: list[UnityLinkError] = []
 
-        def told(_: object) -> bool:
+        def of_any_task(_: object) -> bool:
             return True
 
         try:
-            await self._raise_posted(told)
+            await self._raise_posted(of_any_task)
         except UnityLinkError as error:
             errors.append(error)
         for writer in tuple(self.told_by_fence.values()):
             try:
-                await writer.see(told, is_connected=self.connected)
+                await writer.see(of_any_task, is_connected=self.connected)
             except UnityLinkError as error:
                 errors.append(error)
         if errors:
@@ -392,9 +393,15 @@ class Link(OfLink, Connection):
                 first.add_note(str(other))
             raise first
 
-    async def _raise_posted(self, is_told: Callable[[Any], bool]) -> None:
-        """Raise the first error of the posted writes of those who are told now, and why a lease has it refused."""
-        error = self._take_posted(is_told)
+    async def _raise_posted(self, is_raised: Callable[[Any], bool]) -> None:
+        """Raise the first error of the posted writes for which `is_raised` is true.
+
+        If a lease refused the write, the error contains its reason.
+
+        Args:
+            is_raised: takes the task or thread that posted a write, or None.
+        """
+        error = self._take_posted(is_raised)
         if error is None:
             return
         if isinstance(error, BusError) and error.address in self._explanations:
@@ -404,21 +411,21 @@ class Link(OfLink, Connection):
                 error = explained
         raise error
 
-    def _take_posted(self, is_told: Callable[[Any], bool]) -> UnityLinkError | None:
-        """Return the first error of the posted writes of those who are told now, and forget it; None without one."""
+    def _take_posted(self, is_raised: Callable[[Any], bool]) -> UnityLinkError | None:
+        """Remove the errors of the posted writes for which `is_raised` is true; return the first, or None."""
         failures = self._posted_failures
-        told = [failures.pop(poster) for poster in tuple(failures) if is_told(poster)]
-        if not told:
+        taken = [failures.pop(poster) for poster in tuple(failures) if is_raised(poster)]
+        if not taken:
             return None
-        first, count = told[0].error, sum(failure.writes for failure in told)
+        first, count = taken[0].error, sum(failure.writes for failure in taken)
         if count > 1:
             first.add_note(f"{count - 1} more posted writes failed as well")
         return first
 
     def _note_posted(self, failure: PostedFailure) -> None:
-        """Keep the first error of the writes that a task has posted since it was told, and count how many failed."""
+        """Store the first error of each task's posted writes since its last fence, and count the failed writes."""
         if failure.poster not in self._posted_failures:
-            # Tasks come and go: all that are over count as one.
+            # Merge the failures of tasks that have ended, so that their number does not grow.
             before, self._posted_failures = self._posted_failures, {}
             for poster, other in before.items():
                 self._add_failure(None if poster is None or self._runtime.is_over(poster) else poster, other)
@@ -434,17 +441,17 @@ class Link(OfLink, Connection):
     async def read_block(self, address: int, count: int) -> Words:
         """Read `count` consecutive words from `address` on.
 
-        The gateway reads at most ``gateway.block_words`` words in one atomic bus transaction, over UDP at most as many
-        as a datagram holds; a longer block is read in several, each atomic, in the order of the addresses.
+        The gateway reads at most ``gateway.block_words`` words in one bus transaction, over UDP at most as many as a
+        datagram holds. A longer block is read in several transactions, in the order of the addresses.
 
         Returns:
-            The words, shape (count,), as the smallest unsigned type that holds one.
+            The words, shape (count,), in the smallest unsigned type for a word.
         """
         where, size = self._whole_block(address, count)
         return await self._read_words("RM", where, size, step=1)
 
     async def read_queue(self, address: int, count: int) -> Words:
-        """Read the same address `count` times, 2 ** 24 at most: a FIFO port. Like `read_block` otherwise."""
+        """Read the same address, the port of a FIFO, `count` times, at most 2 ** 24; otherwise as `read_block`."""
         self._require(Feature.QUEUE_COMMANDS)
         where, size = self._whole_address(address), self._whole_count(count)
         if size > MOST_QUEUE_WORDS:
@@ -452,13 +459,13 @@ class Link(OfLink, Connection):
         return await self._read_words("RQ", where, size, step=0)
 
     async def write_block(self, address: int, values: ArrayLike) -> None:
-        """Write consecutive words from `address` on, in atomic transactions as large as those of `read_block`."""
+        """Write consecutive words from `address` on, in bus transactions as large as those of `read_block`."""
         words = self._words(values)
         where, _ = self._whole_block(address, len(words))
         await self._write_words("WM", where, words, step=1)
 
     async def write_queue(self, address: int, values: ArrayLike) -> None:
-        """Write all `values` to the same address: a FIFO port. Like `write_block` otherwise."""
+        """Write all `values` to the same address, the port of a FIFO; otherwise as `write_block`."""
         self._require(Feature.QUEUE_COMMANDS)
         words = self._words(values)
         where = self._whole_address(address)
@@ -468,13 +475,13 @@ class Link(OfLink, Connection):
     # Batches
 
     async def read_many(self, addresses: ArrayLike) -> Words:
-        """Read many words in one pipelined batch, each a request of its own.
+        """Read many words in one pipelined batch, with one request for each.
 
         Returns:
-            The words in the order of `addresses`, as the smallest unsigned type that holds one.
+            The words in the order of `addresses`, in the smallest unsigned type for a word.
 
         Raises:
-            GatewayError: the first error; the other reads are done all the same.
+            GatewayError: the first error; the other reads are executed nevertheless.
         """
         where = self._addresses(addresses)
         return await self._batch("R", (where, self.gateway.address_digits))
@@ -483,7 +490,7 @@ class Link(OfLink, Connection):
         """Write one word to each of many addresses, in order, in one pipelined batch.
 
         Raises:
-            GatewayError: the first error; the other writes are done all the same.
+            GatewayError: the first error; the other writes are executed nevertheless.
         """
         where, what = self._write_arguments(addresses, values)
         info = self.gateway
@@ -493,7 +500,7 @@ class Link(OfLink, Connection):
     def post_many(self, addresses: ArrayLike, values: ArrayLike) -> Coroutine[Any, Any, None]:
         """Send many writes as `post` does; returns when the last one is sent.
 
-        The quickest way to write words that lie apart: nothing but the requests is on the line.
+        This is the fastest way to write words at separate addresses, because the writes have no answers.
         """
         return self._post_many_for(self._caller(), addresses, values)
 
@@ -515,18 +522,18 @@ class Link(OfLink, Connection):
     # Publishing
 
     def timestamp_of(self, time: float) -> int:
-        """Return the gateway's own timestamp of a sample's time, in ticks of ``gateway.clock_hz`` modulo 2 ** 32.
+        """Return the gateway's timestamp for the time of a sample, in ticks of ``gateway.clock_hz`` modulo 2 ** 32.
 
         Raises:
-            ArgumentError: for what is no finite number of seconds, or a time of before the last reset of the gateway.
+            ArgumentError: if `time` is no finite number of seconds, or is before the gateway's last reset.
         """
         return self._publishing.clock.timestamp(_sample_time(time))
 
     def age_of(self, time: float) -> float:
-        """Return how long ago a sample's time was, in seconds, from 0 on; exact to the jitter of the line.
+        """Return the seconds since the time of a sample, 0 or more; the error is the jitter of the line.
 
         Raises:
-            ArgumentError: for what is no finite number of seconds.
+            ArgumentError: if `time` is no finite number of seconds.
         """
         return self._publishing.clock.age(_sample_time(time), self._runtime.time())
 
@@ -546,31 +553,33 @@ class Link(OfLink, Connection):
         overflow: Overflow = "drop_oldest",
         callback: Callable[[Sample], object] | None = None,
     ) -> Subscription:
-        """Subscribe to addresses that the gateway samples by itself, all in one atomic bus transaction.
+        """Subscribe to addresses that the gateway samples by itself, all in one bus transaction.
 
         Args:
-            addresses: one address, or up to ``gateway.group_words``.
-            rate_hz: samples a second; the nearest rate that the gateway has is `Subscription.rate_hz`.
-            divisor: the same as a division of ``gateway.base_frequency_hz``, 1 to 65535.
-            trigger: sample on the group's external trigger; ``group`` says which.
+            addresses: one address, or up to ``gateway.group_words`` addresses.
+            rate_hz: samples per second; `Subscription.rate_hz` is the nearest rate that the gateway has.
+            divisor: the rate as a divisor of ``gateway.base_frequency_hz``, 1 to 65535.
+            trigger: sample on the external trigger of ``group``.
             on_change: publish only samples in which a word has changed.
-            immediate: have the gateway send each sample at once instead of filling packets.
-            timestamps: have the instant of sampling sent along; None: where the gateway can.
-            group: number of the group, for each has a trigger of its own; None: one that is free.
-            buffer: most samples that wait for the reader. The default holds all that one read of a socket can bring.
-            latest: keep the newest sample alone, for a controller. Of samples at a rate, those of before a pause of the
-                program or the line are lost, and counted.
-            overflow: what happens when they are more: ``"drop_oldest"`` and count, or ``"fail"``.
-            callback: is called with each sample as it arrives, in place of iteration. What it raises is logged under
-                ``unity_link.link`` and stops nothing: the first exception of each type.
+            immediate: send each sample at once instead of filling packets.
+            timestamps: add the instant of sampling; None: if the gateway supports it.
+            group: number of the group, which decides its external trigger; None: any free group.
+            buffer: most samples that wait for the reader. The default holds all samples of one read of a socket.
+            latest: keep only the newest sample, for a controller. Periodic samples from before a pause of the program
+                or the line are dropped and counted as lost.
+            overflow: reaction to a full buffer: ``"drop_oldest"`` drops and counts samples, ``"fail"`` ends the
+                subscription.
+            callback: called with each sample as it arrives, instead of iteration. The first exception of each type that
+                it raises is logged under ``unity_link.link``; the subscription continues.
 
-        Without a rate, a divisor or a trigger, samples come when `Subscription.publish` asks for them.
+        Without a rate, a divisor or a trigger, samples are taken when `Subscription.publish` is called.
 
         Raises:
-            ArgumentError: for rates, addresses or sizes that the gateway does not have.
-            UnsupportedError: where the gateway was built without what is asked for, or the group, or all, are in use.
-            OutOfRangeError: when the block is entered, where the gateway refuses the group: for a rate on a half-duplex
-                medium, or while other programs have all groups of a shared gateway.
+            ArgumentError: for a rate, an address or a size that the gateway does not have.
+            UnsupportedError: if the gateway was built without a requested feature, or the group, or all groups, are in
+                use.
+            OutOfRangeError: when the block is entered, if the gateway refuses the group: for a rate on a half-duplex
+                medium, or while other programs use all groups of a shared gateway.
         """
         self._require(Feature.GROUPS)
         if timestamps is None:
@@ -608,10 +617,10 @@ class Link(OfLink, Connection):
         The gateway pulses SIWU# as the mode says, and the driver sets the chip's latency timer.
 
         Args:
-            mode: ``"off"``; ``"always"``, after every response; or ``"adaptive"``, when nothing more is waiting.
+            mode: ``"off"``; ``"always"``, after every response; or ``"adaptive"``, if no further output is waiting.
 
         Raises:
-            UnsupportedError: where the gateway was built without it.
+            UnsupportedError: if the gateway was built without send-immediate.
         """
         check_mode(mode)
         self._require(Feature.SEND_IMMEDIATE)
@@ -619,7 +628,7 @@ class Link(OfLink, Connection):
         if self._flow.stream is not None:
             await self._flow.stream.choose_send_immediate(mode)
 
-    # The inside
+    # Private methods
 
     async def _ask(self, command: str, *values: Any) -> None:
         """Execute a request that is answered by an acknowledgement."""
@@ -627,7 +636,7 @@ class Link(OfLink, Connection):
         await self._flow.answer(Request(codec, command, codec.fields(command, *values), 0))
 
     async def _sent(self, posted: Request | WordBatch) -> None:
-        """Wait until posted writes have found room."""
+        """Wait until posted writes that were queued are sent."""
         posted.waiter = waiter = self._flow.create_future()
         if posted.done:
             posted.settle()
@@ -638,14 +647,14 @@ class Link(OfLink, Connection):
             raise
 
     async def _post_answered(self, posted: Request | WordBatch, poster: Any) -> None:
-        """Execute writes that are answered, and keep their errors as those of posted ones."""
+        """Execute writes that have answers, and store their errors as those of posted writes."""
         try:
             await self._flow.answer(posted)
         except UnityLinkError as error:
             self._note_posted(PostedFailure(error, 1, poster))
 
     async def _read_words(self, command: str, address: int, count: int, step: int) -> Words:
-        # Imported here, not in the callback that takes the answer.
+        # Import numpy now, not in the callback that decodes the answer.
         arrays = wire.arrays
         codec, info = self._session.codec, self.gateway
         requests: list[Request] = []
@@ -671,9 +680,9 @@ class Link(OfLink, Connection):
     def _begin_block(
         self, address: int, count: int, write: Sequence[int], *, to_queue: bool
     ) -> tuple[Waiter, Callable[[], None]]:
-        """Ask for a read, or a write, of one transaction; return its answer, and what gives it up.
+        """Submit a read or write of one bus transaction; return its future, and a function that cancels it.
 
-        A write ends with its session: it belongs to something that a reset ends, as a lease.
+        A write ends with its session, because it belongs to a lease or a schedule, which a reset ends.
         """
         codec = self._session.codec
         if write:
@@ -683,7 +692,7 @@ class Link(OfLink, Connection):
             request = Request(codec, command, codec.fields(command, address, self._words(write)), 0, of_session=True)
             self._bind(request, (address,) if to_queue else range(address, address + len(write)))
         else:
-            # Imported here, not in the callback that takes the answer.
+            # Import numpy now, not in the callback that decodes the answer.
             _ = wire.arrays
             digits = count * self.gateway.data_digits
             request = Request(codec, "RM", codec.fields("RM", address, count), digits)
@@ -702,7 +711,7 @@ class Link(OfLink, Connection):
         await self._all(requests)
 
     async def _all(self, requests: list[Request]) -> list[Any]:
-        """Execute requests in order, and return their answers; if one fails, the rest is not waited for."""
+        """Execute requests in order, and return their answers; after a failure, do not wait for the others."""
         if len(requests) == 1:
             return [await self._flow.answer(requests[0])]
         waiters = []
@@ -737,10 +746,10 @@ class Link(OfLink, Connection):
         return words
 
     def _bind(self, source: Request | WordBatch, addresses: Iterable[int] | NDArray[Any]) -> None:
-        """End a write to a guarded address with the session under way.
+        """Bind a write to a guarded address to the current session, so that it ends with it.
 
         Raises:
-            NotArmedError: if the lease is over for the program.
+            NotArmedError: if the program does not hold the lease any more.
         """
         if not self._guards:
             return
@@ -805,7 +814,7 @@ def _sample_time(time: float) -> float:
 
 
 def check_mode(mode: SendImmediate) -> None:
-    """Raise ArgumentError for a mode of send-immediate that is none."""
+    """Raise `ArgumentError` if `mode` is not a mode of send-immediate."""
     given: object = mode
     if not (isinstance(given, str) and given in _SEND_IMMEDIATE):
         raise ArgumentError(f"send-immediate is one of {', '.join(_SEND_IMMEDIATE)}, not {mode!r}")

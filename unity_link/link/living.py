@@ -1,8 +1,8 @@
-"""Objects that are alive, and a warning of those that were left open.
+"""Weak lists of objects, and warnings about objects that were not closed.
 
-Python code that runs where an object is dropped, as a callback of a weak reference or a `__del__`, may run anywhere in
-the main thread of a program, and signal handlers with it: what one raises there is lost, a Ctrl-C for example. So an
-object that was closed has no such code.
+A callback of a weak reference, or a `__del__`, may run anywhere in the main thread. If a signal handler runs during
+such code, Python drops the exception of the handler, such as the `KeyboardInterrupt` of a Ctrl-C. So `Living` uses no
+callbacks, and a closed object has no `__del__` left.
 """
 
 from __future__ import annotations
@@ -18,16 +18,16 @@ T = TypeVar("T")
 
 
 class Living(Generic[T]):
-    """Objects by weak references without callbacks. Any thread may add one."""
+    """A list of weak references without callbacks. Any thread may add an object."""
 
     def __init__(self) -> None:
         self._references: list[ref[T]] = []
 
     def add(self, thing: T) -> None:
-        """Add an object, and forget those that were dropped."""
+        """Add an object, and remove references to objects that no longer exist."""
         for reference in self._references.copy():
             if reference() is None:
-                # Another thread may forget it at this moment.
+                # Another thread may remove it at the same time.
                 with suppress(ValueError):
                     self._references.remove(reference)
         self._references.append(ref(thing))
@@ -39,15 +39,15 @@ class Living(Generic[T]):
                 yield thing
 
     def clear(self) -> None:
-        """Forget all."""
+        """Remove all references."""
         self._references.clear()
 
 
 class LeftOpen:
-    """Part of an object while that is open: it warns when it is dropped. An object that is closed drops it by `end`.
+    """An attribute of an open object that warns if the object is deleted before `end` was called.
 
     Args:
-        warn: is called when it is dropped before `end`.
+        warn: called in that case.
     """
 
     __slots__ = ("_warn",)
@@ -60,5 +60,5 @@ class LeftOpen:
             self._warn()
 
     def end(self) -> None:
-        """Warn of nothing."""
+        """Disable the warning, because the object was closed."""
         self._warn = None

@@ -1,7 +1,7 @@
 """Layer 2 without frames: a link to a bus that is mapped into memory.
 
-Each word of a call is one access to the bus, made in the call itself, one after the other and in the order of the
-calls. Nothing is on its way, so nothing is lost, repeated or answered. Groups are polled by a timer of the host.
+Each word of a call is one bus access, made within the call. There are no requests in flight, so there are no
+retransmissions and no answers. Subscriptions are polled by timers of the host.
 """
 
 from __future__ import annotations
@@ -28,16 +28,16 @@ if TYPE_CHECKING:
     from unity_link.transport import DriverUrl, MemoryBus, WordsByAddress
 
 TURN = 256
-"""Accesses after which others run: nothing else of a call waits."""
+"""Number of accesses after which a call lets other tasks run; the accesses themselves do not wait."""
 _EARLY = 1e-6
-"""Part of a period by which a timer may come too early."""
+"""Fraction of a period by which a timer may fire early."""
 
 
 class MappedLink(Link):
-    """A link to a bus that is mapped into memory; made by `connect`.
+    """A link to a bus that is mapped into memory, made by `connect`.
 
-    The calls are those of `Link`, and so are their arguments. What is another: blocks are single accesses, a masked
-    write is a read and a write, and a bus that refuses an access ends the program, as the system has it.
+    Calls and arguments are those of `Link`, with these differences: the words of a block are accessed one by one; a
+    masked write is a read and a write; an access that the bus refuses ends the program with a signal of the system.
     """
 
     def __init__(self, target: DriverUrl, runtime: Runtime) -> None:
@@ -48,13 +48,13 @@ class MappedLink(Link):
         self._left = TURN
         self._publishing: Polling
 
-    # Life
+    # Opening and closing
 
     async def open(self, timeout: float) -> None:  # noqa: ARG002, ASYNC109  (as a link's; this one does not wait)
         """Map the bus.
 
         Raises:
-            ConnectError: where it cannot be mapped.
+            ConnectError: if it cannot be mapped.
         """
         try:
             self._bus = bus = open_bus(self._url)
@@ -75,16 +75,16 @@ class MappedLink(Link):
 
     @property
     def epoch(self) -> int:
-        """Number of the session: there is one."""
+        """Number of the session, always 0."""
         return 0
 
     @property
     def connected(self) -> bool:
-        """Return whether the bus is mapped."""
+        """True if the bus is mapped."""
         return self._words_at is not _CLOSED
 
     async def _done(self, accesses: int) -> None:
-        """Count accesses, and let others run from time to time; in between, calls keep their order."""
+        """Count accesses, and let other tasks run after `TURN` of them."""
         counters = self._session.counters
         counters.requests += accesses
         counters.responses += accesses
@@ -98,7 +98,7 @@ class MappedLink(Link):
             raise UnsupportedError(f"mapped memory has no {feature.words}")
 
     async def send_immediate(self, mode: SendImmediate) -> None:
-        """Return: every answer comes at once."""
+        """Check the mode; it has no effect, because no answer is delayed."""
         check_mode(mode)
         self._check_open()
 
@@ -122,7 +122,7 @@ class MappedLink(Link):
         await self._done(1)
 
     async def write_masked(self, address: int, value: int, mask: int) -> int:
-        """Replace bits of a word, by a read and a write: other tasks do not come in between, but other masters may."""
+        """Replace bits of a word by a read and a write; another bus master may access the word in between."""
         where, what, bits = self._whole_address(address), self._whole_word(value), self._whole_word(mask)
         words = self._words_at
         before = words[where]
@@ -149,7 +149,7 @@ class MappedLink(Link):
     # Many
 
     async def read_block(self, address: int, count: int) -> Words:
-        """Read `count` consecutive words from `address` on, one after the other."""
+        """Read `count` consecutive words from `address` on, one by one."""
         where, size = self._whole_block(address, count)
         return await self._read_each(range(where, where + size))
 
@@ -165,7 +165,7 @@ class MappedLink(Link):
         return await self._read_each(where.tolist())
 
     async def write_block(self, address: int, values: ArrayLike) -> None:
-        """Write consecutive words from `address` on, one after the other."""
+        """Write consecutive words from `address` on, one by one."""
         words = self._words(values)
         where, size = self._whole_block(address, len(words))
         await self._write_each(range(where, where + size), words)
@@ -192,7 +192,7 @@ class MappedLink(Link):
     def _begin_block(
         self, address: int, count: int, write: Sequence[int], *, to_queue: bool
     ) -> tuple[Waiter, Callable[[], None]]:
-        """Read or write words in place."""
+        """Read or write words within this call; return a future that is done."""
         words = self._words_at
         for index, word in enumerate(write):
             words[address if to_queue else address + index] = word
@@ -229,7 +229,7 @@ def _closed() -> LinkClosedError:
 
 
 class _Closed:
-    """The words of a bus that is not mapped."""
+    """The words of a closed link; every access raises `LinkClosedError`."""
 
     def __len__(self) -> int:
         return 0
@@ -245,18 +245,18 @@ _CLOSED = _Closed()
 
 
 class Polling(Publishing):
-    """Polling for all subscriptions of a mapped link: the host reads their words by a timer of its own.
+    """The subscriptions of a mapped link, whose words the host reads by timers.
 
-    The time of a sample is that of the host when its words were read.
+    The time of a sample is the host's clock at the instant of reading.
 
     Args:
-        runtime: of the link.
-        bus: whose words are read.
-        name: of the bus, for the log.
+        runtime: runtime of the link.
+        bus: bus of the link.
+        name: name of the bus, for the log.
     """
 
     def __init__(self, runtime: Runtime, bus: MemoryBus, name: str) -> None:
-        # No session: what is done with one is done here.
+        # `Publishing.__init__` is not called: it needs a session, and this class overrides the methods that use one.
         self.name = name
         self.samples = self.samples_lost = 0
         self.runtime = runtime
@@ -266,16 +266,16 @@ class Polling(Publishing):
 
     @property
     def epoch(self) -> int:
-        """Number of the session: there is one."""
+        """Number of the session, always 0."""
         return 0
 
     @property
     def info(self) -> GatewayInfo:
-        """Description of the bus, as far as it is known."""
+        """Configuration of the bus, as far as it is known."""
         return self._bus.info
 
     def start(self, codec: HostCodec) -> None:
-        """Begin."""
+        """Do nothing, because polling needs no session."""
 
     def end(self, error: LinkLostError) -> None:
         """End all subscriptions."""
@@ -286,7 +286,7 @@ class Polling(Publishing):
             group.receiver.fail(error)
 
     async def hold(self, receiver: SampleReceiver) -> _PolledGroup:
-        """Begin to read the words of a subscription."""
+        """Begin to poll for a subscription."""
         if self._words is _CLOSED:
             raise _closed()
         group = _PolledGroup(self, receiver)
@@ -295,7 +295,7 @@ class Polling(Publishing):
         return group
 
     async def release(self, group: Any) -> None:
-        """Read the words of a subscription no more."""
+        """Stop polling for a subscription."""
         self._polled.discard(group)
         group.end()
 
@@ -304,17 +304,17 @@ class Polling(Publishing):
         group.sample()
 
     def read(self, addresses: tuple[int, ...]) -> list[int]:
-        """Return the words at addresses, read one after the other."""
+        """Read the words at some addresses, one by one, and return them."""
         words = self._words
         return [words[address] for address in addresses]
 
     def array(self, words: list[int]) -> Words:
-        """Return words as users get them."""
+        """Return words as an array of the smallest unsigned type for a word."""
         return wire.arrays.of_words(words, self._bus.info.data_digits)
 
 
 class _PolledGroup:
-    """Words that are read again and again; what the host is too late for counts as lost."""
+    """The polled words of one subscription. Samples that the host was too late to take count as lost."""
 
     def __init__(self, polling: Polling, receiver: SampleReceiver) -> None:
         self.receiver = receiver
@@ -324,21 +324,21 @@ class _PolledGroup:
         self._now = polling.runtime.time
         self._began = 0.0
         self._ticks = 0
-        """Periods that have passed."""
+        """Number of periods that have passed."""
         self._sequence = -1
         self._missed = 0
-        """Periods without sample since the last one."""
+        """Number of periods without a sample since the last sample."""
         self._last: list[int] | None = None
         self._timer: Timer | None = None
 
     def begin(self) -> None:
-        """Begin to count periods, if the subscription is periodic."""
+        """Start the timer, if the subscription is periodic."""
         self._began = self._now()
         if GroupFlag.PERIODIC in self._schedule.flags:
             self._plan()
 
     def end(self) -> None:
-        """Read no more."""
+        """Stop the timer."""
         if self._timer is not None:
             self._timer.cancel()
 
@@ -359,7 +359,7 @@ class _PolledGroup:
             self.sample()
 
     def sample(self) -> None:
-        """Read the words, and publish them."""
+        """Read the words, and pass them to the receiver as a sample."""
         self._publish(self._polling.read(self._schedule.addresses))
 
     def _publish(self, words: list[int]) -> None:

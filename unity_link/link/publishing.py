@@ -1,4 +1,11 @@
-"""The samples of a link's groups: from the events of a session to a buffer, or a callback."""
+"""The samples of a link's groups, from the events of the session to the buffer or the callback of a subscription.
+
+1. `Publishing` holds groups for subscriptions, and passes the events of groups to their receivers.
+2. A sequence number has two digits. `SampleReceiver` extends it to an endless one, and counts missing samples as lost.
+   If the group is periodic, timestamps show if the two digits have wrapped around.
+3. A timestamp has 32 bits. `GatewayClock` extends it to an endless time.
+4. A receiver buffers samples for a reader, or calls a callback. A full buffer drops the oldest, or ends with an error.
+"""
 
 from __future__ import annotations
 
@@ -55,45 +62,47 @@ log = logging.getLogger("unity_link.link")
 Overflow = Literal["drop_oldest", "fail"]
 NOT_OPEN = "the subscription is not open: write `async with ...subscribe(...) as samples:`, or `with` in blocking code"
 _COUNTED = GroupFlag.PERIODIC | GroupFlag.TRIGGER | GroupFlag.ON_CHANGE
+"""Flags that decide when samples are taken. With PERIODIC alone, the time determines their number."""
 
 
 class Sample(msgspec.Struct, frozen=True, gc=False):
     """The words of one group at one instant."""
 
     sequence: int
-    """Number of the sample since the subscription began, lost ones counted; it leaps where the epoch is another one."""
+    """Number of the sample since the subscription began, with lost samples counted. It jumps when `epoch` changes."""
     time: float | None
-    """Instant of sampling in seconds of the gateway's clock, unwrapped; None without timestamps."""
+    """Instant of sampling in seconds of the gateway's clock, without wrap-around; None without timestamps."""
     arrived: float
     """Instant of arrival in seconds of this machine's clock (`time.time`)."""
     values: Words
-    """The words, in the order of the addresses; shape (addresses,)."""
+    """The words in the order of the addresses; shape (addresses,)."""
     lost: int
-    """Number of samples lost between the one that was read before and this one, but for an interruption."""
+    """Number of samples lost between the previously read sample and this one; those of an interruption do not count."""
     epoch: int = 0
-    """Number of the link's session that it came in: 0, and one more after each reconnection."""
+    """Number of the link's session in which it arrived: 0, and one more after each reconnection or reset."""
 
     if not TYPE_CHECKING:  # A type checker refuses them by itself.
         __getattr__ = missing_attribute("a sample")
 
 
 class Schedule(msgspec.Struct, frozen=True):
-    """Times and form of a group's samples."""
+    """The settings of a group."""
 
     addresses: tuple[int, ...]
     divisor: int
+    """Base ticks from one sample to the next."""
     flags: GroupFlag
     group: int | None = None
-    """Number of the group, where it must be that one."""
+    """Number of the group; None for any."""
 
 
 class Publishing:
-    """Publication for all subscriptions of one link: the way to the gateway's groups, the time, and the counts.
+    """The groups, the gateway's clock and the counters for all subscriptions of one link.
 
     Args:
-        flow: of the link.
-        runtime: what runs it.
-        name: of the gateway, for the log.
+        flow: flow of the link.
+        runtime: runtime of the link.
+        name: name of the gateway, for the log.
     """
 
     def __init__(self, flow: Flow, runtime: Runtime, name: str) -> None:
@@ -105,10 +114,10 @@ class Publishing:
         self.runtime = runtime
         self._clock: GatewayClock | None = None
         self._together: type[SamplesTogether] | None = None
-        """Imported with the first subscription, as it needs numpy."""
+        """Imported with the first subscription, because it needs numpy."""
 
     def take(self, event: GroupEvent) -> None:
-        """Hand an event of a group to the subscription that has it."""
+        """Pass an event of a group to its receiver."""
         match event:
             case Sampled():
                 event.owner.receive(event.body, event.arrived)
@@ -122,7 +131,7 @@ class Publishing:
                 assert_never(event)
 
     def _receive_together(self, event: SampledTogether) -> None:
-        """Take samples of several subscriptions that arrived together: the same as `receive` of each, in order."""
+        """Process samples of several subscriptions that arrived together; the result is that of `receive` for each."""
         owners: list[SampleReceiver] = event.owners
         assert self._together is not None
         now, samples = event.arrived, self._together(len(owners))
@@ -138,34 +147,34 @@ class Publishing:
         instants, arrived, epoch, corrections = samples.instants(clock, now), time.time(), self.epoch, clock.corrections
         for owner, sequence, instant, words in zip(owners, samples.sequences, instants, samples.words, strict=True):
             if instant is not None and clock.corrections != corrections:
-                # They were guessed from one before.
-                instant = clock.moved(instant, clock.corrections - corrections)  # noqa: PLW2901  (the same, mended)
+                # A sample of this loop has corrected the clock, after the later instants were guessed: move them, too.
+                instant = clock.moved(instant, clock.corrections - corrections)  # noqa: PLW2901  (corrected)
             owner.take_sample(sequence, instant, words, arrived, epoch, now)
 
     @property
     def epoch(self) -> int:
-        """Number of the session."""
+        """Number of the session, from 0."""
         return self._session.epoch
 
     @property
     def info(self) -> GatewayInfo:
-        """Description of the gateway, as it answers `Q`."""
+        """Configuration of the gateway."""
         return self._session.codec.info
 
     @property
     def clock(self) -> GatewayClock:
-        """The gateway's time; there is none before the first session."""
+        """The gateway's clock; only after the first session has begun."""
         assert self._clock is not None
         return self._clock
 
     def start(self, codec: HostCodec) -> None:
-        """Begin with a new session."""
+        """Prepare for the samples of a new session."""
         if self._clock is None:
             self._clock = GatewayClock(codec.info.clock_hz)
         self._clock.resume()
 
     def end(self, error: LinkLostError) -> None:
-        """End all subscriptions."""
+        """End all subscriptions with an error."""
         if self._session.epoch >= 0:
             for group in self._session.groups.end():
                 group.error = error.about(Outcome.NO_REQUEST)
@@ -173,17 +182,17 @@ class Publishing:
                 group.owner.fail(group.error)
 
     async def hold(self, receiver: SampleReceiver) -> Any:
-        """Take a free group and start it for a subscription; while there is no session, wait for one.
+        """Hold a free group, and start it for a subscription; without a session, wait for the next one.
 
         Args:
-            receiver: takes the samples.
+            receiver: receiver of the samples.
 
         Returns:
-            What `release` and `publish` know it by.
+            The group, as an argument for `release` and `publish`.
 
         Raises:
-            UnsupportedError: where no group is free.
-            LinkLostError: where the link ends.
+            UnsupportedError: if no group is free.
+            LinkLostError: if the link ends.
         """
         from unity_link.link.samples_together import SamplesTogether
 
@@ -199,7 +208,7 @@ class Publishing:
             self._flow.go_on(session.start(group, self.runtime.time()))
             await started
         except BaseException:
-            # Whatever of it was sent may still be executed.
+            # The gateway may still start the group: stop it.
             if (request := self._stopping(group)) is not None:
                 self._flow.submit(request)
             raise
@@ -208,33 +217,33 @@ class Publishing:
     async def release(self, group: HeldGroup) -> None:
         """Stop and release a group."""
         if (request := self._stopping(group)) is not None:
-            # A gateway that is gone has stopped it, also one behind a server, and one that was reset knows it no more.
+            # Ignore these errors: a gateway that was lost or reset has stopped the group anyway.
             with contextlib.suppress(LinkLostError, BusTimeoutError, OutOfRangeError):
                 await self._flow.ask(request)
 
     def _stopping(self, group: HeldGroup) -> Request | None:
-        """Release a group, and return the request that stops it; None where nothing is left to stop."""
+        """Release a group; return the request that stops it, or None if it is stopped already."""
         session = self._session
         if not session.groups.release(group) or not session.is_open:
             return None
         return Request(session.codec, "GX", group.text, 0, of_session=True)
 
     async def publish(self, group: HeldGroup) -> None:
-        """Ask for one sample of a group now."""
+        """Request one sample of a group now."""
         await self._flow.answer(Request(self._session.codec, "GP", group.text, 0))
 
 
 class SampleReceiver:
-    """Receiver of the samples of one group: samples are counted, and kept for their reader or given to a callback.
+    """Counts the samples of one group, and buffers them for a reader or passes them to a callback.
 
-    Apart from `Subscription` for the sake of speed, too: `flow` says why.
+    It is separate from `Subscription` for speed, because that class has a `__getattr__`; see `flow`.
 
     Args:
-        publishing: what the subscriptions of the link share.
-        schedule: of the group.
-        buffer: samples that wait for their reader, at most.
-        overflow: what becomes of more.
-        callback: takes the samples, if there is one.
+        publishing: shared state of the subscriptions of the link.
+        schedule: settings of the group.
+        buffer: most samples that wait for the reader.
+        overflow: reaction to a full buffer.
+        callback: called with each sample, or None.
     """
 
     _is_loss_logged = _is_overflow_logged = False
@@ -248,41 +257,46 @@ class SampleReceiver:
         callback: Callable[[Sample], object] | None,
     ) -> None:
         self.schedule = schedule
-        """Addresses and conditions of sampling, as the gateway got them."""
+        """Settings of the group in the gateway."""
         self.lost = 0
-        """Samples lost so far: on the way, in the gateway, or in the buffer."""
+        """Number of samples lost so far: in the gateway, on the line, or in the buffer."""
         self.received = 0
-        """Samples that arrived so far."""
+        """Number of samples that arrived so far."""
         self.length = 0
-        """Characters of a publish."""
+        """Characters of the body of a sample."""
         self.words_at = SAMPLE_HEAD
-        """Number of characters before the words."""
+        """Offset of the first word in the body of a sample."""
         self.buffer: deque[Sample] = deque()
+        """Samples that wait for the reader."""
         self.error: UnityLinkError | None = None
-        """Why there are no more samples, behind those that wait."""
+        """Error that the reader gets after the buffered samples; None while samples may arrive."""
         self.ended = False
-        """True if the reader wants no more."""
+        """True after the reader has left the subscription's block."""
         self.holder: object = None
-        """Object that is alive as long as the group is set up."""
+        """The subscription, while its block is open: this reference keeps it alive. None before and after."""
         self._publishing = publishing
         self._buffer_size = buffer
         self._overflow = overflow
         self._callback = callback
-        self._told: set[type[BaseException]] = set()
+        self._reported: set[type[BaseException]] = set()
+        """Types of exceptions of the callback that were logged."""
         self._dropped = 0
+        """Number of samples lost in the buffer since the last `next`."""
         self._waiter: Waiter | None = None
         self._sequence = -1
+        """Number of the last sample."""
         self._sampled_at: float | None = None
+        """Instant of the last sample, in seconds of the gateway's clock."""
         self._due_hz: float | None = None
-        """The rate, where time alone says how many samples are due."""
+        """Rate of a group that is only periodic; None otherwise."""
         self._tolerance = 0.0
-        """Periods by which they may be off."""
+        """Periods by which a sample may be early or late."""
         self._period = 0
-        """The same in ticks of the gateway's clock; 0 where there is none."""
+        """Period in ticks of the gateway's clock; 0 if `_due_hz` is None."""
 
     @property
     def rate_hz(self) -> float | None:
-        """The rate that the gateway publishes at, in Hz; None where that is not periodic."""
+        """Rate of the samples in Hz; None if the group is not periodic."""
         if GroupFlag.PERIODIC not in self.schedule.flags:
             return None
         return self._publishing.info.base_frequency_hz / self.schedule.divisor
@@ -290,7 +304,7 @@ class SampleReceiver:
     # For the reader
 
     def next(self) -> Sample:
-        """Return the sample that has waited longest."""
+        """Remove the oldest sample from the buffer, and return it."""
         sample = self.buffer.popleft()
         if self._dropped:
             sample = msgspec.structs.replace(sample, lost=sample.lost + self._dropped)
@@ -298,9 +312,9 @@ class SampleReceiver:
         return sample
 
     def give_back(self, samples: Sequence[Sample]) -> None:
-        """Put the samples that were taken last back, to be taken again."""
+        """Put the samples that `next` returned last back into the buffer; the oldest are lost if it overflows."""
         if self._dropped and self.buffer:
-            # What was dropped stood behind these.
+            # The dropped samples followed these: add them to `lost` of the first buffered sample.
             self.buffer.appendleft(self.next())
         self.buffer.extendleft(reversed(samples))
         while len(self.buffer) > self._buffer_size and self._overflow == "drop_oldest":
@@ -311,10 +325,10 @@ class SampleReceiver:
         self._lose(1)
 
     async def wait(self) -> None:
-        """Wait until there is a sample.
+        """Wait until the buffer has a sample.
 
         Raises:
-            StopAsyncIteration: where there will be none.
+            StopAsyncIteration: if no more samples will arrive.
         """
         while not self.buffer:
             if self.error is not None:
@@ -334,7 +348,7 @@ class SampleReceiver:
     # Called for the events of the session
 
     def restart(self) -> None:
-        """Begin to count anew: the gateway's sequence stands at 0."""
+        """Continue with a group that was set up again: its next sequence number is 0."""
         self._sequence = self._sequence | 0xFF
         self._sampled_at = None
         due = self._due_hz = self.rate_hz if self.schedule.flags & _COUNTED == GroupFlag.PERIODIC else None
@@ -343,13 +357,13 @@ class SampleReceiver:
             self._tolerance, self._period = tolerance_of(due, TICKS_PER_TURN / clock_hz), round(clock_hz / due)
 
     def fail(self, error: UnityLinkError) -> None:
-        """End the stream with an error, behind the samples that wait."""
+        """End the stream with an error, after the buffered samples."""
         if self.error is None:
             self.error = error
         self.wake()
 
     def receive(self, body: bytes, now: float) -> None:
-        """Take a publish of the group."""
+        """Process the body of one sample; a malformed one is ignored."""
         if len(body) != self.length:
             return
         try:
@@ -364,12 +378,21 @@ class SampleReceiver:
     def take_sample(
         self, sequence: int, instant: float | None, words: Words, arrived: float, epoch: int, now: float
     ) -> None:
-        """Take a sample of the group, whose sequence has two digits; its instant is guessed."""
+        """Process a decoded sample.
+
+        Args:
+            sequence: its sequence number, 0 to 255.
+            instant: its instant as the gateway's clock has guessed it, in seconds; None without a timestamp.
+            words: its words.
+            arrived: instant of arrival (`time.time`).
+            epoch: number of the session.
+            now: instant of arrival, on the clock of the runtime.
+        """
         if instant is None and not (sequence - self._sequence - 1) & 0xFF:
             self._sequence += 1
             sample = Sample(self._sequence, None, arrived, words, 0, epoch)
             if self._callback is not None and self.error is None:
-                # As `keep` would: this is on the way of every sample of groups that alternate.
+                # The same as in `keep`, inlined because every sample of interleaved groups runs it.
                 self.received += 1
                 self._publishing.samples += 1
                 self._call(self._callback, sample)
@@ -380,11 +403,11 @@ class SampleReceiver:
             self.keep(Sample(self._sequence, self._sampled_at, arrived, words, lost, epoch))
 
     def receive_rows(self, bodies: NDArray[np.uint8], now: float) -> None:
-        """Take samples of the group that arrived together: the same as `receive` of each.
+        """Process consecutive samples of the group; the result is that of `receive` for each.
 
         Args:
-            bodies: shape (n, length).
-            now: when they arrived, on the loop's clock.
+            bodies: their bodies, shape (n, length).
+            now: instant of arrival, on the clock of the runtime.
         """
         digits, stamped = self._publishing.info.data_digits, self.words_at != SAMPLE_HEAD
         parse_rows = wire.arrays.parse_rows
@@ -405,7 +428,7 @@ class SampleReceiver:
     def _receive_run(
         self, sequence: int, timestamps: NDArray[np.unsignedinteger] | None, rows: list[Words], now: float
     ) -> None:
-        """Take samples with none missing between them; the first has a sequence."""
+        """Process samples without a gap between them; `sequence` is the number of the first, 0 to 255."""
         instants: list[Any] = [None] * len(rows)
         if timestamps is not None:
             instants = self._publishing.clock.seconds_of(timestamps, now, self._period).tolist()
@@ -431,10 +454,10 @@ class SampleReceiver:
     def _gaps(
         self, sequences: NDArray[np.unsignedinteger], timestamps: NDArray[np.unsignedinteger] | None
     ) -> list[int]:
-        """Return the places of the samples before which some may be missing, but for the first."""
+        """Return the positions of samples before which others may be missing; the first sample does not count."""
         broken = sequences[1:] - sequences[:-1] != 1
         if timestamps is not None and self._due_hz is not None:
-            # Two digits may also have gone round.
+            # The timestamps show gaps of a multiple of 256 samples, which the sequence numbers do not.
             steps = steps_between(timestamps, self._period)[1:]
             broken |= abs(steps - self._period) > self._tolerance * self._period
         return [place + 1 for place in broken.nonzero()[0].tolist()]
@@ -451,13 +474,14 @@ class SampleReceiver:
             self.keep(sample)
 
     def _came_before(self, sequence: int, at: float | None) -> bool:
-        """Return whether the line has doubled the last sample; without timestamps, that could be one a round later."""
+        """Return whether a sample repeats the last one. Without timestamps, False: it may be 256 samples later."""
         return at is not None and at == self._sampled_at and not (sequence - self._sequence) & 0xFF
 
     def _count_lost(self, sequence: int, at: float | None, now: float) -> int:
-        """Return how many samples are missing before this one, and take its instant, corrected if need be.
+        """Return the number of samples missing before this one, and update `_sequence` and `_sampled_at`.
 
-        A timestamp tells how often two digits of a sequence went round, and they how often it went round itself.
+        For a periodic group, the timestamp shows how often the sequence number has wrapped around, and the sequence
+        number shows how often the timestamp has wrapped around, which may correct the clock.
         """
         advance, last, rate_hz = (sequence - self._sequence) & 0xFF or 0x100, self._sampled_at, self._due_hz
         if at is not None and last is not None and rate_hz is not None:
@@ -475,7 +499,7 @@ class SampleReceiver:
         return advance - 1
 
     def keep(self, sample: Sample) -> None:
-        """Take a sample that tells what was lost before it."""
+        """Pass a sample, with the number of samples lost before it, to the buffer or the callback."""
         self.received += 1
         self._publishing.samples += 1
         if sample.lost:
@@ -500,20 +524,20 @@ class SampleReceiver:
             self.wake()
 
     def _log_loss(self, sample: Sample) -> None:
-        """Log a gap in the sequence: the first of a subscription as a warning, since a bad line may have many."""
+        """Log a gap in the sequence; only the first of a subscription is a warning, because a bad line has many."""
         level = logging.DEBUG if self._is_loss_logged else logging.WARNING
         self._is_loss_logged = True
         name, group = self._publishing.name, self._called()
         log.log(level, "%s: samples of %s lost: %d, before sample %d", name, group, sample.lost, sample.sequence)
 
     def _log_overflow(self) -> None:
-        """Log that samples are dropped, once: a reader that is too slow drops one for each that arrives."""
+        """Log once that samples are dropped, because with a slow reader each arriving sample drops one."""
         self._is_overflow_logged = True
         text = "%s: the reader of %s is too slow: its buffer (samples: %d) drops the oldest (logged once)"
         log.warning(text, self._publishing.name, self._called(), self._buffer_size)
 
     def _called(self) -> str:
-        """Return the group's name in the log: its first address, and how many more it has."""
+        """Return the name of the group for the log: its first address, and the number of other addresses."""
         first, *others = self.schedule.addresses
         return f"the group of 0x{first:02X}{f' and {len(others)} more' if others else ''}"
 
@@ -525,35 +549,35 @@ class SampleReceiver:
         try:
             call_back(callback, sample)
         except ANY_ERROR as error:
-            # It must not stop the link.
-            # With each sample, it would be told thousands of times a second.
-            if type(error) not in self._told:
-                self._told.add(type(error))
+            # Log it, because an error of the callback must not stop the link; once for each type, because it may occur
+            # for each sample.
+            if type(error) not in self._reported:
+                self._reported.add(type(error))
                 what = f"a subscription's callback raised {type(error).__name__} (told once)"
                 report(what, error)
 
     def wake(self) -> None:
-        """Wake the reader, to look again at what there is."""
+        """Resume the waiting reader, which checks the buffer and the end of the stream."""
         if self._waiter is not None and not self._waiter.done():
             self._waiter.set_result(None)
 
 
 class LatestSampleReceiver(SampleReceiver):
-    """Receiver of samples for a reader that wants the newest alone: none of before a pause is given.
+    """Receiver for a reader that wants only the newest sample; periodic samples from before a pause are dropped.
 
-    Apart from `SampleReceiver`, so that other samples are not asked for their age.
+    It is a class of its own so that other receivers do not compute the ages of samples.
     """
 
     _is_overflow_logged = True
-    """Its reader wants the older samples dropped."""
+    """Do not log an overflow, because dropping older samples is intended."""
     _freshness: Freshness | None = None
-    """Ages of the samples, where they come at a rate alone; of others an old one may be the newest."""
+    """Ages of the samples of a periodic group; None for other groups, whose newest sample may be old."""
 
     async def wait(self) -> None:
-        """Wait until there is a sample that is not of before a pause.
+        """Wait until the buffer has a sample that was not taken before a pause.
 
         Raises:
-            StopAsyncIteration: where there will be none.
+            StopAsyncIteration: if no more samples will arrive.
         """
         while True:
             self._drop_aged()
@@ -562,7 +586,7 @@ class LatestSampleReceiver(SampleReceiver):
             await super().wait()
 
     def restart(self) -> None:
-        """Begin to count anew: the gateway's sequence stands at 0."""
+        """Continue with a group that was set up again: its next sequence number is 0."""
         super().restart()
         if self._due_hz is not None:
             self._freshness = Freshness(self._due_hz)
@@ -570,7 +594,7 @@ class LatestSampleReceiver(SampleReceiver):
     def take_sample(
         self, sequence: int, instant: float | None, words: Words, arrived: float, epoch: int, now: float
     ) -> None:
-        """Take a sample of the group, whose sequence has two digits; its instant is guessed."""
+        """Process a decoded sample, as `SampleReceiver.take_sample`."""
         if not self._came_before(sequence, instant):
             lost = self._count_lost(sequence, instant, now)
             self.keep(Sample(self._sequence, self._sampled_at, arrived, words, lost, epoch))
@@ -580,7 +604,7 @@ class LatestSampleReceiver(SampleReceiver):
             self.keep(sample)
 
     def keep(self, sample: Sample) -> None:
-        """Take a sample that tells what was lost before it; one of before a pause is lost itself."""
+        """Buffer a sample or pass it to the callback; drop it if it was taken before a pause."""
         freshness = self._freshness
         if freshness is None or not freshness.is_old(self._instant_of(sample), self._publishing.runtime.time()):
             super().keep(sample)

@@ -1,4 +1,4 @@
-"""Samples of several subscriptions that arrive together, read as arrays."""
+"""Samples of several subscriptions that arrive together, decoded by numpy."""
 
 from __future__ import annotations
 
@@ -20,45 +20,46 @@ _NO_WORDS: Words = np.zeros(0, np.uint8)
 
 
 class SampleOwner(Protocol):
-    """The subscription that takes a sample."""
+    """The part of `SampleReceiver` that this module uses."""
 
     words_at: int
-    """Place of the first word in the body of its samples."""
+    """Offset of the first word in the body of its samples."""
 
 
 class SampleClock(Protocol):
-    """The gateway's clock."""
+    """The part of `GatewayClock` that this module uses."""
 
     def seconds_of(self, timestamps: Words, now: float, /) -> NDArray[np.float64]:
-        """Return the instants of timestamps, in seconds."""
+        """Return the instants of timestamps in seconds of the gateway's clock."""
 
 
 class SamplesTogether:
-    """Samples of several subscriptions, read many at a time.
+    """Decodes consecutive samples of several subscriptions.
 
     Args:
-        count: how many.
+        count: number of samples.
     """
 
     def __init__(self, count: int) -> None:
         self.sequences = [0] * count
-        """Two digits of each."""
+        """Sequence number of each sample, 0 to 255."""
         self.words: list[Words] = [_NO_WORDS] * count
+        """Words of each sample."""
         self._timestamps: list[tuple[NDArray[np.intp], Words]] = []
 
     def parse(
         self, owners: Sequence[SampleOwner], places: NDArray[np.intp], bodies: NDArray[np.uint8], digits: int
     ) -> None:
-        """Read samples of one length.
+        """Decode the samples of one length.
 
         Args:
-            owners: of all samples.
-            places: of those that are meant.
-            bodies: shape (n, length).
-            digits: of a word.
+            owners: receiver of each sample, for all lengths.
+            places: positions of the samples of this length in `owners`.
+            bodies: their bodies, shape (n, length).
+            digits: hex digits of a word.
 
         Raises:
-            ValueError: where a character is no hex digit.
+            ValueError: if a character is no hex digit.
         """
         words_at = {owner.words_at for owner in set(owners)}
         if len(words_at) == 1:
@@ -70,7 +71,7 @@ class SamplesTogether:
             self._parse_alike(places[of_head], bodies[of_head], head, digits)
 
     def _parse_alike(self, places: NDArray[np.intp], bodies: NDArray[np.uint8], words_at: int, digits: int) -> None:
-        """Read samples that have their words at the same place."""
+        """Decode samples whose words begin at the same offset."""
         values = arrays.apart(arrays.parse_rows(bodies[:, words_at:].reshape(-1, digits)).reshape(len(bodies), -1))
         sequences = arrays.parse_rows(bodies[:, 3:SAMPLE_HEAD]).tolist()
         if words_at != SAMPLE_HEAD:
@@ -82,7 +83,7 @@ class SamplesTogether:
             self.sequences[place], self.words[place] = sequence, words
 
     def instants(self, clock: SampleClock, now: float) -> list[float | None]:
-        """Return the instants of all in seconds, None for those without timestamp."""
+        """Return the instant of each sample in seconds of the gateway's clock, None without a timestamp."""
         instants: list[float | None] = [None] * len(self.words)
         if self._timestamps:
             places, timestamps = (np.concatenate(columns) for columns in zip(*self._timestamps, strict=True))

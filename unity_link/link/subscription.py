@@ -1,7 +1,8 @@
-"""Layer 2, publish streams: groups of addresses that the gateway samples by itself.
+"""Layer 2: subscriptions to addresses that the gateway samples by itself.
 
-A `Subscription` holds one group of the gateway as long as its ``async with`` block runs. Samples wait in a buffer of a
-stated size; a reader that is too slow loses the oldest, and is told how many, or fails, as it chose.
+A `Subscription` holds one group of the gateway while its ``async with`` block is open. Samples wait in a buffer of a
+fixed size. If the reader is too slow, the oldest samples are dropped and counted, or the subscription ends with an
+error.
 """
 
 from __future__ import annotations
@@ -35,12 +36,12 @@ if TYPE_CHECKING:
     from unity_link.link.publishing import Overflow, Publishing, Sample, Schedule
 
 INSTEAD = {"next": "`await anext(samples)` waits for one sample, and `take` for all that are there"}
-"""Advice for names that are often tried on a subscription."""
+"""Advice for attribute names that users of other libraries may try on a subscription."""
 LARGEST_DIVISOR = 0xFFFF
 
 
 class Subscription(OfLink):
-    """A stream of samples; made by `Link.subscribe`.
+    """A stream of samples, made by `Link.subscribe`.
 
     ::
 
@@ -48,7 +49,7 @@ class Subscription(OfLink):
             async for sample in samples:
                 print(sample.time, sample.values)
 
-    Iteration ends with `LinkLostError` when the link ends, after the samples that had come before it.
+    When the link ends, iteration raises `LinkLostError` after the samples that arrived before.
     """
 
     def __init__(
@@ -67,20 +68,20 @@ class Subscription(OfLink):
         if is_asynchronous(callback):
             raise ArgumentError("a callback is a plain function, which may start a task: an async one is never awaited")
         self.schedule = schedule
-        """Addresses and conditions of sampling, as the gateway has them."""
+        """Settings of the group in the gateway."""
         self._publishing = publishing
         self._latest = latest and overflow == "drop_oldest"
         kind = LatestSampleReceiver if self._latest else SampleReceiver
         self._receiver = kind(publishing, schedule, size, overflow, callback)
         self._entered = False
         self._group = None
-        # One that only iterates is told when it does.
+        # Warn of a subscription that was never entered only if it has a callback: iteration raises an error anyway.
         self._left_open = None if callback is None else LeftOpen(_warn_of_callback)
 
     _group: Any = None
 
     def _warn_of_left_open(self) -> None:
-        # One whose link was lost is over without the program's doing.
+        # Do not warn if the subscription has ended because the link was lost.
         if self._group is not None and isinstance(self._receiver.error, LinkClosedError | None):
             warnings.warn(f"{self!r} was not closed: use `async with`", ResourceWarning, stacklevel=1, source=self)
 
@@ -99,7 +100,7 @@ class Subscription(OfLink):
         return "a subscription"
 
     def __repr__(self) -> str:
-        """Return what is sampled, and what has come of it."""
+        """Return the number of addresses, the state, and the numbers of received and lost samples."""
         count = len(self.schedule.addresses)
         over = self._receiver.ended or self._receiver.error is not None
         state = "over" if over else "open" if self._group is not None else "not open"
@@ -107,21 +108,21 @@ class Subscription(OfLink):
 
     @property
     def rate_hz(self) -> float | None:
-        """The rate that the gateway publishes at, in Hz; None for a subscription that is not periodic."""
+        """Rate of the samples in Hz; None for a subscription that is not periodic."""
         return self._receiver.rate_hz
 
     @property
     def received(self) -> int:
-        """Samples that arrived so far."""
+        """Number of samples that arrived so far."""
         return self._receiver.received
 
     @property
     def lost(self) -> int:
-        """Samples lost so far: on the way, in the gateway, or in the buffer."""
+        """Number of samples lost so far: in the gateway, on the line, or in the buffer."""
         return self._receiver.lost
 
     async def publish(self) -> None:
-        """Ask for one sample now, besides those that are due by themselves."""
+        """Request one sample now, in addition to scheduled ones."""
         if self._group is None:
             raise ArgumentError(NOT_OPEN)
         await self._publishing.publish(self._group)
@@ -142,7 +143,7 @@ class Subscription(OfLink):
             raise
         receiver.holder = self
         self._left_open = LeftOpen(self._warn_of_left_open)
-        self._publishing.runtime.attend()
+        self._publishing.runtime.start_polling()
         return self
 
     @whole_exit
@@ -155,7 +156,7 @@ class Subscription(OfLink):
         if self._group is not None:
             group, self._group = self._group, None
             self._receiver.holder = None
-            self._publishing.runtime.leave()
+            self._publishing.runtime.stop_polling()
             await self._publishing.release(group)
 
     def __aiter__(self) -> Self:
@@ -168,13 +169,14 @@ class Subscription(OfLink):
         return receiver.next()
 
     async def take(self, count: int | None = None) -> list[Sample]:
-        """Wait until there is a sample, and return all that wait; for readers that work on many at once.
+        """Wait for a sample, and return all buffered samples, for readers that process many at once.
 
         Args:
-            count: wait for so many, and return no more; there are fewer where the samples end.
+            count: wait for this number of samples, and return no more; fewer only if the samples end. None: wait for
+                one, and return all.
 
         Raises:
-            StopAsyncIteration: when the ``async with`` block has ended.
+            StopAsyncIteration: if the ``async with`` block has ended.
         """
         receiver = self._receiver
         if count is not None:
@@ -183,7 +185,7 @@ class Subscription(OfLink):
         return [receiver.next() for _ in range(len(receiver.buffer))]
 
     def give_back(self, samples: Sequence[Sample]) -> None:
-        """Put the samples that were taken last back; those without room are lost, and counted."""
+        """Put the samples that were returned last back into the buffer; if it overflows, the oldest are lost."""
         self._receiver.give_back(samples)
 
 
@@ -194,15 +196,15 @@ def _warn_of_callback() -> None:
 async def so_many(
     following: Callable[[], Coroutine[Any, Any, Sample]], count: int, give_back: Callable[[Sequence[Sample]], None]
 ) -> list[Sample]:
-    """Return so many samples; fewer where an error ends them, which the next call raises.
+    """Return `count` samples; fewer if an error ends them, which the next call raises.
 
     Args:
-        following: waits for the next sample.
-        count: how many.
-        give_back: takes those that had come when this is cancelled: the next call returns them.
+        following: waits for the next sample, and returns it.
+        count: number of samples.
+        give_back: called with the collected samples if this call is cancelled, so that the next call returns them.
 
     Raises:
-        ArgumentError: for a count that is none.
+        ArgumentError: if `count` is no whole number from 1 on.
     """
     count = check_count(count)
     taken: list[Sample] = []
@@ -219,10 +221,10 @@ async def so_many(
 
 
 def check_count(count: int) -> int:
-    """Return a number of samples, of whatever type, as an `int`.
+    """Return a number of samples of any integer type as an `int`.
 
     Raises:
-        ArgumentError: where it is none.
+        ArgumentError: if it is no whole number from 1 on.
     """
     given: object = count
     if isinstance(given, bool) or not isinstance(given, Integral) or count < 1:
@@ -231,10 +233,10 @@ def check_count(count: int) -> int:
 
 
 def check_buffer(buffer: int, overflow: Overflow) -> int:
-    """Return how many samples wait at most, a number of whatever type, as an `int`.
+    """Return the size of a buffer, of any integer type, as an `int`.
 
     Raises:
-        ArgumentError: where it is no number from 1 on, or nobody knows what happens when they are more.
+        ArgumentError: if it is no whole number from 1 on, or `overflow` is unknown.
     """
     given: object = buffer
     if isinstance(given, bool) or not isinstance(given, Integral):
@@ -248,10 +250,10 @@ def check_buffer(buffer: int, overflow: Overflow) -> int:
 
 
 def asked_rate(rate_hz: float | None, divisor: int | None, base_hz: float) -> float:
-    """Return the samples a second that a rate asks for, or a divisor of the base frequency; that where neither does.
+    """Return the requested samples per second: `rate_hz`, or `base_hz` divided by `divisor`, or `base_hz` without both.
 
     Raises:
-        ArgumentError: where they are no numbers, both are given, or there is no such divisor.
+        ArgumentError: if both are given, one is no number, or the divisor is not from 1 to `LARGEST_DIVISOR`.
     """
     if rate_hz is not None:
         if divisor is not None:
@@ -266,10 +268,10 @@ def asked_rate(rate_hz: float | None, divisor: int | None, base_hz: float) -> fl
 
 
 def check_addresses(addresses: NDArray[Any], most: int) -> tuple[int, ...]:
-    """Return the addresses of a group.
+    """Return the addresses of a group as a tuple.
 
     Raises:
-        ArgumentError: where there are none, or more than a group of the gateway holds.
+        ArgumentError: if there are none, or more than `most`, the limit of the gateway.
     """
     if not 1 <= len(addresses) <= most:
         raise ArgumentError(f"a subscription of {len(addresses)} addresses was asked for, expected 1 to {most}")

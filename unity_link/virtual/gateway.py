@@ -393,11 +393,11 @@ class VirtualGateway(BareGateway):
         if not ahead:
             sequence.advance()
         elif ahead <= sequence.mask >> 1:
-            told, sequence.gap_told = sequence.gap_told, True
+            told, sequence.gap_reported = sequence.gap_reported, True
             if told:
                 return b""
             return self._framing.checked(self._codec.out_of_sequence(sequence.expected), self._session.state.seeds[1])
-        elif sequence.fate(number):
+        elif sequence.outcome(number):
             return None
         body = self._word_form % (self._codec.id_text[number], self.bus.memory[address])
         return b"%b%b\n" % (body, self._crc_text(body, self._session.state.seeds[1]))

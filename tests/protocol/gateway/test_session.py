@@ -38,4 +38,4 @@ def test_what_ends_behind_its_session_changes_nothing_of_the_next() -> None:
     late.fail(0, ErrorCode.BUS_ERROR, posted=True)
     late.keep(0, [5])
     session.sequence.expected = 1
-    assert (session.sequence.fate(0), session.state.failed, session.state.kept[0]) == (0, 0, 0)
+    assert (session.sequence.outcome(0), session.state.failed, session.state.kept[0]) == (0, 0, 0)

@@ -71,7 +71,7 @@ class Slow(Session):
             self._admit(now, events)
 
     def receive(self, data: bytes, now: float) -> list[Any]:
-        with mock.patch.object(Window, "is_quiet", return_value=False):
+        with mock.patch.object(Window, "has_no_loss", return_value=False):
             return super().receive(data, now)
 
     def submit_alone(self, request: Request, now: float) -> bytes:
@@ -181,7 +181,7 @@ class Host:
                 self.sent += frame
             else:
                 self.events += self.session.submit(request, now)
-                if self.window.is_lone():
+                if self.window.has_one_request():
                     self.flush()
         self.flush()
         if request is not None and turn.cancelled:

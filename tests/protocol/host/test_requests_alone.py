@@ -51,7 +51,7 @@ class Side:
             self.wire += frame
         else:
             self.events += self.session.submit(request, now)
-            if self.session.window.is_lone():
+            if self.session.window.has_one_request():
                 # Nothing can follow it, so it is sent at once.
                 self.wire += self.session.take_output()
 

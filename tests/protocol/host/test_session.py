@@ -354,7 +354,7 @@ def test_a_line_full_of_what_is_no_answer_is_told_of_within_two_seconds(kind: st
     assert now < 2
     (event,) = events
     assert isinstance(event, Unusable)
-    assert "the line is full of what is no answer" in str(event.error)
+    assert "only lines that are no answer arrive" in str(event.error)
 
 
 def test_a_request_of_which_every_answer_is_damaged_is_given_up_alone() -> None:

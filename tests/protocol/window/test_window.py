@@ -79,7 +79,7 @@ def repeated(window: Window[Named]) -> str:
         return ""
     sent = []
     if window.loss.place == window.retransmission.sent:
-        window.retransmission.ask()
+        window.retransmission.query_sent()
         sent.append("K")
     sent += [f"{run.name}@{number}" for number, run, _, count in window.repeat() for _ in range(count)]
     return " ".join(sent)
@@ -92,7 +92,7 @@ def names(parts: list[Unanswered[Named]]) -> list[tuple[str, bool]]:
 def test_one_request_is_alone_also_at_the_end_of_the_ring() -> None:
     window: Window[Named] = Window(RING, RING - 1)
     sent(window, "a")
-    assert window.is_lone()
+    assert window.has_one_request()
 
 
 def test_an_answer_is_no_matter_of_its_own_while_others_are_to_be_sent_again() -> None:
@@ -100,12 +100,12 @@ def test_an_answer_is_no_matter_of_its_own_while_others_are_to_be_sent_again() -
     sent(window, "a", "b", "c")
     window.damaged(1.0)
     window.answered(0, 1, 1.0)
-    assert not window.is_quiet()
+    assert not window.has_no_loss()
     assert repeated(window) == "K b@1 c@2"
-    window.asked(2.0)
-    assert not window.is_quiet()
+    window.query_answered(2.0)
+    assert not window.has_no_loss()
     window.answered(1, 2, 2.0)
-    assert window.is_quiet()
+    assert window.has_no_loss()
 
 
 # The rows of the table
@@ -232,7 +232,7 @@ def test_no_further_sign_is_taken_before_something_is_answered_that_was_sent_sin
     window.answered(1, 1, now=0.003)
     window.damaged(now=0.003)
     assert repeated(window) == ""
-    window.asked(now=0.003)
+    window.query_answered(now=0.003)
     window.damaged(now=0.003)
     assert repeated(window) == "K a@0 c@2 d@3"
 
@@ -242,7 +242,7 @@ def test_the_answer_to_the_question_ahead_of_a_repetition_says_that_the_next_sig
     sent(window, *"ab")
     window.damaged(now=0.001)
     assert repeated(window) == "K a@0 b@1"
-    window.asked(now=0.002)
+    window.query_answered(now=0.002)
     assert repeated(window) == ""
     window.damaged(now=0.002)
     assert repeated(window) == "K a@0 b@1"
@@ -251,16 +251,16 @@ def test_the_answer_to_the_question_ahead_of_a_repetition_says_that_the_next_sig
 def test_the_answer_to_a_question_has_sent_again_what_was_sent_before_it_and_is_not_answered() -> None:
     window: Window[Named] = Window(RING)
     sent(window, *"ab")
-    window.retransmission.ask()
+    window.retransmission.query_sent()
     sent(window, *"c")
-    window.asked(now=0.001)
+    window.query_answered(now=0.001)
     assert repeated(window) == "K a@0 b@1 c@2"
 
 
 def test_an_answer_to_nothing_that_was_asked_says_nothing() -> None:
     window: Window[Named] = Window(RING)
     sent(window, *"ab")
-    window.asked(now=0.001)
+    window.query_answered(now=0.001)
     assert repeated(window) == ""
 
 
@@ -272,7 +272,7 @@ def test_where_the_time_has_run_out_the_next_answer_is_that_to_the_last_question
     assert window.deadline is not None
     window.expire(window.deadline)
     assert repeated(window) == "K a@0 b@1"
-    window.asked(now=1.0)
+    window.query_answered(now=1.0)
     window.damaged(now=1.0)
     assert repeated(window) == "K a@0 b@1"
 
@@ -358,7 +358,7 @@ def test_signs_about_the_same_request_are_left_to_the_time_in_the_end() -> None:
     for _ in range(2 * module.MOST_SIGNS):
         window.damaged(now=0.0)
         taken += repeated(window) == "K a@0"
-        window.asked(now=0.0)
+        window.query_answered(now=0.0)
     assert taken == module.MOST_SIGNS
 
 
@@ -386,7 +386,7 @@ def test_a_refusal_goes_back_and_the_third_one_gives_the_oldest_up() -> None:
     for _ in range(module.MOST_REFUSALS - 1):
         assert window.refused(now=0.0) is None
         assert repeated(window) == "K a@0 b@1"
-        window.asked(now=0.0)
+        window.query_answered(now=0.0)
     assert window.refused(now=0.0) is a
     assert repeated(window) == "K a@0 b@1"
 
@@ -524,7 +524,7 @@ def test_a_posted_write_that_is_given_up_has_an_answer_from_then_on() -> None:
     while given_up is None:
         given_up = window.refused(now)
         repeated(window)
-        window.asked(now)
+        window.query_answered(now)
         now += 1.0
     assert given_up is posted
     assert not posted.posted
@@ -554,7 +554,7 @@ def test_a_damaged_answer_behind_a_time_out_undoes_the_doubling_of_the_next() ->
     sent(window, *"abc")
     window.expire(now=0.1)
     assert repeated(window) == "K a@0 b@1 c@2"
-    window.asked(now=0.2)
+    window.query_answered(now=0.2)
     window.answer_damaged(now=0.2)
     assert repeated(window) == "K a@0 b@1 c@2"
     window.answered(0, 1, now=0.26)
@@ -750,7 +750,7 @@ def test_posted_writes_that_their_fence_confirms_let_it_grow_as_answers_do() -> 
     sent(window, *["p"] * 25, "h")
     window.damaged(now=0.0)
     repeated(window)
-    assert window.told(25, 0, now=0.0)
+    assert window.fence_answered(25, 0, now=0.0)
     window.answered(25, 1, now=0.0)
     assert window.room(SIZE) == RING // 4 + 26 // module.DONE_FOR_ONE_MORE
 
@@ -778,7 +778,7 @@ def test_the_repetition_goes_on_to_a_request_that_has_an_answer() -> None:
     for now in (0.0, 1.0, 3.0, 7.0):
         window.damaged(now)
         again = repeated(window)
-        window.asked(now)
+        window.query_answered(now)
     assert again == " ".join(["K", *(f"p@{number}" for number in range(30)), "a@30"])
 
 
@@ -813,7 +813,7 @@ def test_posted_writes_are_done_when_the_answer_to_a_fence_has_counted_those_tha
     assert window.needs_fence(1.0 + module.FENCE_DELAY)
     sent(window, "h", now=2.0)
     assert not window.needs_fence(10.0)
-    assert window.told(3, 0, now=2.001)
+    assert window.fence_answered(3, 0, now=2.001)
     window.answered(3, 1, now=2.001)
     assert window.is_idle()
 
@@ -823,12 +823,12 @@ def test_posted_writes_are_asked_for_where_more_have_failed_than_errors_have_com
     sent(window, "p", "p", "p", "h")
     window.post_failed()
     window.answered(0, 1, now=0.001)
-    assert not window.told(3, 2, now=0.002)
+    assert not window.fence_answered(3, 2, now=0.002)
     assert repeated(window) == "p?@1 p?@2 h@3"
     window.answered(1, 1, now=0.003)
     window.post_failed()
     window.answered(2, 1, now=0.003)
-    assert window.told(3, 2, now=0.003)
+    assert window.fence_answered(3, 2, now=0.003)
     window.answered(3, 1, now=0.003)
     assert window.is_idle()
 
@@ -836,18 +836,18 @@ def test_posted_writes_are_asked_for_where_more_have_failed_than_errors_have_com
 def test_what_was_asked_for_is_not_asked_for_again_by_the_next_count_that_was_on_its_way() -> None:
     window: Window[Named] = Window(RING)
     sent(window, "p", "p", "h", "h", "h")
-    assert not window.told(2, 1, now=0.002)
+    assert not window.fence_answered(2, 1, now=0.002)
     assert repeated(window) == "p?@0 p?@1 h@2"
-    assert not window.told(3, 1, now=0.002)
-    assert not window.told(4, 1, now=0.002)
+    assert not window.fence_answered(3, 1, now=0.002)
+    assert not window.fence_answered(4, 1, now=0.002)
     assert repeated(window) == ""
     window.post_failed()
     window.answered(0, 2, now=0.003)
-    assert window.told(2, 1, now=0.003)
+    assert window.fence_answered(2, 1, now=0.003)
     window.answered(2, 1, now=0.003)
     assert repeated(window) == "h@3 h@4"
     for number in (3, 4):
-        assert window.told(number, 1, now=0.004)
+        assert window.fence_answered(number, 1, now=0.004)
         window.answered(number, 1, now=0.004)
     assert window.is_idle()
 
@@ -855,20 +855,20 @@ def test_what_was_asked_for_is_not_asked_for_again_by_the_next_count_that_was_on
 def test_what_was_asked_for_and_not_answered_is_asked_for_again_behind_the_loss() -> None:
     window: Window[Named] = Window(RING)
     sent(window, "p", "p", "h")
-    assert not window.told(2, 1, now=0.002)
+    assert not window.fence_answered(2, 1, now=0.002)
     assert repeated(window) == "p?@0 p?@1 h@2"
-    assert not window.told(2, 1, now=0.003)
+    assert not window.fence_answered(2, 1, now=0.003)
     assert repeated(window) == "p?@0 p?@1 h@2"
 
 
 def test_errors_that_come_after_all_let_posted_writes_be_done_that_were_asked_for() -> None:
     window: Window[Named] = Window(RING)
     sent(window, "p", "p", "h")
-    assert not window.told(2, 1, now=0.002)
+    assert not window.fence_answered(2, 1, now=0.002)
     assert repeated(window) == "p?@0 p?@1 h@2"
     window.post_failed()
     window.answered(0, 1, now=0.003)
-    assert window.told(2, 1, now=0.003)
+    assert window.fence_answered(2, 1, now=0.003)
     window.answered(2, 1, now=0.003)
     assert window.is_idle()
 
@@ -948,7 +948,7 @@ def test_progress_after_a_sign_of_loss_undoes_a_longer_time_out() -> None:
     assert window.deadline is not None
     window.expire(window.deadline)
     repeated(window)
-    window.asked(now=0.6)
+    window.query_answered(now=0.6)
     window.damaged(now=0.6)
     repeated(window)
     window.answered(0, 1, now=0.7)
@@ -1038,7 +1038,7 @@ class LossyLine(RuleBasedStateMachine):
         window = self.window
         if window.retransmission.is_due():
             if window.loss.place == window.retransmission.sent:
-                window.retransmission.ask()
+                window.retransmission.query_sent()
                 self.towards.append((0, Named("K")))
             self.towards.extend(
                 (number + place & RING - 1, run) for number, run, _, count in window.repeat() for place in range(count)
@@ -1083,7 +1083,7 @@ class LossyLine(RuleBasedStateMachine):
         elif kind == "n":
             self.window.out_of_sequence(number, self.now)
         elif kind == "K":
-            self.window.asked(self.now)
+            self.window.query_answered(self.now)
         else:
             self.hear_of(kind, number & RING - 1, number >> 8)
 
@@ -1095,7 +1095,7 @@ class LossyLine(RuleBasedStateMachine):
         if kind == "x":
             self.window.post_failed()
             self.failed += 1
-        elif kind == "h" and run.is_fence and not self.window.told(number, failed & RING - 1, self.now):
+        elif kind == "h" and run.is_fence and not self.window.fence_answered(number, failed & RING - 1, self.now):
             return
         else:
             self.answered.append(run)
@@ -1159,7 +1159,7 @@ def test_a_gateway_that_refuses_even_the_fence_in_place_of_a_request_is_lost() -
         assert not window.loss.lost
         given_up.append(window.refused(float(now)) is not None)
         repeated(window)
-        window.asked(float(now))
+        window.query_answered(float(now))
     assert given_up == [False, False, True] * 2
     assert window.loss.lost
     deadline = window.deadline

@@ -101,7 +101,7 @@ def test_a_digit_more_or_less_is_malformed(codec: Codec, data: st.DataObject) ->
 def test_every_response_is_read_as_it_was_written(codec: Codec, data: st.DataObject) -> None:
     request = data.draw(requests(codec).filter(lambda request: request.command not in ("Q", "WS")))
     row = COMMANDS[request.command]
-    told = row.reads or (row.tells if request.id is not None else "")
+    told = row.reads or (row.reports if request.id is not None else "")
     reads = data.draw(field(codec, told)) if told else None
     response = codec.decode_response(codec.response(request, reads))
     assert (response.command, response.id) == (request.command, request.id)

@@ -16,7 +16,7 @@ from unity_link.bridges.serve.groups import ClientGroup, GroupSettings
 from unity_link.bridges.serve.leases import ArmRequest
 from unity_link.bridges.serve.requests import Relayed, RelayedRows, answer_digits
 from unity_link.protocol.gateway.reception import group_fits
-from unity_link.protocol.gateway.session import UNDER_WAY, Answer, GatewaySession
+from unity_link.protocol.gateway.session import PENDING, Answer, GatewaySession
 from unity_link.protocol.wire.arrays import matching_rows
 from unity_link.protocol.wire.configuration import Feature
 from unity_link.protocol.wire.frames import LF, in_session
@@ -98,7 +98,7 @@ class Conversation:
             self._client.follow_others()
         if not isinstance(taken, DecodedRequest) or taken.command in _DONE_HERE:
             self._client.spend_here()
-        if taken is UNDER_WAY:
+        if taken is PENDING:
             # The answer will follow, because no bytes are lost between client and server: send a sign of life.
             self._client.write(LF)
         elif not isinstance(taken, Answer):

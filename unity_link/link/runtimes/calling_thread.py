@@ -1,9 +1,12 @@
-"""A link without an event loop: its coroutines run in the threads that call it.
+"""The runtime of a link in blocking code: its coroutines run in the threads that call it, without an event loop.
 
-A call runs until it has to wait, and then polls the medium itself. Where several threads wait, one of them polls for
-all, and hands over to another when its own call is done. While there is a subscription, or a lost connection is being
-opened again, a thread of the link's own polls, and runs the coroutine that opens it: so none changes threads, and none
-is in the way of a Ctrl-C. A medium that only an event loop can open is opened in the thread of one (`loop_thread`).
+1. A call runs its coroutine until that waits. Then the calling thread polls the medium itself.
+2. If several threads wait, one of them polls for all. When its own call is done, another thread takes over.
+3. While there is a subscription or a background task, a thread of the link ("attendant") polls when no call does. It
+   also runs the background tasks, so that each of them stays in one thread and does not delay a Ctrl-C.
+4. The thread that runs code of the link holds the lock. It releases the lock to poll, and to wait for another thread.
+
+A medium that needs an event loop gets one in another thread (`loop_thread`).
 """
 
 from __future__ import annotations
@@ -42,12 +45,12 @@ if TYPE_CHECKING:
 P = ParamSpec("P")
 T = TypeVar("T")
 LONGEST_WAIT = 1e9
-"""Seconds that a socket can be told to wait, at most; some thirty years, so a longer time is none."""
+"""Longest timeout of a socket in seconds, about 30 years; a longer time counts as no timeout."""
 LONGEST_DEAF_WAIT = 0.1
-"""Seconds that the main thread sleeps in one go. The system does not wake it for a signal that another thread takes, or
-that comes just before it falls asleep, and the handler can run only after it wakes."""
+"""Most seconds that the main thread sleeps at a time. The system does not wake it for a signal that another thread
+receives, or that arrives just before it sleeps, and the handler can run only when it is awake."""
 SPARE = 1.0
-"""Seconds that a driver may take longer than the call that opens its medium, whose own error is raised so."""
+"""Seconds by which the timeout of a driver exceeds that of the call, so that the call raises its own error."""
 
 
 def _close(channel: Channel) -> None:
@@ -55,28 +58,28 @@ def _close(channel: Channel) -> None:
 
 
 class CallWaiter(Result):
-    """Awaitable of a call."""
+    """Future of a call."""
 
     __slots__ = ()
 
     def __await__(self) -> Generator[CallWaiter, None, Any]:
-        """Wait, and return the result or raise the error."""
+        """Wait until the future is done; return its result or raise its error."""
         if not self._done:
             yield self
         return self.result()
 
 
 class _Run:
-    """A coroutine under way."""
+    """The state of a running coroutine."""
 
     waiter: CallWaiter | None = None
-    """Waiter that it waits for, or waited for last."""
+    """Future that the coroutine awaits, or awaited last."""
     deadline: float | None = None
-    """Instant at which the innermost `timeout` around it ends."""
+    """Instant at which the innermost `timeout` around it ends; None without one."""
 
 
 class _Job(_Run):
-    """A coroutine that runs beside the calls, in the link's own thread."""
+    """A background task, which runs in the link's own thread."""
 
     def __init__(self, runtime: CallingThread, coroutine: Coroutine[CallWaiter, None, None]) -> None:
         self._runtime = runtime
@@ -85,7 +88,7 @@ class _Job(_Run):
         self.ended = CallWaiter()
 
     def step(self) -> None:
-        """Run until the next wait."""
+        """Run the coroutine until its next wait."""
         try:
             self._runtime.running = self
             waiter = self.waiter = self._coroutine.send(None)
@@ -93,21 +96,21 @@ class _Job(_Run):
             self._end()
         except Exception as error:  # noqa: BLE001  (no call is there that could raise it)
             self._end()
-            report("what runs beside the calls of a link has failed", error)
+            report("a background task of a link has failed", error)
         else:
             waiter.on_done = lambda: self._runtime.go_on(self)
             if self._cancelled:
                 waiter.cancel()
 
     def cancel(self) -> None:
-        """End it at its next wait."""
+        """Cancel the task at its next wait."""
         self._cancelled = True
         if self.waiter is not None:
             self.waiter.cancel()
 
     def _end(self) -> None:
         self.ended.set_result(None)
-        self._runtime.leave()
+        self._runtime.stop_polling()
 
 
 def _refuse() -> Never:
@@ -115,48 +118,50 @@ def _refuse() -> Never:
 
 
 def _wake(parked: threading.Lock) -> None:
-    # A signal handler may have woken the thread at this moment.
+    # A signal handler may have released it already.
     with suppress(RuntimeError):
         parked.release()
 
 
 class CallingThread:
-    """Runs the coroutines of one link in the threads that call it. All its methods but `run` are for these coroutines.
+    """Runs the coroutines of one link in the threads that call it.
 
-    Whoever runs holds the lock, and gives it away to poll or to wait for another thread that polls.
+    `run` is for calls; the coroutines of the link use the other methods.
     """
 
     def __init__(self) -> None:
         self.time = time.monotonic
         self.steady = unadjusted_time
-        self.create_future = self.create_lone_future = CallWaiter
+        self.create_future = self.create_inline_future = CallWaiter
         self.ended = ()
         self.caller = threading.current_thread
         self._lock = threading.RLock()
         self.is_running_here: Callable[[], bool] = self._lock._is_owned  # type: ignore[attr-defined]  # noqa: SLF001
-        """True if this thread runs something of the link now."""
+        """Returns whether the calling thread runs code of the link now, that is, holds the lock."""
         self._polling = False
-        """True if a thread polls, for all."""
+        """True while a thread polls."""
         self._poller = Poller()
         self._parked: list[threading.Lock] = []
-        """One for each thread that waits for another; to release it wakes the thread."""
+        """One lock for each thread that waits while another one polls; releasing it wakes the thread."""
         self._ready: deque[Callable[[], object]] = deque()
         self._timers = Timers(self.time, self._stir)
         self.call_at = self._timers.call_at
         self._handlers: dict[int, Callable[[int], None]] = {}
         self.running = _Run()
-        """Call that runs now."""
+        """Coroutine that runs now, or ran last."""
         self._relays: list[Relay] = []
         self.is_disowned = False
-        """True if this process was forked from the one that the link is of."""
+        """True in a process that was forked from the one that opened the link."""
         self.is_closed = False
-        """True when the link has ended."""
+        """True after the link has ended."""
         self._attended = 0
+        """Number of calls of `start_polling` without a `stop_polling`."""
         self._attendant: threading.Thread | None = None
+        """Thread that polls when no call does; None if none is needed."""
         self._resting: threading.Lock | None = None
-        """Lock in `_parked` that the attendant waits for."""
+        """The attendant's lock in `_parked`; None while the attendant does not wait there."""
         self._jobs: deque[_Job] = deque()
-        """Those that the attendant is to run until their next wait."""
+        """Background tasks that the attendant is to run until their next wait."""
         self._waking, self._woken = socket.socketpair()
         for end in (self._waking, self._woken):
             end.setblocking(False)  # noqa: FBT003  (it has no name)
@@ -164,7 +169,7 @@ class CallingThread:
         CALLING.add(self)
 
     def disown(self) -> None:
-        """Refuse all calls: what polls, and who holds the lock, is in the process from which this one was forked."""
+        """Refuse all calls in a forked process, in which the polling thread and the lock's holder do not exist."""
         self.is_disowned = True
         self.is_running_here = _refuse
 
@@ -175,17 +180,18 @@ class CallingThread:
     # Calls
 
     def run(self, function: Callable[P, Coroutine[Any, Any, T]], *arguments: P.args, **options: P.kwargs) -> T:
-        """Run a coroutine function of the link in this thread, and return its result.
+        """Run a coroutine function of the link in the calling thread, and return its result.
 
         Raises:
-            ArgumentError: in a callback of the link, which runs within another call.
+            ArgumentError: if a callback of the link calls it, because that runs within another call.
         """
         if self.is_running_here():
             raise ArgumentError("a callback runs within a call of its link, and must not call the link")
         run = _Run()
         holds = get_ident() == DEFERRED.thread and not DEFERRED.is_held
         try:
-            # Another thread may be in a callback that never returns: a handler that raises ends this wait.
+            # The holder of the lock may be in a callback that never returns; an exception of a signal handler ends this
+            # wait.
             with self._lock:
                 if holds:
                     DEFERRED.hold(self)
@@ -214,7 +220,8 @@ class CallingThread:
                 try:
                     self._wait(waiter)
                 except BaseException as error:  # noqa: BLE001  (it is raised below)
-                    # The coroutine might take what a signal handler has raised for an error of its own.
+                    # Cancel the coroutine instead of raising the error in it: it could handle the exception of a signal
+                    # handler as an error of its own.
                     interruption = error
                     step, given = coroutine.throw, asyncio.CancelledError()
         except StopIteration as end:
@@ -227,10 +234,10 @@ class CallingThread:
         raise interruption
 
     def _wait(self, waiter: CallWaiter) -> None:
-        """Poll, or have another thread poll, until there is a result."""
+        """Wait until a future is done: poll, or wait for the thread that polls."""
         if self._ready:
             self._run_ready()
-        # Another thread may end what this one polls for.
+        # Another thread may complete the future while this one polls.
         waiter.on_done = self._stir
         while not waiter.done():
             if DEFERRED.pending and DEFERRED.may_deliver(self):
@@ -243,13 +250,13 @@ class CallingThread:
                 self._run_ready()
 
     def interrupt(self) -> None:
-        """Wake this thread, the main one, from its wait; called in a signal handler."""
+        """Wake the main thread from its wait; called in a signal handler."""
         self._send_byte()
         for parked in self._parked.copy():
             _wake(parked)
 
     def _deliver(self) -> None:
-        """Run the signal handlers that are pending, without the lock: they may call the link."""
+        """Run the pending signal handlers without the lock, because they may call the link."""
         run = self.running
         self._hand_over()
         self._lock.release()
@@ -260,7 +267,7 @@ class CallingThread:
             self.running = run
 
     def _park(self, waiter: CallWaiter | None) -> None:
-        """Wait until another thread has polled a result, or none polls, or a signal may have come."""
+        """Wait until a future is done (None in the attendant), no thread polls, or a signal may be pending."""
         parked = threading.Lock()
         parked.acquire()
         if waiter is None:
@@ -270,7 +277,7 @@ class CallingThread:
             self._parked.append(parked)
             waiter.on_done = lambda: _wake(parked)
         self._lock.release()
-        # A signal that has come before this thread could be woken is handled at once.
+        # Do not sleep if a signal arrived before the lock was in `_parked`.
         if waiter is None or not DEFERRED.pending or not DEFERRED.may_deliver(self):
             parked.acquire(timeout=LONGEST_DEAF_WAIT if get_ident() == DEFERRED.thread else -1)
         self._lock.acquire()
@@ -281,7 +288,7 @@ class CallingThread:
             waiter.on_done = self._stir
 
     def _hand_over(self) -> None:
-        """Wake another thread, to poll in place of this one."""
+        """Wake another thread to poll; after the end of the link, close the poller."""
         if self._polling:
             return
         if self._parked:
@@ -293,7 +300,7 @@ class CallingThread:
             self._poller.close()
 
     def _poll_once(self, *, may_spin: bool) -> None:
-        """Make the calls that are due, or wait for the next or for what can be read or written."""
+        """Run the timers that are due, or wait for the next timer or for a ready descriptor."""
         patience = self._timers.due - self.time()
         if patience <= 0:
             self._timers.run()
@@ -315,17 +322,17 @@ class CallingThread:
                 handler(event)
 
     def _run_ready(self) -> None:
-        # Not what these have called soon: the medium has its turn before.
+        # Leave functions that these add for the next turn, so that the medium is polled in between.
         for _ in range(len(self._ready)):
             self._ready.popleft()()
 
     def _stir(self) -> None:
-        """Wake the thread that polls, so that it looks again at what there is to wait for."""
+        """Wake the thread that polls, because its timers or descriptors have changed."""
         if self._polling:
             self._send_byte()
 
     def _send_byte(self) -> None:
-        # A full socket wakes as well.
+        # If the socket is full, unread bytes wake the thread.
         with suppress(OSError):
             self._waking.send(b"\0")
 
@@ -333,26 +340,26 @@ class CallingThread:
         with suppress(BlockingIOError):
             self._woken.recv(4096)
 
-    # What coroutines of the link need
+    # The methods of a `Runtime`
 
     def call_soon(self, function: Callable[[], object], /) -> None:
-        """Call a function when what runs now waits."""
+        """Call a function after the current call waits."""
         self._ready.append(function)
 
     def call_soon_threadsafe(self, function: Callable[[], object], /) -> None:
-        """Call a function in the thread that polls next; may be called by threads that do not run here."""
+        """Call a function in the thread that polls; may be called by threads without the lock."""
         self._ready.append(function)
         self._send_byte()
 
     def create_task(self, coroutine: Coroutine[Any, Any, None], /) -> _Job:
-        """Run a coroutine beside the calls, in the link's own thread, which polls until it ends."""
+        """Run a coroutine as a background task in the attendant, which polls until the task ends."""
         job = _Job(self, coroutine)
-        self.attend()
+        self.start_polling()
         self.go_on(job)
         return job
 
     def go_on(self, job: _Job) -> None:
-        """Make the link's own thread run a job until its next wait."""
+        """Make the attendant run a background task until its next wait."""
         self._jobs.append(job)
         if self._resting is None:
             self._stir()
@@ -360,16 +367,16 @@ class CallingThread:
             _wake(self._resting)
 
     def wake(self) -> None:
-        """Do nothing: who awaits something goes on by itself."""
+        """Do nothing, because calls resume when their future is done."""
 
     async def finish(self, job: Job) -> None:
-        """Cancel a job, and wait until it has ended."""
+        """Cancel a background task, and wait until it has ended."""
         assert isinstance(job, _Job)
         job.cancel()
         await job.ended
 
     async def sleep(self, seconds: float) -> None:
-        """Wait."""
+        """Wait for a duration."""
         waiter = CallWaiter()
         timer = self.call_at(self.time() + seconds, lambda: waiter.set_result(None))
         try:
@@ -379,7 +386,7 @@ class CallingThread:
 
     @asynccontextmanager
     async def timeout(self, seconds: float) -> AsyncIterator[None]:
-        """Raise TimeoutError in the block after some time."""
+        """Raise `TimeoutError` in the block after `seconds`."""
         run, expired = self.running, False
 
         def expire() -> None:
@@ -403,24 +410,24 @@ class CallingThread:
     # Media
 
     def watch(self, descriptor: int, events: int, handler: Callable[[int], None]) -> None:
-        """Call a handler where a file descriptor is ready for some of `READABLE` and `WRITABLE`."""
+        """Call a handler whenever a file descriptor is ready for some of `events` (`READABLE`, `WRITABLE`)."""
         self._handlers[descriptor] = handler
         self._poller.register(descriptor, events)
         self._stir()
 
     def unwatch(self, descriptor: int) -> None:
-        """Call no handler any more."""
+        """Stop watching a file descriptor."""
         del self._handlers[descriptor]
         self._poller.unregister(descriptor)
         self._stir()
 
     async def prepare(self, url: DriverUrl) -> None:
-        """Do what must be done once before a medium of this kind can be opened."""
+        """Run the one-time preparation of a medium's driver, before a medium of this kind is opened."""
         if hasattr(load_driver(url.scheme), "prepare"):
             await self._beside(lambda _: run_in_loop(lambda: prepare_medium(url)), lambda _: None)
 
     async def open_medium(self, target: DriverUrl | Medium, stream: Stream) -> None:
-        """Connect a stream to a medium."""
+        """Open a medium, and connect a stream to it."""
         if has_channel(target):
             protocol, left = observed(target, stream), self.running.deadline
             seconds = LONGEST_WAIT if left is None else max(0.0, left - self.time()) + SPARE
@@ -433,11 +440,11 @@ class CallingThread:
         await relay.open()
 
     async def _beside(self, function: Callable[[Callable[[], bool]], T], undo: Callable[[T], object]) -> T:
-        """Call a function that waits in a thread of its own, and return its result.
+        """Call a function that blocks in another thread, and return its result.
 
         Args:
-            function: takes what returns whether nobody awaits the result any more.
-            undo: takes a result that nobody awaits.
+            function: called with a function that returns True after this call was cancelled.
+            undo: called with the result if this call was cancelled.
         """
         waiter, given_up = CallWaiter(), threading.Event()
         results: list[T] = []
@@ -468,14 +475,14 @@ class CallingThread:
         return results[0]
 
     def end(self) -> None:
-        """Stop polling but for calls, when the link has ended."""
+        """Stop the attendant, because the link has ended; calls still poll."""
         with self._lock:
             self.is_closed, self._attended = True, 0
             self._stir()
             self._hand_over()
 
     def close(self, patience: float | None) -> None:
-        """End all threads, when the link has ended; wait for each at most so many seconds."""
+        """End all threads after the end of the link; wait for each at most `patience` seconds, None for no limit."""
         attendant = self._attendant
         self.end()
         for thread in (*self._relays, attendant):
@@ -484,15 +491,15 @@ class CallingThread:
 
     # Polling without a call
 
-    def attend(self) -> None:
-        """Poll in a thread while no call does, until `leave` is called as often."""
+    def start_polling(self) -> None:
+        """Process received bytes also while no call waits, until `stop_polling` is called as often."""
         self._attended += 1
         if self._attendant is None:
             self._attendant = threading.Thread(target=self._attend, name="unity_link.blocking", daemon=True)
             self._attendant.start()
 
-    def leave(self) -> None:
-        """End what one call of `attend` has begun."""
+    def stop_polling(self) -> None:
+        """End the effect of one call of `start_polling`."""
         self._attended = max(0, self._attended - 1)
         self._stir()
 
@@ -509,7 +516,7 @@ class CallingThread:
             self._hand_over()
 
     def _run_all(self) -> None:
-        """Run all that need not wait."""
+        """Run all functions and background tasks that are ready."""
         while self._ready or self._jobs:
             self._run_ready()
             if self._jobs:

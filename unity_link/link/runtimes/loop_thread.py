@@ -1,7 +1,7 @@
-"""A medium in an event loop of its own, in a thread of its own, for a link that runs elsewhere.
+"""A medium in an event loop of asyncio in a thread of its own, for links of blocking code and of trio.
 
-Media of other programs, virtual gateways, UDP, Zenoh and the FT232H have asyncio transports. What a transport delivers
-is passed on to the stream in the link's own thread, piece by piece, and what the stream writes the other way.
+Media of other packages, simulated gateways, UDP, Zenoh and the FT232H have asyncio transports. `Relay` passes received
+bytes from such a transport to the stream in the link's thread, and written bytes in the other direction.
 """
 
 from __future__ import annotations
@@ -23,17 +23,17 @@ T = TypeVar("T")
 
 
 class Home(Protocol):
-    """Event loop and thread that run the link."""
+    """The part of the link's `Runtime` that this module uses."""
 
     def create_future(self) -> Waiter:
-        """Return what a call can await."""
+        """Return a new future."""
 
     def call_soon_threadsafe(self, function: Callable[[], object], /) -> None:
-        """Call a function where the link runs."""
+        """Call a function in the thread of the link."""
 
 
 def run_in_loop(function: Callable[[], Coroutine[Any, Any, T]]) -> T:
-    """Run a coroutine in an event loop of another thread, and return its result; this thread may have a loop."""
+    """Run a coroutine in an event loop of another thread, and return its result. This thread may have a loop, too."""
     results: list[T] = []
     errors: list[BaseException] = []
 
@@ -52,7 +52,7 @@ def run_in_loop(function: Callable[[], Coroutine[Any, Any, T]]) -> T:
 
 
 def complete(waiter: Waiter, error: BaseException | None = None) -> None:
-    """Complete a waiter, if it has not been given up."""
+    """Set the result of a future to None, or its error, unless it is done already."""
     if waiter.done():
         return
     if error is None:
@@ -62,12 +62,12 @@ def complete(waiter: Waiter, error: BaseException | None = None) -> None:
 
 
 class Relay(asyncio.Transport):
-    """A transport for a stream elsewhere, of a medium in a loop of its own.
+    """A transport for a stream of the link, whose medium runs in an event loop of another thread.
 
     Args:
-        home: runs the stream.
+        home: runtime of the link.
         target: the medium.
-        stream: takes what arrives.
+        stream: stream of the link.
     """
 
     def __init__(self, home: Home, target: DriverUrl | Medium, stream: Stream) -> None:
@@ -84,7 +84,7 @@ class Relay(asyncio.Transport):
         self._thread = threading.Thread(target=self._run, name="unity_link.relay", daemon=True)
 
     async def open(self) -> None:
-        """Open the medium; raises what its driver raises."""
+        """Open the medium; raise the errors of its driver."""
         self._thread.start()
         try:
             await self._opened
@@ -93,13 +93,13 @@ class Relay(asyncio.Transport):
             raise
 
     def join(self, patience: float | None) -> None:
-        """Wait until the thread has ended, at most so many seconds."""
+        """Wait until the thread has ended, at most `patience` seconds; None for no limit."""
         if self._thread.ident is not None:
             self._thread.join(patience)
 
     @property
     def has_ended(self) -> bool:
-        """Return whether its thread has ended."""
+        """True if its thread has ended."""
         return self._thread.ident is not None and not self._thread.is_alive()
 
     # In the thread of the link
@@ -111,17 +111,17 @@ class Relay(asyncio.Transport):
             self._post(lambda: far.write(data))
 
     def pause_reading(self) -> None:
-        """Pass nothing more on; what is on its way comes."""
+        """Pause the medium; bytes that are already being passed to the stream still arrive."""
         if self._far is not None:
             self._post(self._far.pause_reading)
 
     def resume_reading(self) -> None:
-        """Pass on again what arrives."""
+        """Resume the medium."""
         if self._far is not None:
             self._post(self._far.resume_reading)
 
     def is_closing(self) -> bool:
-        """Return whether the end was asked for."""
+        """Return whether `abort` was called."""
         return self._closing
 
     def abort(self) -> None:
@@ -133,13 +133,15 @@ class Relay(asyncio.Transport):
     close = abort
 
     def get_extra_info(self, name: str, default: Any = None) -> Any:
-        """Return what the medium's own transport tells."""
+        """Return the extra information of the medium's own transport."""
         if self._far is None:
             return default
-        told = self._far.get_extra_info(name, default)
-        return self._choosing(told) if name == "send_immediate" and told is not None else told
+        info = self._far.get_extra_info(name, default)
+        return self._choosing(info) if name == "send_immediate" and info is not None else info
 
     def _choosing(self, choose: Callable[[str], Coroutine[Any, Any, None]]) -> Callable[[str], Any]:
+        """Return a coroutine function for the link's thread that runs `choose` in the medium's thread."""
+
         async def choose_there(mode: str) -> None:
             done = self._home.create_future()
 
@@ -148,9 +150,9 @@ class Relay(asyncio.Transport):
                     await choose(mode)
                 except Exception as error:  # noqa: BLE001  (the call raises it)
                     failure = error
-                    self.tell(lambda: complete(done, failure))
+                    self.call_in_link(lambda: complete(done, failure))
                 else:
-                    self.tell(lambda: complete(done))
+                    self.call_in_link(lambda: complete(done))
 
             self._post(lambda: self._loop.create_task(chosen()))
             await done
@@ -158,7 +160,7 @@ class Relay(asyncio.Transport):
         return choose_there
 
     def _post(self, function: Callable[[], object]) -> None:
-        # The thread may have ended by itself.
+        # The loop is closed if the thread has ended by itself.
         if not self._loop.is_closed():
             self._loop.call_soon_threadsafe(function)
 
@@ -177,9 +179,9 @@ class Relay(asyncio.Transport):
             await open_medium(self._target, FarProtocol(self))
         except BaseException as error:  # noqa: BLE001  (the link raises it)
             failure = error
-            self.tell(lambda: complete(self._opened, failure))
+            self.call_in_link(lambda: complete(self._opened, failure))
             return
-        self.tell(lambda: complete(self._opened))
+        self.call_in_link(lambda: complete(self._opened))
         await self._ended.wait()
 
     def _give_up(self) -> None:
@@ -191,46 +193,46 @@ class Relay(asyncio.Transport):
     def begin(self, far: asyncio.Transport) -> None:
         """Record that the medium is open."""
         self._far = far
-        self.tell(lambda: self._stream.connection_made(self))
+        self.call_in_link(lambda: self._stream.connection_made(self))
 
     def end(self, reason: Exception | None) -> None:
         """Record that the medium has ended."""
         self._ended.set()
-        self.tell(lambda: self._stream.connection_lost(reason))
+        self.call_in_link(lambda: self._stream.connection_lost(reason))
 
-    def tell(self, function: Callable[[], object]) -> None:
-        """Call a function where the link runs."""
+    def call_in_link(self, function: Callable[[], object]) -> None:
+        """Call a function in the thread of the link."""
         self._home.call_soon_threadsafe(function)
 
     @property
     def stream(self) -> Stream:
-        """Receiver of what arrives."""
+        """Stream of the link."""
         return self._stream
 
 
 class FarProtocol(asyncio.Protocol):
-    """Passes on what the medium's own transport calls."""
+    """Protocol of the medium's own transport, which passes its calls to the stream in the link's thread."""
 
     def __init__(self, relay: Relay) -> None:
         self._relay = relay
 
     def connection_made(self, transport: asyncio.BaseTransport) -> None:
-        """Pass on the beginning."""
+        """Pass the beginning of the connection to the stream."""
         self._relay.begin(cast("asyncio.Transport", transport))
 
     def data_received(self, data: bytes) -> None:
-        """Pass on what has arrived."""
+        """Pass received bytes to the stream."""
         stream = self._relay.stream
-        self._relay.tell(lambda: stream.data_received(data))
+        self._relay.call_in_link(lambda: stream.data_received(data))
 
     def pause_writing(self) -> None:
-        """Pass on."""
-        self._relay.tell(self._relay.stream.pause_writing)
+        """Pause the writing of the stream."""
+        self._relay.call_in_link(self._relay.stream.pause_writing)
 
     def resume_writing(self) -> None:
-        """Pass on."""
-        self._relay.tell(self._relay.stream.resume_writing)
+        """Resume the writing of the stream."""
+        self._relay.call_in_link(self._relay.stream.resume_writing)
 
     def connection_lost(self, exc: Exception | None) -> None:
-        """Pass on the end."""
+        """Pass the end of the connection to the stream."""
         self._relay.end(exc)

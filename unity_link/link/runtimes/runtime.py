@@ -1,7 +1,7 @@
-"""The runtime of a link: the clock, the timers and the futures that `Connection` and `Link` wait by.
+"""The interface between a link and the program's kind of concurrency: clock, timers, futures and tasks.
 
-Their coroutines are the same in every kind of program. `AsyncioRuntime` is the event loop that they were called in;
-`calling_thread` runs them in the threads of blocking code, and `trio_runtime` in tasks of trio.
+The coroutines of `Connection` and `Link` are the same in every kind of program. `AsyncioRuntime` runs them in the event
+loop of the caller, `calling_thread` in the threads of blocking code, and `trio_runtime` in tasks of trio.
 """
 
 from __future__ import annotations
@@ -27,146 +27,146 @@ if TYPE_CHECKING:
 
 log = logging.getLogger("unity_link.link")
 SHORTEST_SLEEP = 0.0002
-"""Seconds that are not slept: an event loop sleeps whole milliseconds, and a sign of loss may be due much sooner."""
+"""Timers due in less than this many seconds are polled, because an event loop sleeps whole milliseconds."""
 
 
 _UNADJUSTED = getattr(time, "CLOCK_MONOTONIC_RAW", None)
 
 
 def unadjusted_time() -> float:
-    """Return ``CLOCK_MONOTONIC_RAW`` in seconds; `time.perf_counter`, where a system has none.
+    """Return ``CLOCK_MONOTONIC_RAW`` in seconds, or `time.perf_counter` if the system does not have that clock.
 
-    It goes as the machine's quartz does. Other clocks are made quicker and slower by what sets the time by a network,
-    some by a part in ten.
+    Its rate is that of the machine's quartz. Network time services change the rates of other clocks, by up to 10 %.
     """
     return time.perf_counter() if _UNADJUSTED is None else time.clock_gettime(_UNADJUSTED)
 
 
 def report(message: str, error: BaseException) -> None:
-    """Log an error that no call can raise: of a program's own callback, or of what runs beside the calls."""
+    """Log an error that no call can raise: from a callback of the program, or from a background task of the link."""
     log.error(message, exc_info=error)
 
 
 class Waiter(Protocol):
-    """Awaitable of a call: as much of `asyncio.Future` as links need."""
+    """Future of a call: the part of `asyncio.Future` that links use."""
 
     def done(self) -> bool:
-        """Return whether there is a result or an error, or it was cancelled."""
+        """Return whether the future has a result or an error, or was cancelled."""
 
     def cancelled(self) -> bool:
-        """Return whether it was cancelled."""
+        """Return whether the future was cancelled."""
 
     def cancel(self) -> bool:
-        """Cancel it, and return whether it was not done before."""
+        """Cancel the future; return False if it was done before."""
 
     def set_result(self, result: Any, /) -> None:
-        """Resume the awaiting call with a result."""
+        """Set the result, and resume the awaiting call."""
 
     def set_exception(self, exception: BaseException, /) -> None:
-        """Resume the awaiting call with an error."""
+        """Set an error, which the awaiting call raises."""
 
     def exception(self) -> BaseException | None:
-        """Return the error of one that is done."""
+        """Return the error of a future that is done, or None."""
 
     def __await__(self) -> Generator[Any, Any, Any]:
-        """Wait, and return the result or raise the error."""
+        """Wait until the future is done; return its result or raise its error."""
 
 
 class Timer(Protocol):
-    """Call that is due at a time."""
+    """A call that is scheduled for an instant."""
 
     def cancel(self) -> None:
         """Cancel the call."""
 
 
 class Job(Protocol):
-    """A coroutine that runs beside the calls."""
+    """A background task of a link."""
 
     def cancel(self) -> Any:
-        """End it at its next wait."""
+        """Cancel the task at its next wait."""
 
 
 class Runtime(Protocol):
-    """Runtime of a link."""
+    """The interface of a runtime."""
 
     @property
     def ended(self) -> Sequence[object]:
-        """The futures of lone requests that are done, until `wake`."""
+        """Inline futures that are done, and whose tasks `wake` will resume."""
 
     def time(self) -> float:
         """Return the time in seconds, from any origin."""
 
     def steady(self) -> float:
-        """Return the time in seconds of an unadjusted clock: `unadjusted_time`, in models of time the modelled one."""
+        """Return the time in seconds of a clock that no time service adjusts; on simulated time, the simulated time."""
 
     def caller(self) -> Any:
-        """Return the task or thread that runs now; None if neither does."""
+        """Return the current task or thread; None outside of both."""
 
     def is_over(self, caller: Any, /) -> bool:
-        """Return whether a task or thread has ended, so that it will never call again."""
+        """Return whether a task or thread has ended."""
 
     def create_future(self) -> Waiter:
-        """Return what a coroutine can await."""
+        """Return a new future."""
 
-    def create_lone_future(self) -> Waiter:
-        """Return the same for a request that is alone in flight; it goes on at `wake`."""
+    def create_inline_future(self) -> Waiter:
+        """Return a new future for a single outstanding request, whose task `wake` resumes."""
 
     def wake(self) -> None:
-        """Resume those who await the futures of lone requests that are done."""
+        """Resume the tasks that await inline futures which are done."""
 
     def call_soon(self, function: Callable[[], object], /) -> Any:
-        """Call a function when what runs now waits."""
+        """Call a function after the current task or call waits."""
 
     def call_soon_threadsafe(self, function: Callable[[], object], /) -> Any:
-        """Call a function soon; may be called by other threads."""
+        """As `call_soon`, from any thread."""
 
     def call_at(self, when: float, function: Callable[[], object], /) -> Timer:
-        """Call a function at a time of `time`."""
+        """Call a function at an instant of the clock `time`."""
 
     def create_task(self, coroutine: Coroutine[Any, Any, None], /) -> Job:
-        """Run a coroutine beside the calls."""
+        """Run a coroutine as a background task."""
 
     async def finish(self, job: Job) -> None:
-        """Cancel a job, and wait until it has ended."""
+        """Cancel a background task, and wait until it has ended."""
 
     async def sleep(self, seconds: float) -> None:
-        """Wait."""
+        """Wait for a duration."""
 
     def timeout(self, seconds: float) -> AbstractAsyncContextManager[Any]:
-        """Return a context manager that has the block raise TimeoutError after some time."""
+        """Return a context manager whose block raises `TimeoutError` after `seconds`."""
 
     def last_timeout(self, seconds: float) -> AbstractAsyncContextManager[Any]:
-        """Return the same for what is done after a cancellation; the block may wait though its task is cancelled."""
+        """As `timeout`, for cleaning up after a cancellation: the block may wait although its task is cancelled."""
 
     async def prepare(self, url: DriverUrl) -> None:
-        """Do what must be done once before a medium of this kind can be opened."""
+        """Run the one-time preparation of a medium's driver, before a medium of this kind is opened."""
 
     async def open_medium(self, target: DriverUrl | Medium, stream: Stream) -> None:
-        """Connect a stream to a medium."""
+        """Open a medium, and connect a stream to it."""
 
-    def attend(self) -> None:
-        """See that what arrives is taken also while no call waits, until `leave` is called as often."""
+    def start_polling(self) -> None:
+        """Process received bytes also while no call waits, until `stop_polling` is called as often."""
 
-    def leave(self) -> None:
-        """End what one call of `attend` has begun."""
+    def stop_polling(self) -> None:
+        """End the effect of one call of `start_polling`."""
 
 
-def told_now(runtime: Runtime, caller: Any) -> Callable[[Any], bool]:
-    """Return a function that returns whether the errors of a task's writes are raised now, where `caller` asks.
+def raises_now(runtime: Runtime, caller: Any) -> Callable[[Any], bool]:
+    """Return a function that decides if the error of a posted write is raised in a call of `caller`.
 
-    A task gets the errors of its own writes, and those of tasks that are over, which the function gets as None too.
+    The function takes the task or thread that posted the write, or None. A task gets the errors of its own posted
+    writes, and those of tasks that have ended.
     """
     is_over = runtime.is_over
     return lambda poster: poster is None or poster is caller or is_over(poster)
 
 
 class _ShortTimer:
-    """A timer that an event loop waits for turn by turn, as it cannot sleep for so short a time.
+    """A timer that is checked in each turn of the event loop, for times shorter than the loop can sleep.
 
     Args:
         loop: the event loop.
-        when: when the function is to be called.
-        function: is called then.
+        when: instant of the call.
+        function: the function to call.
     """
 
     def __init__(self, loop: asyncio.AbstractEventLoop, when: float, function: Callable[[], object]) -> None:
@@ -188,39 +188,39 @@ class _ShortTimer:
             self._before = now
             self._handle = self._loop.call_soon(self._turn)
         else:
-            # A modelled clock: it stands still until all wait.
+            # The clock is simulated: it advances only while all tasks wait, so use a timer of the loop.
             self._handle = self._loop.call_at(self._when, self._function)
 
 
-class LoneFuture(Result):
-    """Future of a request that is alone in flight: where it is woken, the task goes on at once.
+class InlineFuture(Result):
+    """Future of a single outstanding request. `wake` resumes its task at once, without a turn of the event loop.
 
-    With asyncio's own future it would go on in the next turn of the event loop: two turns, and two polls, for each
-    answer. To the task it is one; this is all that tasks ask of a future (`asyncio.isfuture`). Where many are under
-    way, they share the turns, and asyncio's is the quicker.
+    A future of asyncio resumes its task in the next turn, which costs a second poll for each answer. This class has all
+    that tasks use of a future (`asyncio.isfuture`). If many requests are in flight, their answers share the turns, and
+    asyncio's futures are faster.
 
     Args:
-        loop: of the task.
-        spinner: of the loop.
-        ended: those that have a result or an error, and are to be woken.
+        loop: event loop of the task.
+        spinner: spinner of the loop.
+        ended: list to which the future appends itself when it is done.
     """
 
     __slots__ = ("_asyncio_future_blocking", "_context", "_ended", "_loop", "_spinner", "_step")
 
-    def __init__(self, loop: asyncio.AbstractEventLoop, spinner: _LoopSpinner, ended: list[LoneFuture]) -> None:
-        # As `Result` would: this is on the way of every read.
+    def __init__(self, loop: asyncio.AbstractEventLoop, spinner: _LoopSpinner, ended: list[InlineFuture]) -> None:
+        # The same as in `Result.__init__`, inlined because every read runs it.
         self._done = self._asyncio_future_blocking = False
         self._result = self._error = None
         self._loop = loop
         self._spinner = spinner
         spinner.awaited += 1
         self._ended = ended
-        self._step: Callable[[LoneFuture], object] | None = None
-        """Has the task that awaits it go on."""
+        self._step: Callable[[InlineFuture], object] | None = None
+        """Resumes the awaiting task; None before it awaits."""
         self._context: Context | None = None
 
-    def __await__(self) -> Generator[LoneFuture, None, Any]:
-        """Wait, and return the result or raise the error."""
+    def __await__(self) -> Generator[InlineFuture, None, Any]:
+        """Wait until the future is done; return its result or raise its error."""
         if not self._done:
             self._asyncio_future_blocking = True
             yield self
@@ -232,10 +232,10 @@ class LoneFuture(Result):
         self._ended.append(self)
 
     def wake(self) -> None:
-        """Resume the task now; in the next turn of the loop where another runs at this moment."""
+        """Resume the task now, or in the next turn of the loop if another task is running."""
         step, context = self._step, self._context
         if step is None or context is None:
-            # The task has not come to wait yet.
+            # The task does not await the future yet, and will find it done.
             return
         try:
             context.run(step, self)
@@ -248,18 +248,18 @@ class LoneFuture(Result):
         if self._step is not None:
             self._loop.call_soon(self._step, self, context=self._context)
 
-    # What tasks call
+    # Called by tasks
 
     def get_loop(self) -> asyncio.AbstractEventLoop:
         """Return the event loop of the task."""
         return self._loop
 
-    def add_done_callback(self, function: Callable[[LoneFuture], object], /, *, context: Context) -> None:
-        """Take what has the task go on."""
+    def add_done_callback(self, function: Callable[[InlineFuture], object], /, *, context: Context) -> None:
+        """Store the function that resumes the task."""
         self._step, self._context = function, context
 
     def cancel(self, msg: str | None = None) -> bool:
-        """Cancel it, as the task was cancelled, and return whether it was not done before."""
+        """Cancel the future, because its task was cancelled; return False if it was done before."""
         if self._done:
             return False
         self._error = asyncio.CancelledError() if msg is None else asyncio.CancelledError(msg)
@@ -274,22 +274,22 @@ def _raise(error: BaseException) -> Never:
 
 
 class _LoopSpinner:
-    """Keeps an event loop from sleeping while the answer to a lone request may come soon (see `transport.polling`).
+    """Keeps an event loop awake while the answer to a single outstanding request may arrive soon (`transport.polling`).
 
-    There is one for all links on a loop: where several have asked, there is enough to do without it. It is given the
-    loop each time, for it lives as long as that does.
+    All links of a loop share one spinner. If several requests are outstanding, it does nothing, because the loop is
+    busy anyway. The loop is an argument of its methods, so that the spinner does not keep it alive.
     """
 
     def __init__(self) -> None:
         self._spinning = Spinning()
         self.awaited = 0
-        """Number of answers to lone requests that are awaited."""
+        """Number of outstanding inline futures on the loop."""
         self._is_planned = False
-        """True if the loop looks again in its next turn."""
+        """True if `_look` is scheduled for the next turn."""
         self._until = self._looked_at = 0.0
 
     def begin(self, loop: asyncio.AbstractEventLoop) -> float:
-        """Record that a lone request is sent now, and return the time, for `end`."""
+        """Begin to spin for a request that is sent now; return the time, for `end`."""
         self._looked_at = now = _time_of(loop)
         self._until = now + SPIN
         if self._spinning.left and self.awaited == 1 and not self._is_planned:
@@ -298,12 +298,12 @@ class _LoopSpinner:
         return now
 
     def end(self, loop: asyncio.AbstractEventLoop, began: float) -> None:
-        """Record that the answer has come to a request which was sent at some time."""
+        """Record the arrival of the answer to a request that was sent at the instant `began`."""
         self._spinning.record(_time_of(loop) - began)
 
     def _look(self, loop: asyncio.AbstractEventLoop) -> None:
         now = _time_of(loop)
-        # A modelled clock stands still until all wait.
+        # Stop if the time has not advanced: a simulated clock advances only while all tasks wait.
         self._is_planned = self.awaited == 1 and self._looked_at < now < self._until
         if self._is_planned:
             self._looked_at = now
@@ -311,21 +311,21 @@ class _LoopSpinner:
 
 
 def _caller_of(loop: asyncio.AbstractEventLoop) -> Callable[[], asyncio.Task[Any] | None]:
-    """Return a function that returns the task of a loop that calls it; None in another thread, and outside of tasks.
+    """Return a function that returns the current task of a loop, or None outside of tasks and in other threads.
 
     A program may call a link's method in another thread, for `asyncio.run_coroutine_threadsafe`. The task that the loop
     runs at that moment is not the caller.
     """
     current: Any = asyncio.current_task
     if sys.version_info < (3, 12):
-        # `current_task` is written in Python there, and takes a tenth of the time of a post.
+        # There `current_task` is written in Python, and would take a tenth of the time of a posted write.
         current = asyncio.tasks._current_tasks.get  # type: ignore[attr-defined]  # noqa: SLF001
     running = asyncio._get_running_loop  # noqa: SLF001
     return lambda: current(loop) if running() is loop else None
 
 
 def _time_of(loop: asyncio.AbstractEventLoop) -> float:
-    """Return the time in seconds. The clock of uvloop has whole milliseconds; loops that model time are asyncio's."""
+    """Return the time of a loop in seconds, more precisely than uvloop, whose clock has a resolution of 1 ms."""
     return loop.time() if isinstance(loop, asyncio.BaseEventLoop) else time.monotonic()
 
 
@@ -333,25 +333,25 @@ _spinners: WeakKeyDictionary[asyncio.AbstractEventLoop, _LoopSpinner] = WeakKeyD
 
 
 class AsyncioRuntime:
-    """The event loop that is running."""
+    """Runtime of a link in the running event loop of asyncio."""
 
     def __init__(self) -> None:
         loop = asyncio.get_running_loop()
-        # The loop's own methods: nothing stands between them and the calls, nor between the calls and its clock.
+        # Use the loop's methods directly, so that no further call is needed for each of them.
         is_monotonic = getattr(loop.time, "__func__", None) is asyncio.BaseEventLoop.time
         self.time = time.monotonic if is_monotonic else loop.time
-        # A loop of asyncio that has a clock of its own models time.
+        # A loop of asyncio with another clock simulates time.
         models_time = isinstance(loop, asyncio.BaseEventLoop) and not is_monotonic
         self.steady = loop.time if models_time else unadjusted_time
         self.create_future = loop.create_future
         self.call_soon = loop.call_soon
         self.call_soon_threadsafe = loop.call_soon_threadsafe
         self._loop = loop
-        self.ended: list[LoneFuture] = []
-        """Futures of lone requests that are done, and whose tasks are to be resumed."""
+        self.ended: list[InlineFuture] = []
+        """Inline futures that are done, and whose tasks `wake` will resume."""
         self._spinner = _spinners.setdefault(loop, _LoopSpinner())
         self._asked_at = 0.0
-        """Instant at which the last lone request was sent."""
+        """Instant at which the last single outstanding request was sent."""
         self.create_task = loop.create_task
         self.caller = _caller_of(loop)
         self.timeout = self.last_timeout = asyncio.timeout
@@ -362,21 +362,21 @@ class AsyncioRuntime:
         """Return whether a task has ended."""
         return caller.done()
 
-    def create_lone_future(self) -> LoneFuture:
-        """Return what a call can await whose request is alone in flight."""
-        future = LoneFuture(self._loop, self._spinner, self.ended)
+    def create_inline_future(self) -> InlineFuture:
+        """Return a new future for a single outstanding request, whose task `wake` resumes."""
+        future = InlineFuture(self._loop, self._spinner, self.ended)
         self._asked_at = self._spinner.begin(self._loop)
         return future
 
     def wake(self) -> None:
-        """Resume the tasks whose lone requests are done."""
+        """Resume the tasks that await inline futures which are done."""
         ended = self.ended
         self._spinner.end(self._loop, self._asked_at)
         while ended:
             ended.pop(0).wake()
 
     def call_at(self, when: float, function: Callable[[], object], /) -> Timer:
-        """Call a function at a time of the loop's clock."""
+        """Call a function at an instant of the loop's clock."""
         short = when < self._loop.time() + SHORTEST_SLEEP
         return _ShortTimer(self._loop, when, function) if short else self._loop.call_at(when, function)
 
@@ -386,11 +386,11 @@ class AsyncioRuntime:
         await asyncio.wait([cast("asyncio.Task[None]", job)])
 
     async def open_medium(self, target: DriverUrl | Medium, stream: Stream) -> None:
-        """Connect a stream to a medium."""
+        """Open a medium, and connect a stream to it."""
         await open_medium(target, stream)
 
-    def attend(self) -> None:
-        """Do nothing: an event loop takes what arrives."""
+    def start_polling(self) -> None:
+        """Do nothing, because an event loop processes received bytes at any time."""
 
-    def leave(self) -> None:
+    def stop_polling(self) -> None:
         """Do nothing."""

@@ -1,7 +1,4 @@
-"""Waiting primitives of code that is built on links, for every kind of program.
-
-In asyncio it is asyncio's own; elsewhere what runs the link has it.
-"""
+"""Locks, events and callbacks for code that is built on links, in every kind of program."""
 
 from __future__ import annotations
 
@@ -30,23 +27,23 @@ class BlockingRuntime(Runtime, Protocol):
     """A runtime of blocking code."""
 
     is_running_here: Callable[[], bool]
-    """Returns whether the calling thread runs a coroutine by it."""
+    """Returns whether the calling thread is running a coroutine of this runtime."""
 
     def disown(self) -> None:
-        """Refuse all calls, in a process that was forked."""
+        """Refuse all calls from now on, in a forked process."""
 
 
 STRUCTURED: ContextVar[Runtime] = ContextVar("STRUCTURED")
-"""Runtime of the links of the innermost block, under trio."""
+"""Under trio: runtime of the innermost ``async with`` block of a link."""
 CALLING: Living[BlockingRuntime] = Living()
-"""Runtimes of the links of blocking code."""
+"""Runtimes of all links of blocking code."""
 
 
 def running() -> Runtime:
-    """Return what runs the calling coroutine.
+    """Return the runtime of the calling coroutine.
 
     Raises:
-        ArgumentError: where nothing does.
+        ArgumentError: if no runtime runs the caller.
     """
     for runtime in CALLING:
         if runtime.is_running_here():
@@ -60,10 +57,11 @@ def running() -> Runtime:
 
 
 def call_back(function: Callable[[T], object], value: T) -> object:
-    """Call a callback of the program, from code of a link; return what it returns.
+    """Call a callback of the program from code of a link, and return its result.
 
     Raises:
-        Exception: what it raises. In blocking code SystemExit and the like are logged: they would end the wrong thread.
+        Exception: the exception of the callback. In blocking code, exceptions such as `SystemExit` are logged instead,
+            because they would end a thread of the link.
     """
     try:
         return DEFERRED.call(function, value)
@@ -77,10 +75,10 @@ def call_back(function: Callable[[T], object], value: T) -> object:
 
 
 async def gather(*coroutines: Coroutine[Any, Any, Any]) -> list[Any]:
-    """Await all, together where that can be and in turn otherwise, and return their results.
+    """Await all coroutines, concurrently in asyncio and one after the other otherwise, and return their results.
 
     Raises:
-        Exception: the first error; the others are done all the same.
+        Exception: the first error, after all coroutines have ended.
     """
     if isinstance(running(), AsyncioRuntime):
         return await asyncio.gather(*coroutines)
@@ -93,7 +91,7 @@ async def gather(*coroutines: Coroutine[Any, Any, Any]) -> list[Any]:
             except Exception as error:  # noqa: BLE001  (it is raised below)
                 first = first or error
     finally:
-        # Where this is cancelled, some have not begun.
+        # After a cancellation, some coroutines have not begun.
         for coroutine in coroutines:
             coroutine.close()
     if first is not None:
@@ -109,14 +107,14 @@ class Event:
         self._waiters: list[Waiter] = []
 
     def set(self) -> None:
-        """Wake those who wait."""
+        """Set the flag, and resume all callers of `wait`."""
         self._set = True
         for waiter in self._waiters:
             if not waiter.done():
                 waiter.set_result(None)
 
     def clear(self) -> None:
-        """Take the flag back."""
+        """Clear the flag."""
         self._set = False
 
     async def wait(self) -> None:
@@ -131,7 +129,7 @@ class Event:
 
 
 class Lock:
-    """Has one coroutine at a time in its ``async with`` blocks, in turn."""
+    """A lock for ``async with``; waiting coroutines get it in their order."""
 
     def __init__(self) -> None:
         self._held = False
@@ -144,7 +142,7 @@ class Lock:
             try:
                 await waiter
             except BaseException:
-                # Its turn goes to the next.
+                # The lock was already passed to this cancelled coroutine: pass it to the next one.
                 if waiter.done() and not waiter.cancelled():
                     self._wake_next()
                 raise

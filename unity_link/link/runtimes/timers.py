@@ -1,4 +1,4 @@
-"""Timers where there is no event loop."""
+"""Timers for runtimes without asyncio."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 class PendingCall:
-    """Call that is due at a time."""
+    """A call that is scheduled for an instant."""
 
     def __init__(self, timers: Timers, when: float, function: Callable[[], object]) -> None:
         self._timers = timers
@@ -23,22 +23,22 @@ class PendingCall:
 
 
 class Timers:
-    """The timers of a link, of which there are few.
+    """The timers of a link, in a list, because a link has few.
 
     Args:
         time: the clock, in seconds.
-        stir: is called when one is due earlier than all others.
+        stir: called after a timer was added that is due before all others.
     """
 
     def __init__(self, time: Callable[[], float], stir: Callable[[], object]) -> None:
         self.due = math.inf
-        """Instant at which the first is to be called."""
+        """Instant of the next call; infinite without one."""
         self._time = time
         self._stir = stir
         self._pending: list[PendingCall] = []
 
     def call_at(self, when: float, function: Callable[[], object], /) -> PendingCall:
-        """Call a function at a time of the clock, or when `run` is called next."""
+        """Schedule a function for the first call of `run` at or after an instant of the clock."""
         call = PendingCall(self, when, function)
         self._pending.append(call)
         if when < self.due:
@@ -47,7 +47,7 @@ class Timers:
         return call
 
     def drop(self, call: PendingCall) -> bool:
-        """Forget a call, and return whether it was still to be made."""
+        """Cancel a call; return whether it was still scheduled."""
         if call not in self._pending:
             return False
         self._pending.remove(call)

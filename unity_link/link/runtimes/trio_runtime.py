@@ -1,8 +1,8 @@
-"""A link under trio: its coroutines run in the program's tasks, and what goes on beside them in a nursery.
+"""The runtime of a link under trio: its coroutines run in the program's tasks, and its background tasks in a nursery.
 
-The nursery is that of the ``async with`` block of the link, and ends with it. Its tasks are shielded: until the block
-ends they go on, so a `finally` in the block can write though the block is cancelled. A medium with a file descriptor is
-waited for by trio; another one is opened in the thread of an event loop (`loop_thread`).
+The nursery belongs to the ``async with`` block of the link, and ends with it. Its tasks are shielded from cancellation
+until the block ends, so that a `finally` in a cancelled block can still write. trio waits for a medium with a file
+descriptor; another medium is opened in an event loop of another thread (`loop_thread`).
 """
 
 from __future__ import annotations
@@ -40,11 +40,11 @@ if TYPE_CHECKING:
 
 
 _TRIO = trio.__file__.removesuffix("__init__.py")
-"""Beginning of the file names of the code of trio."""
+"""First characters of the file names of trio's code."""
 
 
 class TaskWaiter(Result):
-    """Awaitable of a call."""
+    """Future of a call."""
 
     __slots__ = ("_event",)
 
@@ -53,7 +53,7 @@ class TaskWaiter(Result):
         self._event: trio.Event | None = None
 
     def __await__(self) -> Generator[Any, Any, Any]:
-        """Wait, and return the result or raise the error."""
+        """Wait until the future is done; return its result or raise its error."""
         if not self._done:
             self._event = self._event or trio.Event()
             self.on_done = self._event.set
@@ -62,7 +62,7 @@ class TaskWaiter(Result):
 
 
 class _TaskJob:
-    """A coroutine that runs beside the calls."""
+    """A background task."""
 
     def __init__(self, runtime: Structured, coroutine: Coroutine[Any, Any, None]) -> None:
         self._coroutine = coroutine
@@ -71,16 +71,16 @@ class _TaskJob:
         runtime.serve(self._scope, self._run)
 
     async def _run(self) -> None:
-        """Run until the end."""
+        """Run the coroutine, and log its error."""
         try:
             await self._coroutine
         except Exception as error:  # noqa: BLE001  (no call is there that could raise it)
-            report("what runs beside the calls of a link has failed", error)
+            report("a background task of a link has failed", error)
         finally:
             self.ended.set()
 
     def cancel(self) -> None:
-        """End it at its next wait."""
+        """Cancel the task at its next wait."""
         self._scope.cancel()
 
 
@@ -88,11 +88,11 @@ class Structured:
     """Runs the coroutines of one link in the tasks of a program, within an ``async with`` block."""
 
     def __init__(self) -> None:
-        # Another clock than the system's models time.
+        # Another clock than trio's SystemClock simulates time.
         is_real = type(trio.lowlevel.current_clock()).__name__ == "SystemClock"
         self.steady = unadjusted_time if is_real else trio.current_time
         self.caller = trio.lowlevel.current_task
-        self.create_future = self.create_lone_future = TaskWaiter
+        self.create_future = self.create_inline_future = TaskWaiter
         self.ended = ()
         self.sleep = trio.sleep
         self._defers = get_ident() == DEFERRED.thread
@@ -106,19 +106,19 @@ class Structured:
         self._block = trio.open_nursery()
         self._nursery: trio.Nursery | None = None
         self._services: set[trio.CancelScope] = set()
-        """Scopes of the tasks that run beside the program's."""
+        """Cancel scopes of the background tasks."""
         self._watches: dict[int, trio.CancelScope] = {}
         self._relays: list[Relay] = []
 
     async def begin(self) -> None:
-        """Begin the block; it is to be ended by `aclose`, whatever is raised here."""
+        """Begin the block. The caller must call `aclose` even if this raises an error."""
         DEFERRED.begin(self)
         self._outer = STRUCTURED.set(self)
         self._nursery = await self._block.__aenter__()
         self.serve(self.new_scope(), self._run_due)
 
     async def aclose(self) -> None:
-        """End what runs beside the program's tasks, when the link has ended."""
+        """End the background tasks and threads, after the link has ended."""
         if self._outer is not None:
             STRUCTURED.reset(self._outer)
         try:
@@ -130,7 +130,7 @@ class Structured:
                 scope.cancel()
             try:
                 if self._nursery is not None:
-                    # It does not get an error that the block has raised: it would make a group of it.
+                    # Do not pass the error of the block: the nursery would wrap it in an exception group.
                     await self._block.__aexit__(None, None, None)
             except BaseExceptionGroup as group:
                 raise _first(group) from None
@@ -138,13 +138,13 @@ class Structured:
                 DEFERRED.end(self)
 
     def new_scope(self) -> trio.CancelScope:
-        """Return a scope for a task that runs beside the program's, and that ends with the block at the latest."""
+        """Return a shielded cancel scope for a background task, which is cancelled at the end of the block."""
         scope = trio.CancelScope(shield=True)
         self._services.add(scope)
         return scope
 
     def serve(self, scope: trio.CancelScope, function: Callable[..., Awaitable[None]], *arguments: Any) -> None:
-        """Run a coroutine function beside the program's tasks, in a scope of `new_scope`."""
+        """Run a coroutine function as a background task, in a scope of `new_scope`."""
         assert self._nursery is not None
         self._nursery.start_soon(self._run_service, scope, function, arguments)
 
@@ -158,19 +158,19 @@ class Structured:
     # Signal handlers
 
     def interrupt(self) -> None:
-        """Wake the task that calls pending handlers; called in a signal handler."""
+        """Wake the task that calls the pending signal handlers; called in a signal handler."""
         self._token.run_sync_soon(self._stir, idempotent=True)
 
     def is_protected(self, frame: FrameType | None, /) -> bool:
-        """Return whether trio's own code was interrupted, or a function that this code has called.
+        """Return whether a signal interrupted trio's own code, or a function that it has called.
 
-        trio protects its loop, but not a function of it that a task calls: an exception in the middle of `start_soon`
-        leaves a task that never runs, and the nursery waits for it for ever.
+        trio protects its loop, but not its functions that a task calls. An exception within `start_soon`, for example,
+        would leave a task that never runs, and its nursery would wait for it without end.
         """
         return trio.lowlevel.currently_ki_protected() or _is_called_by_trio(frame)
 
     def time(self) -> float:
-        """Return the time in seconds of trio's clock; each step of a session asks for it first."""
+        """Return the time of trio's clock in seconds; also defer new signal handlers, because each step begins here."""
         if self._defers:
             DEFERRED.replace()
         return trio.current_time()
@@ -178,12 +178,12 @@ class Structured:
     def _deliver(self) -> None:
         assert self._nursery is not None
         while DEFERRED.pending:
-            # What a handler raises ends the block, and none of the tasks that serve it.
+            # In a task of the nursery, an exception of a handler ends the block but not the background tasks.
             self._nursery.start_soon(_call_handler, *DEFERRED.pending.popitem())
 
     async def _run_due(self) -> None:
         while True:
-            # Not what these have called soon: other tasks have their turns before.
+            # Leave functions that these add for the next turn, so that other tasks run in between.
             for _ in range(len(self._ready)):
                 self._ready.popleft()()
             if self.time() >= self._timers.due:
@@ -200,38 +200,38 @@ class Structured:
     def _stir(self) -> None:
         self._stirred.set()
 
-    # What coroutines of the link need
+    # The methods of a `Runtime`
 
     def is_over(self, caller: trio.lowlevel.Task, /) -> bool:
         """Return whether a task has ended."""
         return inspect.getcoroutinestate(caller.coro) == inspect.CORO_CLOSED
 
     def call_soon(self, function: Callable[[], object], /) -> None:
-        """Call a function when what runs now waits."""
+        """Call a function after the current task waits."""
         self._ready.append(function)
         self._stir()
 
     def call_soon_threadsafe(self, function: Callable[[], object], /) -> None:
-        """Call a function soon; may be called by other threads."""
+        """As `call_soon`, from any thread."""
         self._ready.append(function)
         self._token.run_sync_soon(self._stir, idempotent=True)
 
     def create_task(self, coroutine: Coroutine[Any, Any, None], /) -> _TaskJob:
-        """Run a coroutine beside the calls."""
+        """Run a coroutine as a background task."""
         return _TaskJob(self, coroutine)
 
     def wake(self) -> None:
-        """Do nothing: who awaits something goes on by itself."""
+        """Do nothing, because tasks resume when their future is done."""
 
     async def finish(self, job: Job) -> None:
-        """Cancel a job, and wait until it has ended."""
+        """Cancel a background task, and wait until it has ended."""
         assert isinstance(job, _TaskJob)
         job.cancel()
         await job.ended.wait()
 
     @asynccontextmanager
     async def timeout(self, seconds: float) -> AsyncIterator[None]:
-        """Raise TimeoutError in the block after some time."""
+        """Raise `TimeoutError` in the block after `seconds`."""
         with trio.move_on_after(seconds) as scope:
             yield
         if scope.cancelled_caught:
@@ -239,27 +239,27 @@ class Structured:
 
     @asynccontextmanager
     async def last_timeout(self, seconds: float) -> AsyncIterator[None]:
-        """Raise TimeoutError in the block after some time, and let it wait even though its task is cancelled."""
+        """As `timeout`, for a block that may wait although its task is cancelled."""
         with trio.CancelScope(shield=True):
             async with self.timeout(seconds):
                 yield
 
-    def attend(self) -> None:
-        """Do nothing: a task takes what arrives."""
+    def start_polling(self) -> None:
+        """Do nothing, because a background task processes received bytes at any time."""
 
-    def leave(self) -> None:
+    def stop_polling(self) -> None:
         """Do nothing."""
 
     # Media
 
     def watch(self, descriptor: int, events: int, handler: Callable[[int], None]) -> None:
-        """Call a handler where a file descriptor is ready for some of `READABLE` and `WRITABLE`."""
+        """Call a handler whenever a file descriptor is ready for some of `events` (`READABLE`, `WRITABLE`)."""
         self._cancel_watch(descriptor)
         scope = self._watches[descriptor] = self.new_scope()
         self.serve(scope, self._watch, scope, descriptor, events, handler)
 
     def unwatch(self, descriptor: int) -> None:
-        """Call no handler any more, for it is to be closed."""
+        """Stop watching a file descriptor, because it is about to be closed."""
         self._cancel_watch(descriptor)
         trio.lowlevel.notify_closing(descriptor)
 
@@ -277,12 +277,12 @@ class Structured:
                     both.start_soon(_call_when_ready, scope, wait, descriptor, handler, event)
 
     async def prepare(self, url: DriverUrl) -> None:
-        """Do what must be done once before a medium of this kind can be opened."""
+        """Run the one-time preparation of a medium's driver, before a medium of this kind is opened."""
         if hasattr(load_driver(url.scheme), "prepare"):
             await trio.to_thread.run_sync(run_in_loop, lambda: prepare_medium(url))
 
     async def open_medium(self, target: DriverUrl | Medium, stream: Stream) -> None:
-        """Connect a stream to a medium."""
+        """Open a medium, and connect a stream to it."""
         if has_channel(target):
             protocol = observed(target, stream)
             patience = trio.current_effective_deadline() - self.time()
@@ -302,7 +302,7 @@ async def _call_when_ready(
     event: int,
 ) -> None:
     with suppress(trio.ClosedResourceError):
-        # A descriptor that the handler has closed cannot be waited for.
+        # The handler may close the descriptor and cancel the scope: check before each wait.
         while not scope.cancel_called:
             await wait(descriptor)
             handler(event)
@@ -310,12 +310,12 @@ async def _call_when_ready(
 
 @trio.lowlevel.enable_ki_protection
 async def _call_handler(number: int, handler: Handler) -> None:
-    """Call the handler of a signal; that of trio finds its own code interrupted, and raises in the main task."""
+    """Call a signal handler. trio's handler sees protected code interrupted, so it raises in the main task."""
     handler(number, sys._getframe())  # noqa: SLF001  (documented, and as the interpreter calls handlers)
 
 
 def _is_called_by_trio(frame: FrameType | None) -> bool:
-    """Return whether a frame is of trio, or one of its callers up to the innermost coroutine is."""
+    """Return whether a frame, or one of its callers up to the innermost coroutine, is trio's code."""
     while frame is not None:
         if frame.f_code.co_filename.startswith(_TRIO):
             return True
@@ -326,7 +326,7 @@ def _is_called_by_trio(frame: FrameType | None) -> bool:
 
 
 def _first(error: BaseException) -> BaseException:
-    """Return the first error of a group, and an error itself."""
+    """Return the first error of an exception group; another error is returned itself."""
     while isinstance(error, BaseExceptionGroup):
         error = error.exceptions[0]
     return error

@@ -1,4 +1,4 @@
-"""The awaitable of calls where there is no event loop: as much of `asyncio.Future` as links need."""
+"""A future for runtimes without asyncio: the part of `asyncio.Future` that links use."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 class Result:
-    """A result or an error that comes later. What derives from it is awaitable."""
+    """A result or an error that is set later. Subclasses add `__await__`."""
 
     __slots__ = ("_done", "_error", "_result", "on_done")
 
@@ -19,42 +19,42 @@ class Result:
         self._result: Any = None
         self._error: BaseException | None = None
         self.on_done: Callable[[], object] | None = None
-        """Is called when there is a result or an error."""
+        """Called when the future is done."""
 
     def done(self) -> bool:
-        """Return whether there is a result or an error, or it was cancelled."""
+        """Return whether the future has a result or an error, or was cancelled."""
         return self._done
 
     def cancelled(self) -> bool:
-        """Return whether it was cancelled."""
+        """Return whether the future was cancelled."""
         return isinstance(self._error, asyncio.CancelledError)
 
     def cancel(self) -> bool:
-        """Cancel it, and return whether it was not done before."""
+        """Cancel the future; return False if it was done before."""
         if self._done:
             return False
         self.set_exception(asyncio.CancelledError())
         return True
 
     def set_result(self, result: Any, /) -> None:
-        """Resume the awaiting call with a result."""
+        """Set the result, and resume the awaiting call."""
         self._result = result
         self._end()
 
     def set_exception(self, exception: BaseException, /) -> None:
-        """Resume the awaiting call with an error."""
+        """Set an error, which the awaiting call raises."""
         self._error = exception
         self._end()
 
     def exception(self) -> BaseException | None:
-        """Return the error of one that is done."""
+        """Return the error of a future that is done, or None."""
         return self._error
 
     def result(self) -> Any:
-        """Return the result of one that is done, or raise its error."""
+        """Return the result of a future that is done, or raise its error."""
         error = self._error
         if error is not None:
-            # The traceback has what waits for this, and the call in which that was: one that is kept would keep them.
+            # Raise a new CancelledError: the traceback of the stored one would keep the frames of the awaiting calls.
             raise asyncio.CancelledError(*error.args) if isinstance(error, asyncio.CancelledError) else error
         return self._result
 

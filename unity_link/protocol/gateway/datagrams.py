@@ -1,4 +1,11 @@
-"""The gateway's end of the datagrams of one socket (docs/protocol.md, "Datagrams")."""
+"""The gateway's end of the datagrams of one socket (docs/protocol.md, "Datagrams").
+
+1. A datagram of the open session, from the address that opened it, and with a newer count: its frames are executed.
+2. A datagram with the offered session number that begins with `K i s`: that session begins, and the previous one ends.
+3. A datagram without a header, or one with the offered session number and a session query: requests without an ID are
+   executed, others are refused. The answers have a header that offers a session.
+4. Any other datagram with an undamaged header is refused by error 0A, unless it is itself an offer or a refusal.
+"""
 
 from __future__ import annotations
 
@@ -30,35 +37,35 @@ if TYPE_CHECKING:
     from unity_link.protocol.wire.messages import Codec
 
 _OF_SESSION = re.compile(rb"[g-zP]")
-"""First letters of answers that only a session has, and of samples."""
+"""Pattern of the first letter of samples, and of answers with an ID."""
 _FULL = Path()
-"""The path for which a gateway packs its datagrams."""
+"""The longest datagrams, which a gateway always uses."""
 A = TypeVar("A")
 
 
 def _frames(data: bytes) -> list[bytes]:
-    """Return the frames that are not empty, each with its end: CR, LF or CR LF."""
+    """Return the frames in `data`, each with its end: CR, LF or CR LF; empty ones are left out."""
     return [frame for frame in data.splitlines(keepends=True) if frame.strip(b"\r\n")]
 
 
 class Requester(NamedTuple, Generic[A]):
-    """Host whose requests without a session were taken last, and their form."""
+    """The source of the last requests without a session."""
 
     address: A
     plain: bool
+    """True if the first of these requests was a plain frame."""
 
 
 class GatewayDatagrams(Generic[A]):
-    """The gateway's side of a socket, from one reset to the next.
+    """The gateway's end of a socket, between two resets.
 
-    What the gateway sends goes to the address that opened the session; answers to requests without a header go to the
-    address that they came from. A response without an ID does not say whose it is: it is for the address whose datagram
-    was taken last.
+    Frames of the session go to the address that opened it. Answers to requests without a header go to the address of
+    these requests. A response without an ID goes to the address of the last datagram that was accepted.
 
     Args:
-        codec: the messages of the gateway.
-        execute: takes frames for the gateway, and may call `put` at once.
-        send: takes a datagram and where it goes.
+        codec: message codec of the gateway.
+        execute: passes frames to the gateway; it may call `put` before it returns.
+        send: sends a datagram to an address.
         draw: returns a random number of 32 bits.
     """
 
@@ -73,27 +80,27 @@ class GatewayDatagrams(Generic[A]):
         self.opener: A | None = None
         """The address that opened the session."""
         self.offer = NO_SESSION
-        """The session that can be opened next; none before it is first needed."""
+        """Number of the offered session; `NO_SESSION` before the first offer."""
         self.counts = Counts()
         self._codec = codec
         self._framing = codec.framing
         self._reception = Reception(codec)
         self.requester: Requester[A] | None = None
-        """Destination of answers without an ID, if not the opener."""
+        """Destination of answers without an ID; None if it is the opener."""
         self._execute = execute
         self._send = send
         self._draw = draw
 
     def take(self, datagram: bytes, source: A) -> None:
-        """Take a datagram that came from an address."""
+        """Take a datagram from an address."""
         try:
             read = read_header(datagram, self._framing)
         except FrameError:
             return
         if read is None:
-            self._take_questions(datagram, source)
+            self._take_unopened(datagram, source)
         elif read.number == OUTSIDE:
-            # Another gateway's. Were it refused, that one would refuse the refusal, and so on for ever.
+            # Another gateway sent it. Do not refuse it, because that gateway would refuse the refusal, without end.
             return
         elif (read.session, source) == (self.session, self.opener):
             if self.counts.takes(read.number):
@@ -101,15 +108,15 @@ class GatewayDatagrams(Generic[A]):
                 self._execute(read.frames)
         elif NO_SESSION != read.session == self.offer and (after_k := self._after_k(read.frames)) is not None:
             if self._framing.checked(b"K")[len(self._framing.prefix) + 1 :].startswith(after_k.rstrip(b"\r").upper()):
-                # A `K` without fields only looks: it would leave the former host's session under way.
-                self._take_questions(read.frames, source)
+                # A session query must not open the session of the datagrams: it would not end the gateway's session.
+                self._take_unopened(read.frames, source)
             else:
                 self._open(read, source)
         else:
             self._refuse(read.session, source, plain=read.plain)
 
     def put(self, frames: bytes) -> None:
-        """Send frames of the gateway; those that are for no address are lost."""
+        """Send frames of the gateway; frames without a destination are dropped."""
         if self.requester is None:
             self._send_to_opener(frames)
             return
@@ -119,7 +126,7 @@ class GatewayDatagrams(Generic[A]):
     # Sessions
 
     def _open(self, read: Datagram, source: A) -> None:
-        """Begin the session that was offered; the one before is over, and its opener is told."""
+        """Begin the offered session; the previous one is over, and its opener gets a refusal."""
         if self.opener is not None:
             self._refuse(self.session, self.opener, plain=False)
         self.session, self.opener, self.offer = read.session, source, NO_SESSION
@@ -129,7 +136,7 @@ class GatewayDatagrams(Generic[A]):
         self._execute(read.frames)
 
     def _after_k(self, frames: bytes) -> bytes | None:
-        """Return what stands behind the `K` of the first frame; None where that begins otherwise."""
+        """Return the characters after the `K` of the first frame; None if it is another command."""
         line, beginning = first_line(frames), self._framing.prefix + b"K"
         return line[len(beginning) :] if line.startswith(beginning) else None
 
@@ -144,7 +151,7 @@ class GatewayDatagrams(Generic[A]):
 
     # Requests without a session
 
-    def _take_questions(self, datagram: bytes, source: A) -> None:
+    def _take_unopened(self, datagram: bytes, source: A) -> None:
         """Execute requests without an ID, and refuse the others."""
         frames = _frames(text_of(self._codec.info, from_gateway=False)(ended(datagram)))
         if not frames:
@@ -158,7 +165,7 @@ class GatewayDatagrams(Generic[A]):
                     self._send_to_requester(refusal)
 
     def _refusal(self, frame: bytes) -> bytes | None:
-        """Return the answer to a request that needs a session, None for all that the gateway may see without one."""
+        """Return the answer to a request that needs a session; None for frames that the gateway handles without one."""
         line, plain = frame.rstrip(b"\r\n"), b"\r" in frame
         size = len(self._framing.prefix)
         try:
@@ -181,13 +188,14 @@ class GatewayDatagrams(Generic[A]):
             self._send(with_header(self._framing, self.offer, OUTSIDE, packed, plain=plain), address)
 
     def _is_of_session(self, frame: bytes) -> bool:
+        """Return whether a frame of the gateway belongs to the open session: a sample, or an answer with an ID."""
         if self.session == NO_SESSION:
             return False
         if frame.startswith(START):
             return True
         body = frame[len(self._framing.prefix) :].rstrip(b"\r\n")
         if body.startswith(b"K"):
-            # The answer to the question is shorter than that to the opening of a session.
+            # The answer to a session query is shorter than the answer to `K i s`.
             ending = 0 if b"\r" in frame else self._framing.crc.digits
             return len(body) > 1 + self._codec.info.session_digits + ending
         return _OF_SESSION.match(body) is not None

@@ -1,7 +1,8 @@
-"""The parts of what a gateway makes of a line that a host sent, before it executes anything.
+"""The checks of a received line in a gateway, before it executes anything (docs/protocol.md, "Errors").
 
-`Reception` is steps 1 to 5 of the checks in docs/protocol.md, "Errors", `Sequence` is step 6, `group_fits` is what step
-7 says of the settings of a group. `unity_link.protocol.gateway.session` joins the first two.
+- `Reception` makes the checks 1 to 5: overflow, length, CRC, command and form.
+- `Sequence` makes check 6: the ID.
+- `group_fits` makes the part of check 7 that concerns the settings of a group.
 """
 
 from __future__ import annotations
@@ -25,19 +26,19 @@ _NEEDED_FEATURES = {
 }
 _ALWAYS_KNOWN = GroupFlag.PERIODIC | GroupFlag.ON_CHANGE | GroupFlag.PLAIN
 _UNASKED = GroupFlag.PERIODIC | GroupFlag.TRIGGER
-"""Flags of groups that publish without being asked to, which half-duplex nodes do not."""
+"""Flags of groups that publish without a request, which half-duplex nodes do not support."""
 
 
 class Reception:
-    """Makes requests of lines.
+    """Checks and decodes received lines.
 
     Args:
-        codec: the messages of the gateway.
+        codec: message codec of the gateway.
     """
 
     def __init__(self, codec: Codec) -> None:
         self.longest = codec.info.longest_request
-        """Characters before the line end of the longest request, prefix not counted."""
+        """Characters of the longest request, without the prefix of the node and the line end."""
         self._codec = codec
         self._crc = codec.framing.crc
 
@@ -47,15 +48,15 @@ class Reception:
         """Check overflow, length, CRC, command and form, in this order.
 
         Args:
-            line: what stood before the line end, without the prefix of an addressed frame.
-            plain: whether the line ended in CR, and so has no CRC.
-            prefix: of an addressed frame, which its CRC covers.
-            session: the session under way, which is in the check of a frame with an ID; without one such a check is
-                not compared.
-            bytes_lost: whether bytes of the line were lost before they could be looked at.
+            line: the line without its end and without the prefix of an addressed frame.
+            plain: True if the line ended in CR, so that it has no CRC.
+            prefix: prefix of an addressed frame, which the CRC covers.
+            session: number of the current session, which is in the CRC of a frame with an ID. Without a session that
+                CRC is not checked, and `DecodedRequest.residue` is the difference.
+            bytes_lost: True if the receive FIFO has lost bytes of the line.
 
         Raises:
-            RequestError: with the code of the error to answer.
+            RequestError: with the code of the error response.
         """
         if bytes_lost:
             raise RequestError(ErrorCode.RECEIVE_OVERFLOW)
@@ -77,15 +78,15 @@ class Reception:
 def group_fits(
     info: GatewayInfo, number: int, flags: int, divisor: int, addresses: list[int], *, for_program: bool
 ) -> bool:
-    """Return whether a gateway takes the settings of a group; otherwise it answers error 06.
+    """Return whether a gateway accepts the settings of a group; otherwise it answers error 06.
 
     Args:
-        info: the configuration of the gateway.
-        number: of the group.
-        flags: of the group.
-        divisor: of the base frequency.
-        addresses: of the words.
-        for_program: whether the session is a program's, in which samples are checked frames.
+        info: configuration of the gateway.
+        number: number of the group.
+        flags: flags of the group.
+        divisor: divisor of the base frequency.
+        addresses: addresses of the group's words.
+        for_program: True if a program began the session; then samples must be checked frames.
     """
     known = int(_ALWAYS_KNOWN)
     if for_program:
@@ -105,63 +106,63 @@ def group_fits(
 
 
 class SequencePlace(enum.Enum):
-    """Place of a request with an ID in the order (docs/protocol.md, "Exactly once, in order")."""
+    """Position of a request's ID relative to the expected one (docs/protocol.md, "Exactly once, in order")."""
 
     NO_SESSION = enum.auto()
-    """No session has begun since reset: nothing with an ID is executed."""
-
+    """There is no session, so no request with an ID is executed."""
     NEXT = enum.auto()
-    """The request is the one expected, and now counted."""
+    """The request has the expected ID, and the expected ID was advanced."""
     FIRST_AHEAD = enum.auto()
-    """Something before it was lost, and the host has not been told yet."""
+    """A request before it was lost; the gateway reports the gap by ``n``."""
     AHEAD = enum.auto()
-    """Something before it was lost, and the host knows."""
+    """A request before it was lost, and the gap was reported before."""
     REPETITION = enum.auto()
+    """The request was executed before."""
 
 
 class Sequence:
-    """The next ID expected, -1 without a session, and how the requests before it ended.
+    """The expected ID, -1 without a session, and the outcomes of earlier requests.
 
     Args:
-        ring: number of IDs.
+        id_count: number of IDs.
     """
 
-    __slots__ = ("_half", "expected", "fates", "gap_told", "mask")
+    __slots__ = ("_half", "expected", "gap_reported", "mask", "outcomes")
 
-    def __init__(self, ring: int) -> None:
-        self.mask = ring - 1
-        self._half = ring // 2
-        self.fates = bytearray(self._half)
-        """Error with which the last request of each ID, modulo half the ring, ended; 0 if it ended well.
+    def __init__(self, id_count: int) -> None:
+        self.mask = id_count - 1
+        self._half = id_count // 2
+        self.outcomes = bytearray(self._half)
+        """Error code of the last request of each ID, modulo half the sequence space; 0 for success.
 
-        As in the gateware neither a reset nor a session changes them: a host asks for none that it did not cause.
+        Neither a reset nor a new session clears them, as in the gateware; a host asks only for its own outcomes.
         """
         self.reset()
 
     def reset(self) -> None:
         """Go back to the state after reset: no session has begun."""
         self.expected = -1
-        self.gap_told = False
-        """True if the host knows of the gap before the requests that come now."""
+        self.gap_reported = False
+        """True if an ``n`` was sent since the last request with the expected ID."""
 
     def start(self, expected: int) -> None:
-        """Begin a session."""
+        """Begin a session with its first ID."""
         self.expected = expected
-        self.gap_told = False
+        self.gap_reported = False
 
     def advance(self, count: int = 1) -> None:
-        """Count requests that were the expected ones, and ended well if nothing else is noted."""
+        """Advance the expected ID by `count` requests, and set their outcomes to success."""
         for number in range(self.expected, self.expected + count):
-            self.fates[number % self._half] = 0
+            self.outcomes[number % self._half] = 0
         self.expected = self.expected + count & self.mask
-        self.gap_told = False
+        self.gap_reported = False
 
-    def fate(self, number: int) -> int:
-        """Return the error with which a request ended that was executed, 0 if it ended well."""
-        return self.fates[number % self._half]
+    def outcome(self, number: int) -> int:
+        """Return the error code of an executed request, 0 for success."""
+        return self.outcomes[number % self._half]
 
     def place(self, number: int) -> SequencePlace:
-        """Return where a request stands, and count it if it is the next."""
+        """Return the position of a request's ID; advance the expected ID if it is that one."""
         if self.expected < 0:
             return SequencePlace.NO_SESSION
         distance = number - self.expected & self.mask
@@ -170,7 +171,7 @@ class Sequence:
             return SequencePlace.NEXT
         if distance >= self._half:
             return SequencePlace.REPETITION
-        if self.gap_told:
+        if self.gap_reported:
             return SequencePlace.AHEAD
-        self.gap_told = True
+        self.gap_reported = True
         return SequencePlace.FIRST_AHEAD

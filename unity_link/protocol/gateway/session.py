@@ -1,8 +1,14 @@
-"""The gateway's side of a session: which requests are to be executed, and the answers to all that are not.
+"""The session of a gateway: which requests to execute, and the answers to all others (docs/protocol.md, "The gateway").
 
-Shared by all that answer hosts: the virtual gateway, and the server that lets several programs share one link. They
-differ in what executing means, `Q` and `K` included. Steps 1 to 6 of the checks in docs/protocol.md, "Errors", are made
-here; those who execute requests make the others.
+1. Without a session no request with an ID is executed: error 0A. `K i s` begins a session; i is the first expected ID.
+2. A request with the expected ID is executed, and the expected ID advances, also if the request ends in an error.
+3. A later ID means that a request was lost: answer ``n`` with the expected ID, once for each gap.
+4. An earlier ID is a repetition: repeat the answer. Only reads are executed again; the outcomes of the last half of the
+   sequence space and the words of destructive reads are stored for that.
+5. In a session that a checked `K` began, only requests with an ID in checked form may change anything: error 0B.
+
+The simulated gateway and `unity-link serve` use this module and execute the returned requests, `Q` and `K` included, in
+their own ways. It makes the checks 1 to 6 of docs/protocol.md, "Errors"; they make the others.
 """
 
 from __future__ import annotations
@@ -21,89 +27,90 @@ if TYPE_CHECKING:
 
 
 class Answer(NamedTuple):
-    """An answer for which nothing is executed."""
+    """The answer to a request that is not executed."""
 
     body: bytes
-    """Empty where the request has none."""
+    """Body of the answer; empty if the gateway sends none."""
     number: int | None = None
-    """ID of the request that was executed before and is answered once more."""
+    """ID of the request if it is a repetition, None otherwise."""
 
 
 SILENCE: Final = Answer(b"")
-UNDER_WAY: Final = Answer(b"\n")
-"""Stands for an answer where the request is a repetition of one that is awaited."""
+"""Send no answer."""
+PENDING: Final = Answer(b"\n")
+"""The request repeats one whose execution is not finished. Only a server has such requests; it sends an empty line."""
 
 
 class SessionState:
-    """One session, or the time without one.
+    """The state of one session, or of the time without one.
 
     Args:
-        number: of the session.
-        for_program: True if a checked `K` began it, so that what is not in its order is shut out.
-        compact: whether it asked for the compact form.
-        ring: number of IDs.
-        fates: of `Sequence`.
-        kept: words of destructive reads, which as in the gateware neither a reset nor a session changes.
+        number: number of the session, `NO_SESSION` without one.
+        for_program: True if a checked `K` began it, so that requests without its IDs may not change anything.
+        compact: True if the host requested the compact form.
+        id_count: number of IDs.
+        outcomes: outcomes of earlier requests, shared with `Sequence`.
+        kept: stored words of destructive reads. Neither a reset nor a new session clears them, as in the gateware.
     """
 
-    __slots__ = ("awaited", "compact", "failed", "fates", "for_program", "kept", "number", "seeds")
+    __slots__ = ("awaited", "compact", "failed", "for_program", "kept", "number", "outcomes", "seeds")
 
     def __init__(
-        self, number: int, *, for_program: bool, compact: bool, ring: int, fates: bytearray, kept: list[int]
+        self, number: int, *, for_program: bool, compact: bool, id_count: int, outcomes: bytearray, kept: list[int]
     ) -> None:
         self.number = number
         self.compact = compact
         self.seeds = seed_of(number, from_gateway=False), seed_of(number, from_gateway=True)
-        """Seeds of what the host sends, and of what the gateway sends."""
+        """Seeds of the host's frames, and of the gateway's frames."""
         self.for_program = for_program
         self.failed = 0
-        """Number of stateless writes that failed, modulo the ring."""
-        self.awaited = bytearray(ring)
-        """Flags by ID: 1 if its request is under way. A gateway that answers at once has none."""
-        self.fates = fates
+        """Number of posted writes that failed, modulo the number of IDs."""
+        self.awaited = bytearray(id_count)
+        """Flags by ID: 1 if its request is being executed. A gateway that answers at once sets none."""
+        self.outcomes = outcomes
         self.kept = kept
 
     def fail(self, number: int, code: ErrorCode, *, posted: bool) -> None:
-        """Note that a request ended in error 04, 05 or 06."""
-        self.fates[number % len(self.fates)] = code
+        """Record that a request ended in error 04, 05 or 06."""
+        self.outcomes[number % len(self.outcomes)] = code
         if posted:
             self.failed = self.failed + 1 & len(self.awaited) - 1
 
     def keep(self, number: int, words: Words[int]) -> None:
-        """Keep what a destructive read gave."""
+        """Store the words of a destructive read."""
         for place, word in enumerate(words, number):
             self.kept[place % MOST_KEPT_WORDS] = word
 
     def end(self) -> None:
-        """Let what is still under way change nothing of the sessions behind this one."""
-        self.fates, self.kept = bytearray(self.fates), list(self.kept)
+        """Detach this state from later sessions: requests that are still being executed must not change those."""
+        self.outcomes, self.kept = bytearray(self.outcomes), list(self.kept)
 
 
 class GatewaySession:
-    """The sessions of one host, one after the other, none at first.
+    """The sessions of a gateway, one after the other; none at first.
 
     Args:
-        codec: the messages of the gateway.
+        codec: message codec of the gateway.
     """
 
     def __init__(self, codec: Codec) -> None:
         self.sequence = Sequence(codec.id_count)
         self.ended = NO_SESSION
-        """Number of the session that the last `K` has ended, as that was asked for."""
+        """Number of the session that the last `K` has ended, with the bit of the compact form."""
         self._codec = codec
-        self.state = self._state(NO_SESSION, self.sequence.fates, [0] * MOST_KEPT_WORDS)
+        self.state = self._state(NO_SESSION, self.sequence.outcomes, [0] * MOST_KEPT_WORDS)
         self.reception = Reception(codec)
         self.most_kept = self.reception.longest + len(codec.framing.prefix) + 1
-        """Characters of an endless line by which it is known to be too long."""
+        """Characters of a line without an end, after which it is too long."""
         self.reset()
 
     @property
     def begun(self) -> bool:
-        """Return whether there is a session: a `K` has come since the reset."""
+        """True if a session has begun since the reset."""
         return self.state.number != NO_SESSION
 
     def reset(self) -> None:
-        """End the session: nothing with an ID is executed until the next `K`."""
+        """End the session: no request with an ID is executed until the next `K i s`."""
         self.sequence.reset()
         self._begin(NO_SESSION, for_program=False)
 
@@ -111,44 +118,46 @@ class GatewaySession:
         """Begin a session.
 
         Args:
-            number: of the session.
-            first: the next ID expected.
-            for_program: whether what is not in its order is shut out.
-            compact: whether frames are sent in compact form.
+            number: number of the session.
+            first: the first expected ID.
+            for_program: True if a checked `K` began it, so that requests without its IDs may not change anything.
+            compact: True if frames are sent in compact form.
         """
         self.sequence.start(first)
         self._begin(number, for_program=for_program, compact=compact)
 
     @property
     def asked(self) -> int:
-        """Number of the session under way as it was asked for, with the bit of the compact form."""
+        """Number of the current session as in its `K i s`, with the bit of the compact form."""
         return self.state.number | self.state.compact * self._codec.info.asks_compact
 
     def _begin(self, number: int, *, for_program: bool, compact: bool = False) -> None:
         before = self.state
         self.ended = self.asked
-        self.state = self._state(number, before.fates, before.kept, for_program=for_program, compact=compact)
+        self.state = self._state(number, before.outcomes, before.kept, for_program=for_program, compact=compact)
         before.end()
 
     def _state(
-        self, number: int, fates: bytearray, kept: list[int], *, for_program: bool = False, compact: bool = False
+        self, number: int, outcomes: bytearray, kept: list[int], *, for_program: bool = False, compact: bool = False
     ) -> SessionState:
-        ring = self._codec.id_count
-        return SessionState(number, for_program=for_program, compact=compact, ring=ring, fates=fates, kept=kept)
+        id_count = self._codec.id_count
+        return SessionState(
+            number, for_program=for_program, compact=compact, id_count=id_count, outcomes=outcomes, kept=kept
+        )
 
     def take(
         self, line: bytes, *, plain: bool, prefix: bytes = b"", bytes_lost: bool = False
     ) -> DecodedRequest | Answer:
-        """Take what stood before a line end.
+        """Take one received line.
 
         Args:
-            line: without the prefix of an addressed frame.
-            plain: whether the line ended in CR, and so has no CRC.
-            prefix: of an addressed frame, which its CRC covers.
-            bytes_lost: whether bytes of the line were lost before they could be looked at.
+            line: the line without its end and without the prefix of an addressed frame.
+            plain: True if the line ended in CR, so that it has no CRC.
+            prefix: prefix of an addressed frame, which the CRC covers.
+            bytes_lost: True if the receive FIFO has lost bytes of the line.
 
         Returns:
-            The request that is to be executed, or the answer where none is. With a `K` the session has begun.
+            The request to execute, or the answer if there is none to execute. If it is `K i s`, the session has begun.
         """
         try:
             request = self.reception.read(
@@ -163,7 +172,7 @@ class GatewaySession:
         return self._open(request, for_program=not plain) if request.command == "K" and request.values else request
 
     def _in_order(self, request: DecodedRequest, number: int) -> DecodedRequest | Answer:
-        """Return what becomes of a request of a session."""
+        """Return a request with an ID if it is to be executed, otherwise its answer."""
         place = self.sequence.place(number)
         if place is SequencePlace.NEXT:
             return request
@@ -171,11 +180,11 @@ class GatewaySession:
             return self._repeat(request, number)
         if place is SequencePlace.NO_SESSION:
             return Answer(self._codec.no_session(number, request.residue))
-        told = place is SequencePlace.AHEAD
-        return SILENCE if told else Answer(self._codec.out_of_sequence(self.sequence.expected))
+        is_reported = place is SequencePlace.AHEAD
+        return SILENCE if is_reported else Answer(self._codec.out_of_sequence(self.sequence.expected))
 
     def _open(self, request: DecodedRequest, *, for_program: bool) -> DecodedRequest | Answer:
-        """Begin the session that a `K` asks for, if it may be."""
+        """Begin the session of a `K i s`, or return the error that refuses it."""
         first, asked = request.values
         info = self._codec.info
         number = asked & info.last_session
@@ -188,12 +197,12 @@ class GatewaySession:
         return request
 
     def _repeat(self, request: DecodedRequest, number: int) -> DecodedRequest | Answer:
-        """Return what becomes of a request that was taken before."""
+        """Return a repetition if it is to be executed again, otherwise its answer."""
         if self.state.awaited[number]:
-            return UNDER_WAY
-        fate = self.sequence.fate(number)
-        if fate:
-            return Answer(self._codec.error(ErrorCode(fate), number), number)
+            return PENDING
+        outcome = self.sequence.outcome(number)
+        if outcome:
+            return Answer(self._codec.error(ErrorCode(outcome), number), number)
         repetition = COMMANDS[request.command].repetition
         if repetition is Repeat.READ_AGAIN:
             return request._replace(repeated=True)
@@ -204,7 +213,7 @@ class GatewaySession:
         return Answer(self._codec.response(request, self._once_more(request, number)), number)
 
     def _fits(self, request: DecodedRequest) -> bool:
-        """Return whether a destructive read asks for what this gateway has."""
+        """Return whether the address and the count or words of a destructive read are in this gateway's ranges."""
         info = self._codec.info
         address: int = request.values[0]
         words: tuple[int, ...] = request.values[1:]
@@ -213,7 +222,7 @@ class GatewaySession:
         return address < 1 << info.address_bits and max(words) < 1 << info.data_bits
 
     def _once_more(self, request: DecodedRequest, number: int) -> int | list[int] | None:
-        """Return what the answer to a repetition has beside the ID."""
+        """Return the fields of the answer to a repetition after its ID; None if it has none."""
         if request.command == "H":
             return self.state.failed
         kept = self.state.kept

@@ -1,4 +1,4 @@
-"""Batches: many requests by one call, as a source of single requests or of runs that numpy encodes and decodes."""
+"""Batches: many requests of one call, as a source of single requests, or of runs that numpy encodes and decodes."""
 
 from __future__ import annotations
 
@@ -26,10 +26,11 @@ if TYPE_CHECKING:
     from unity_link.protocol.wire.arrays import Words
 
 SMALLEST_BATCH = 512
-"""Messages of a batch for which room is waited for while others are under way, or for half of a smaller window: numpy
-takes about as long for few as for many, and what is left of the window is enough for the line."""
+"""Messages for which a batch waits for room while requests are in flight, or half of a smaller window. numpy takes
+about as long for few messages as for many, and the rest of the window keeps the line busy."""
 _POSTED_RUNS = 8
-"""One run of posted writes takes this part of the ring: a quarter of the window, behind which a fence is due."""
+"""A run of posted writes takes at most the sequence space divided by this: a quarter of the window, after which a fence
+is due."""
 
 
 class RequestBlock:
@@ -43,12 +44,12 @@ class RequestBlock:
 
     @property
     def places(self) -> int:
-        """Words of the next request that the gateway keeps."""
+        """Words that the gateway stores for the next request, if it is a destructive read; otherwise 0."""
         return self._requests[0].places
 
     @property
     def of_session(self) -> bool:
-        """Return whether no other session may send one of them than the one in which they were asked for."""
+        """True if any of the requests ends with the session in which they were submitted."""
         return any(request.of_session for request in self._requests)
 
     @property
@@ -63,7 +64,7 @@ class RequestBlock:
 
     @property
     def outlives_session(self) -> bool:
-        """Return whether the next session may send all that are left."""
+        """True if the next session may send all the remaining requests."""
         return all(request.outlives_session for request in self._requests)
 
     def take(self, room: int, events: Events) -> Message:
@@ -71,11 +72,11 @@ class RequestBlock:
         return self._requests.popleft().take(room, events)
 
     def exhausted(self) -> bool:
-        """Return whether all have been taken."""
+        """Return whether all requests have been taken."""
         return not self._requests
 
     def unwanted(self) -> bool:
-        """Return whether the next request was given up, and with it all behind it."""
+        """Return whether the next request was cancelled, and all later ones with it."""
         return self._requests[0].given_up
 
     def fail(self, error: UnityLinkError, events: Events) -> None:
@@ -85,7 +86,7 @@ class RequestBlock:
 
 
 def common_outcome(requests: Iterable[Request]) -> Outcome:
-    """Return what is known of requests that were asked for together: `Outcome.UNKNOWN` where they fared differently."""
+    """Return the outcome of the requests of one call: `Outcome.UNKNOWN` if their outcomes differ."""
     outcomes = {_outcome(request) for request in requests}
     return outcomes.pop() if len(outcomes) == 1 else Outcome.UNKNOWN
 
@@ -97,20 +98,20 @@ def _outcome(request: Request) -> Outcome:
 
 
 class WordBatch(Awaited):
-    """Many messages of one command for single words, and what became of them: a source of runs.
+    """Many messages of one command for single words, and their outcomes; a source of runs.
 
-    `smallest_turn` is the number of messages for which room is waited for while others are under way.
+    `smallest_turn` is the number of messages for which the batch waits for room while requests are in flight.
 
     Args:
-        codec: the messages of the gateway.
+        codec: message codec of the gateway.
         command: ``R``, ``W`` or ``WS``.
-        columns: the numbers that stand in the fields, each of shape (n,), and how many hex digits each has.
+        columns: for each field, its numbers in all messages, shape (n,), and their hex digits.
     """
 
     smallest_turn = SMALLEST_BATCH
     places = 0
     of_session = False
-    """True if no other session may send what is left than the one in which it was asked for."""
+    """True if the remaining messages end with the session in which the batch was submitted."""
 
     def __init__(self, codec: HostCodec, command: str, columns: Sequence[tuple[NDArray[Any], int]]) -> None:
         self.codec = codec
@@ -121,35 +122,35 @@ class WordBatch(Awaited):
         self.reply_digits = None if self.posted else codec.info.data_digits if command == "R" else 0
         self.reply_size = 0 if self.reply_digits is None else codec.head_sizes[command] + self.reply_digits
         self.sent = 0
-        """Number of messages that were given an ID; a new session may send some of them again."""
+        """Number of messages that the session has taken."""
         self.done = False
-        """True if `answer` or `error` is known; of posted writes, whether all were sent."""
+        """True if `answer` or `error` is complete; for posted writes, if all are sent."""
         self.answer: Words = wire.arrays.zeros(0 if self.posted else self.count, codec.info.data_digits)
         self.error: UnityLinkError | None = None
         self.waiter: Any = None
         self.poster: Any = None
         """Task or thread that has posted it."""
         self.given_up = False
-        """True if no call waits for it any more."""
+        """True if the batch was cancelled."""
         self._fields = wire.arrays.hex_columns(columns)
         self._unanswered = self.count
         self._refusal: tuple[int, GatewayError] | None = None
-        """The first message that the gateway refused, and how."""
+        """Position and error of the first message that the gateway refused."""
 
-    # A source
+    # The methods of a source
 
     @property
     def least(self) -> int:
-        """A number that is worth a turn."""
+        """Fewest messages for which the batch waits for room, while other requests are in flight."""
         return min(self.smallest_turn, self.count - self.sent)
 
     @property
     def outlives_session(self) -> bool:
-        """Return whether the next session may send them."""
+        """True if the next session may send the remaining messages."""
         return self.command in REPEATABLE
 
     def take(self, room: int, events: Events) -> Message:
-        """Return the next run; of posted writes a part of the window, so that a fence confirms it beside the next."""
+        """Return the next run. A run of posted writes is short, so that its fence is in flight with the next run."""
         most = self.codec.id_count // _POSTED_RUNS if self.posted else room
         run = self.run(self.sent, min(room, most, self.count - self.sent))
         self.sent += run.count
@@ -158,23 +159,23 @@ class WordBatch(Awaited):
         return run
 
     def run(self, start: int, count: int) -> BatchRun:
-        """Return some of the messages."""
+        """Return `count` messages from `start` on as a run."""
         return BatchRun(self, start, count)
 
     def exhausted(self) -> bool:
-        """Return whether all have been taken."""
+        """Return whether all messages have been taken."""
         return self.sent == self.count
 
     def unwanted(self) -> bool:
-        """Return whether no call waits for it any more, or it has failed."""
+        """Return whether the batch was cancelled, or has failed."""
         return self.given_up or self.error is not None
 
     def cancel(self) -> None:
-        """Record that no call waits for it any more: what was not sent never is."""
+        """Cancel the batch: its remaining messages are not sent."""
         self.given_up = not self.done
 
     def fail(self, error: UnityLinkError, events: Events) -> None:
-        """End it with an error that is about a part of it."""
+        """End the batch with an error; if other messages were sent before, the outcome of the whole is unknown."""
         if isinstance(error, UnansweredError) and self.sent and self.count > 1:
             error = error.about(Outcome.UNKNOWN)
         self._end(events, error)
@@ -184,19 +185,19 @@ class WordBatch(Awaited):
             self.done, self.error = True, error
             events.append(self)
 
-    # The answers, told by the runs
+    # Called by the runs
 
     def fields(self, start: int, count: int) -> NDArray[np.uint8]:
-        """Return the hex digits of the fields of some messages, shape (count, width)."""
+        """Return the hex digits of the fields of `count` messages from `start` on, shape (count, width)."""
         return self._fields[start : start + count]
 
     def put(self, offset: int, count: int, words: Words | int, events: Events) -> None:
-        """Take the words of so many answers, in order; zeros for acknowledgements."""
+        """Record the words of `count` answers from `offset` on; 0 for acknowledgements."""
         self.answer[offset : offset + count] = words
         self._answered(count, events)
 
     def take_refusal(self, offset: int, error: GatewayError, events: Events) -> None:
-        """Take the refusal of one message; the others are done all the same."""
+        """Record that the gateway refused one message; the other messages are executed nevertheless."""
         if self._refusal is None or offset < self._refusal[0]:
             self._refusal = offset, error
         self._answered(1, events)
@@ -208,12 +209,12 @@ class WordBatch(Awaited):
 
 
 class BatchRun(Message):
-    """The messages of a batch that are sent in one turn, and whose answers are taken many at a time.
+    """Consecutive messages of a batch, which are sent together; numpy decodes their answers together.
 
     Args:
-        batch: the whole.
-        start: the first of its messages that is in the run.
-        count: how many are.
+        batch: the batch.
+        start: position of the first message in the batch.
+        count: number of messages.
     """
 
     __slots__ = ("_batch", "_start")
@@ -226,27 +227,27 @@ class BatchRun(Message):
         self._start = start
 
     def encode(self) -> bytes:
-        """Return the frames, under the IDs that the window has given."""
+        """Return the frames, with the IDs that the window has assigned."""
         fields = self._batch.fields(self._start, self.count)
         self.frames = wire.arrays.request_rows(self.codec, self.command, self.first, fields, self.codec.seed)
         return self.frames
 
     def take_frame(self, offset: int, frame: bytes, events: Events) -> bool:
-        """Take the frame of the response to one message; False where it is anything else, or not as it usually is."""
+        """Take the frame of the response to one message if it is exactly the expected one; return whether it is."""
         codec = self.codec
         opening = codec.openings[self.command] + codec.id_text[self.first + offset & codec.id_count - 1]
         data = self.data_of(frame, opening)
         return data is not None and self._take(self._start + offset, data, events)
 
     def accept(self, offset: int, body: bytes, position: int, events: Events) -> bool:
-        """Take the response to one message."""
+        """Take the body of the response to one message; return whether it is a valid one."""
         command = self.codec.lower[self.command]
         if not body.startswith(command) or len(body) + self.codec.framing.overhead != self.reply_size:
             return False
         return self._take(self._start + offset, body[position:], events)
 
     def _take(self, place: int, data: bytes, events: Events) -> bool:
-        """Take the data of the response to the message at a place of the batch; False where they are none."""
+        """Take the data of the response to one message, given its position in the batch; return if they are valid."""
         try:
             word = int(data or b"0", 16)
         except ValueError:
@@ -255,7 +256,7 @@ class BatchRun(Message):
         return True
 
     def accept_rows(self, offset: int, frames: bytes, events: Events) -> int:
-        """Take the responses to messages from `offset` on; return how many of the frames were such responses."""
+        """Take the frames of the responses to messages from `offset` on; return how many were exactly as expected."""
         number = self.first + offset & self.codec.id_count - 1
         codec, digits = self.codec, self._batch.reply_digits or 0
         words = wire.arrays.response_rows(codec, self.command, number, frames, digits, codec.seed_back)
@@ -265,7 +266,10 @@ class BatchRun(Message):
         return len(words)
 
     def fail_part(self, offset: int, count: int, error: UnityLinkError, events: Events) -> None:
-        """Keep the refusal of a message until the others are done; whatever else it is, it ends the batch."""
+        """Record an error of `count` messages from `offset` on.
+
+        The refusal of a message is kept until the other messages are done; any other error ends the batch.
+        """
         if self.posted:
             events.append(PostedFailure(error, count, self._batch.poster))
         elif isinstance(error, GatewayError):
@@ -274,25 +278,25 @@ class BatchRun(Message):
             self._batch.fail(error, events)
 
     def fields_at(self, offset: int) -> bytes:
-        """Return the fields of one message."""
+        """Return the hex digits of the fields of one message."""
         return self._batch.fields(self._start + offset, 1).tobytes()
 
     def unwanted(self) -> bool:
-        """Return whether the batch is not awaited any more; what was posted always is."""
+        """Return whether the batch was cancelled or has failed; posted writes stay wanted."""
         return self.given_up or (not self.posted and self._batch.unwanted())
 
     def again(self, offset: int, count: int) -> Source | None:
-        """Return the part of a batch of reads that is to be sent again."""
+        """Return a source of `count` reads from `offset` on for the next session; None for writes."""
         return BatchPart(self._batch, self._start + offset, count) if self.command in REPEATABLE else None
 
 
 class BatchPart:
-    """Messages of a batch that a new session sends again: a source of runs.
+    """Reads of a batch that the next session sends again; a source of runs.
 
     Args:
-        batch: the whole.
-        start: the first of its messages that is meant.
-        count: how many are.
+        batch: the batch.
+        start: position of the first read in the batch.
+        count: number of reads.
     """
 
     posted = False
@@ -306,10 +310,10 @@ class BatchPart:
 
     @property
     def least(self) -> int:
-        """A number that is worth a turn."""
+        """Fewest reads for which the source waits for room, while other requests are in flight."""
         return min(self._batch.smallest_turn, self._count)
 
-    def take(self, room: int, events: Events) -> Message:  # noqa: ARG002  (what is repeated is not posted)
+    def take(self, room: int, events: Events) -> Message:  # noqa: ARG002  (only posted writes have an event here)
         """Return the next run."""
         run = self._batch.run(self._start, min(room, self._count))
         self._start += run.count
@@ -317,13 +321,13 @@ class BatchPart:
         return run
 
     def exhausted(self) -> bool:
-        """Return whether all have been taken."""
+        """Return whether all reads have been taken."""
         return not self._count
 
     def unwanted(self) -> bool:
-        """Return whether the batch is not awaited any more."""
+        """Return whether the batch was cancelled, or has failed."""
         return self._batch.unwanted()
 
     def fail(self, error: UnityLinkError, events: Events) -> None:
-        """End them with an error."""
+        """End the remaining reads with an error."""
         self._batch.run(self._start, self._count).fail_part(0, self._count, error, events)

@@ -21,32 +21,32 @@ from unity_link.protocol.wire.path import Path
 
 
 class HostDatagrams:
-    """The host's side of one socket: it opens one session.
+    """The host's end of one socket, which opens one session.
 
-    The CRC of the headers is that of the gateway's last answer to a plain ``Q``.
+    The width and polynomial of the headers' CRC are those in the gateway's last answer to a plain ``Q``.
 
     Args:
         node: number of the gateway on a shared medium, or None.
-        path: has the length of the longest datagram; None for the usual one.
+        path: longest datagram of the network; None for the default.
     """
 
     def __init__(self, node: int | None = None, path: Path | None = None) -> None:
         self._path = path or Path()
         self.session = NO_SESSION
         self.offer = NO_SESSION
-        """The session that the gateway offered last."""
+        """Number of the session that the gateway offered last; `NO_SESSION` before the first offer."""
         self.counts = Counts()
         self._node = node
         self._framing = Framing(Crc(), node)
 
     def put(self, frames: bytes) -> list[bytes]:
-        """Return the datagrams in which frames go to the gateway; the first ``K i s`` opens the session."""
+        """Return the datagrams with these frames for the gateway; the first ``K i s`` opens the session."""
         if self.session == NO_SESSION:
             if not self._begins_session(frames):
                 return datagrams(frames)
             self.session = self.offer
             if self.session == NO_SESSION:
-                # As good as lost: it will be asked for again.
+                # Without an offer the ``K i s`` cannot be sent. Drop it: the handshake sends another one.
                 return []
         return [
             with_header(self._framing, self.session, self.counts.next(), packed)
@@ -54,15 +54,15 @@ class HostDatagrams:
         ]
 
     def _begins_session(self, frames: bytes) -> bool:
-        # A `K` without fields only looks: with a header it would open a session all the same, and end another's.
+        # A session query must have no header: with one it would open a session, and end that of another host.
         text, letter = frames.lstrip(b"\r\n"), self._framing.prefix + b"K"
         return text.startswith(letter) and not text.startswith((letter + b"\r", self._framing.checked(b"K")))
 
     def take(self, datagram: bytes) -> bytes:
-        """Return the frames of a datagram that are the host's, none of one that is late or damaged.
+        """Return the frames of a datagram of this session; nothing for a late, damaged or foreign datagram.
 
         Raises:
-            ConnectError: where the gateway says that the session is over.
+            ConnectError: if the gateway refuses the session, because it is over.
         """
         try:
             read = read_header(datagram, self._framing)
@@ -76,12 +76,12 @@ class HostDatagrams:
             raise ConnectError("the gateway was reset, or another program has opened a session with it")
         if not self.counts.takes(read.number):
             return b""
-        # A line end behind a compact frame would be an empty line.
+        # Remove the line end after a compact frame: it would count as an empty line.
         return read.frames[:-1] if read.frames.endswith(COMPACT_END + LF) else read.frames
 
     def _take_offer(self, datagram: bytes, read: Datagram | None) -> bytes:
         if read is None:
-            # A gateway of version 01 has no headers; its answer says so.
+            # A gateway of protocol version 01 sends no headers. Return its answer, which contains the version.
             return ended(datagram)
         if read.number != OUTSIDE or read.session == NO_SESSION or self._is_refusal(read.frames):
             return b""
@@ -91,7 +91,7 @@ class HostDatagrams:
         return read.frames
 
     def _learn(self, frames: bytes) -> None:
-        """Take the CRC from an answer to a plain ``Q``."""
+        """Use the width and polynomial of the CRC in an answer to a plain ``Q``."""
         try:
             body = self._framing.open(first_line(frames))
             info = GatewayInfo.from_hex(body.removeprefix(b"Q"))

@@ -1,6 +1,7 @@
-"""The events of a session: what has come of a call of it, in the order in which it happened.
+"""The events that the methods of a `Session` return, in the order in which they happened.
 
-`Event` is the closed set of them. Who takes events names every class, so that mypy reports one that is forgotten.
+`Event` is the closed set of event classes. Code that handles events matches every class and ends in `assert_never`, so
+mypy reports a missing one.
 """
 
 from __future__ import annotations
@@ -16,16 +17,16 @@ if TYPE_CHECKING:
 
 
 class Awaited:
-    """Event: something that a call awaits has ended, or is on its way where that is all that is awaited."""
+    """Event: a request, batch or group set-up that a call awaits has ended; a posted write has been sent."""
 
     __slots__ = ()
     answer: Any
     error: UnityLinkError | None
     waiter: Any
-    """Future of the call, if there is one; the session does not look at it."""
+    """Future of the call, or None; the session does not use it."""
 
     def settle(self) -> None:
-        """Set the result or the error of what a call awaits."""
+        """Set the result or the error of the call's future."""
         waiter = self.waiter
         if waiter is None or waiter.done():
             return
@@ -36,54 +37,58 @@ class Awaited:
 
 
 class PostedFailure(NamedTuple):
-    """Event: posted writes have failed that no call waits for any more."""
+    """Event: posted writes have failed, or their outcome is unknown; their calls have returned."""
 
     error: UnityLinkError
     writes: int
-    """Number of writes."""
+    """Number of posted writes."""
     poster: Any
     """Task or thread that has posted them."""
 
 
-# Of groups
+# Events of groups
 
 
 class Sampled(NamedTuple):
-    """Event: a sample has come."""
+    """Event: a sample arrived."""
 
     owner: Any
-    """Object that was named when the group was set up; so in all events of groups."""
+    """Receiver of the samples, as given when the group was set up."""
     body: bytes
     arrived: float
-    """On the clock of the session."""
+    """Instant of arrival, on the clock of the session."""
 
 
 class SampledRows(NamedTuple):
-    """Event: samples of one group have come, side by side."""
+    """Event: consecutive samples of one group arrived."""
 
     owner: Any
+    """Receiver of the samples, as given when the group was set up."""
     bodies: NDArray[np.uint8]
-    """Shape (n, length)."""
+    """Bodies of the samples in order; shape (n, length)."""
     arrived: float
+    """Instant of arrival, on the clock of the session."""
 
 
 class SampledTogether(NamedTuple):
-    """Event: samples of several groups have come, side by side."""
+    """Event: consecutive samples of several groups arrived."""
 
     owners: list[Any]
-    """Owners of the samples, in their order."""
+    """Receiver of each sample, in order of arrival."""
     parts: list[tuple[NDArray[np.intp], NDArray[np.uint8]]]
-    """Samples of each length: their places among all, and their bodies, shape (n, length)."""
+    """For each length: the positions of its samples in `owners`, and their bodies, shape (n, length)."""
     arrived: float
+    """Instant of arrival, on the clock of the session."""
 
 
 class GroupBegun(NamedTuple):
-    """Event: the gateway has stored the settings of a group, and its sequence stands at 00."""
+    """Event: the gateway has stored the settings of a group; its next sample has the sequence number 00."""
 
     owner: Any
+    """Receiver of the samples, as given when the group was set up."""
 
 
-# Of sessions
+# Events of sessions
 
 
 class Opened(NamedTuple):
@@ -93,25 +98,25 @@ class Opened(NamedTuple):
 
 
 class GroupsRestored(NamedTuple):
-    """Event: every group that is held is set up again in a new session, or could not be."""
+    """Event: all held groups are set up in a new session; or the first failure among them."""
 
     error: UnityLinkError | None
 
 
 class Interrupted(NamedTuple):
-    """Event: the gateway was reset, in a session or between two; the next is being opened on the same connection."""
+    """Event: the gateway was reset; the next session is being opened on the same connection."""
 
     error: GatewayResetError
 
 
 class Unusable(NamedTuple):
-    """Event: the connection is of no more use."""
+    """Event: the connection cannot be used any more, and should be closed."""
 
     error: UnityLinkError
 
 
 class Taken(NamedTuple):
-    """Event: another program has begun a session with the gateway, which is left to it."""
+    """Event: another program has begun a session with the gateway, so this link ends."""
 
     error: LinkLostError
 
@@ -119,6 +124,6 @@ class Taken(NamedTuple):
 GroupEvent = Sampled | SampledRows | SampledTogether | GroupBegun
 SessionEvent = Opened | GroupsRestored | Interrupted | Unusable | Taken
 UnsolicitedEvent = GroupEvent | SessionEvent | PostedFailure
-"""Events that are nothing a call awaits."""
+"""Events that no call awaits."""
 Event = Awaited | UnsolicitedEvent
 Events = list[Event]

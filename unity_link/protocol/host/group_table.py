@@ -1,8 +1,9 @@
-"""The groups of a gateway, as its host holds them (docs/protocol.md, "Groups: samples without asking").
+"""The groups of a gateway, and their holders in this host (docs/protocol.md, "Groups: samples without asking").
 
-A group is set up by `GS` and started by `GN`, again in every session as long as it is held. Samples are the holder's
-from the moment on at which its `GS` is known to be executed: what comes before was read for a former holder. So a
-group may be handed on at once: whatever stops it stands before the next holder's `GS` in the order of requests.
+1. A group is set up by ``gs`` and started by ``gn``, in each session as long as it is held.
+2. Samples belong to the holder from the answer to its ``gs`` on. Earlier samples were taken for a former holder.
+3. A released group can be held again at once, because the request that stops it precedes the new ``gs`` in the order of
+   requests.
 """
 
 from __future__ import annotations
@@ -23,13 +24,13 @@ if TYPE_CHECKING:
 
 
 class HeldGroup(Awaited):
-    """A group, and what it is set up to; the event that it is started for the first time, or refused.
+    """A held group with its settings; also the event that it was started for the first time, or refused.
 
     Args:
-        number: of the gateway's groups.
-        settings: hex digits of the fields of `GS` behind the number.
+        number: number of the group in the gateway.
+        settings: hex digits of the fields of ``gs`` after the number.
         length: characters of the body of a sample.
-        owner: what its samples are for; the session does not look at it.
+        owner: receiver of its samples; the session only passes it on in events.
     """
 
     __slots__ = ("error", "length", "number", "owner", "settings", "started", "text", "waiter")
@@ -43,24 +44,24 @@ class HeldGroup(Awaited):
         self.owner = owner
         self.waiter: Any = None
         self.error: UnityLinkError | None = None
-        """Why it could not be set up, and is not held any more."""
+        """Reason why the group was not set up and is not held any more; None otherwise."""
         self.started = False
-        """True if it has been set up and started, in this session or in an earlier one."""
+        """True if the group was started in this session or an earlier one."""
 
 
 class GroupTable:
     """All groups of a gateway.
 
     Args:
-        count: how many it has.
-        submit: puts a request into the window.
+        count: number of groups of the gateway.
+        submit: submits a request to the session.
     """
 
     def __init__(self, count: int, submit: Callable[[SessionRequest, Events], None]) -> None:
         self.begun: dict[bytes, HeldGroup] = {}
-        """The groups whose settings the gateway has stored in this session, by their two digits."""
+        """The groups that the gateway has set up in this session, by their number as two hex digits."""
         self.path: Path | None = None
-        """The network of the connection; None if frames are not in datagrams."""
+        """Longest datagram of the network; None if frames are not in datagrams."""
         self._count = count
         self._free = deque(range(count))
         self._held: dict[int, HeldGroup] = {}
@@ -68,10 +69,16 @@ class GroupTable:
         self._restoring: set[int] | None = None
 
     def hold(self, settings: bytes, length: int, owner: Any, number: int | None = None) -> HeldGroup:
-        """Return a group that is free: that of a number, or the one that was given back longest ago.
+        """Hold a free group: the one with `number`, or the one that was released first.
+
+        Args:
+            settings: hex digits of the fields of ``gs`` after the number.
+            length: characters of the body of a sample.
+            owner: receiver of its samples.
+            number: number of the group, None for any.
 
         Raises:
-            UnsupportedError: where none is, or that one is not.
+            UnsupportedError: if no group is free, or the group `number` is not.
         """
         if number is not None:
             self._take_out(number)
@@ -87,7 +94,7 @@ class GroupTable:
 
     @property
     def sample_bytes(self) -> int:
-        """Characters of one sample of each group that is held."""
+        """Characters of one sample of each held group, together."""
         return sum(group.length for group in self._held.values())
 
     def _take_out(self, number: int) -> None:
@@ -113,17 +120,17 @@ class GroupTable:
         return True
 
     def deliver(self, text: bytes, owner: Any) -> None:
-        """Deliver the samples of a group that is not held to `owner`, as long as the session lasts."""
+        """Pass the samples of a group that is not held to `owner`, until the session ends."""
         self.begun[text] = HeldGroup(int(text, 16), b"", 0, owner)
 
     def drop(self, text: bytes) -> None:
-        """Drop the samples of such a group."""
+        """Drop the samples of a group from now on, after `deliver`."""
         self.begun.pop(text, None)
 
     # Sessions
 
     def start(self, codec: HostCodec, events: Events) -> None:
-        """Set up all that is held in a new session, which has stopped all groups."""
+        """Set up all held groups in a new session, whose beginning has stopped them."""
         self.begun.clear()
         self._restoring = {*self._held}
         for group in list(self._held.values()):
@@ -131,7 +138,7 @@ class GroupTable:
         self._settle(None, None, events)
 
     def set_up(self, codec: HostCodec, group: HeldGroup, events: Events) -> None:
-        """Set up a group and start it; one whose frames the path does not carry fails."""
+        """Set up a group and start it; it fails if its frames are longer than the network's datagrams."""
         path = self.path
         request = codec.head_sizes["GS"] + len(group.text) + len(group.settings)
         size = max(codec.framing.overhead + group.length, request)
@@ -174,7 +181,7 @@ class GroupTable:
             events.append(group)
 
     def _settle(self, group: HeldGroup | None, error: UnityLinkError | None, events: Events) -> None:
-        """Record that a group is set up again in a new session, or could not be."""
+        """Record that the set-up of a group in a new session has ended, with an error or None."""
         if self._restoring is None:
             return
         if group is not None:
@@ -184,12 +191,12 @@ class GroupTable:
             events.append(GroupsRestored(error))
 
     def interrupted(self) -> None:
-        """Record that the session has ended: no sample is anybody's before the next one has set its group up."""
+        """Record that the session has ended: drop all samples until the next session has set up their groups."""
         self.begun.clear()
         self._restoring = None
 
     def end(self) -> list[HeldGroup]:
-        """Return the groups that are held, when no session will come any more."""
+        """Release all groups and return them, because the session has ended finally."""
         held = list(self._held.values())
         for group in held:
             self.release(group)

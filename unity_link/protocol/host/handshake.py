@@ -1,20 +1,17 @@
-"""The first words on a connection: what the gateway is, and the start of a session (docs/protocol.md, "The host").
+"""The handshake of a connection: the gateway's configuration, and a new session (docs/protocol.md, "The host").
 
-`Q` is asked in plain form, because nothing is known yet, and again in the checked form that follows from the answer;
-only if both agree is the answer believed. `K i s` then begins the session: each that is sent has another number, and
-only the answer to the last one counts. A plain answer has no CRC, so whatever is wrong with one may be damage: it is
-asked for again.
+1. Send `Q` in plain form, because the width of the CRC is unknown. Any fault in its answer may be damage, because a
+   plain frame has no CRC: send `Q` again.
+2. Send `Q` in checked form, with the CRC of that answer. The configuration is accepted if both answers agree.
+3. If this host had a session before, query the session by `K`: no session means that the gateway was reset; the session
+   of another program ends this link.
+4. Send `K i s`, which begins the session. Each attempt has another number s, and only the answer to the last one
+   counts. The answer contains the session that ended, which reveals a reset between the steps 3 and 4.
+5. If the compact form is used, test the line (`unity_link.protocol.host.trial`). If the test fails, begin a session
+   with text frames by another `K i s`.
 
-Where the same host has had a session before, it asks by `K` first: a gateway that was reset since has none, and one
-that has another's is left to that. The answer to `K i s` says which session it ended, and so of a reset behind that
-answer.
-
-If the session was asked for in compact form, the line is tried next (`unity_link.protocol.host.trial`). On a line that
-does not carry the form, `K i s` begins another session, whose frames are text.
-
-Where frames are in datagrams, `K i s` is padded to the longest datagram of the path (`unity_link.protocol.wire.path`).
-
-What comes back as it was sent is an adapter's echo, which is passed over where an answer follows.
+In datagrams, `K i s` is padded to the longest datagram of the path (`unity_link.protocol.wire.path`). Bytes that come
+back as they were sent are the echo of an adapter; they are ignored if an answer follows.
 """
 
 from __future__ import annotations
@@ -52,18 +49,18 @@ if TYPE_CHECKING:
     from unity_link.protocol.wire.path import Path
 
 RESET_TRIES = 3
-"""Number of times a gateway is asked for the state of its session before a session is asked for all the same."""
+"""Number of session queries without an answer, after which a session is begun nevertheless."""
 ECHO = "what is sent comes back as it is: is TX wired to RX, or an echo switched on?"
 LINE_ENDS = "the line changes CR or LF, as a terminal or a terminal server does that is not raw: make it transparent"
 _FEWEST_CHANGED = 2
-"""Lines with another end after which the line is blamed: damage makes such a line now and then."""
+"""Fewest answers with a changed line end that mean that the line changes CR or LF; damage can cause single ones."""
 _OTHER_END = {
-    # An answer to a plain question without CR, or the checked error that answers the question without CR.
+    # The answer to a plain `Q` without its CR; or the checked error to a plain `Q` whose CR was lost.
     True: re.compile(rb"(?:Z[0-9A-F]{2})?(?:Q[0-9A-F]{64}|X[0-9A-F]{2}(?:[0-9A-F]{2}|[0-9A-F]{4}|[0-9A-F]{8}))"),
-    # An answer to a checked question with CR, or the plain error that answers the question with CR.
+    # The answer to a checked `Q` with a CR; or the plain error to a checked `Q` that arrived with a CR.
     False: re.compile(rb"(?:Z[0-9A-F]{2})?(?:Q[0-9A-F]{66,72}|X[0-9A-F]{2})\r+"),
 }
-"""Lines that a gateway sends if the line changes CR or LF, by whether the question is plain."""
+"""Patterns of frames that arrive if the line changes CR or LF; the key is True for plain requests."""
 _WITHOUT_LF = re.compile(rb"Q[0-9A-F]{64}\r[^\n]")
 TAKEN = (
     "another program has begun a session with the gateway, and this one's is over: let both use it through "
@@ -74,12 +71,13 @@ NOT_CARRIED = (
     "the gateway answers text but no compact frames: the line changes bytes, and compact=0 in the URL keeps text"
 )
 NEVER_CHOSEN = (0x10, 0x1000)
-"""Numbers of sessions with which damage to the size of a first letter could pass a CRC of 8 or of 16 bits."""
+"""Session numbers with which a damaged case of the first letter could pass a CRC of 8 or 16 bits."""
 _DIFFERENT = 16
-"""Number of sessions in a row that have different numbers."""
+"""Number of consecutive sessions with different numbers."""
 _LONGEST_REST = 200
+"""Most bytes of an incomplete line that are stored, to recognise an answer without LF."""
 _LONGEST_TEXT = 120
-"""Characters of what is not understood that a message quotes."""
+"""Most characters of an unknown line that are stored for an error."""
 _OTHERS = {
     "HTTP/": "an HTTP server",
     "<!DOCTYPE": "an HTTP server",
@@ -87,63 +85,69 @@ _OTHERS = {
     "220 ": "a mail or FTP server",
     "login:": "a console that waits for a login",
 }
-"""Beginnings of the lines by which other devices answer anything, and their names."""
+"""First characters of lines that other devices send as an answer, and the names of these devices."""
 
 
 def _protocol_of(text: str) -> str:
-    """Return the name of what begins a line like that, if it is another protocol."""
+    """Return the name of the device whose lines begin like `text`; empty if it is unknown."""
     return next((name for start, name in _OTHERS.items() if text.startswith(start)), "")
 
 
 class State(enum.Enum):
-    """States of a handshake: the question that is asked, until the last one is answered."""
+    """States of a handshake, named after the last request."""
 
     ASKED_PLAIN = enum.auto()
+    """Sent a plain `Q`."""
     ASKED_CHECKED = enum.auto()
-    ASKED_WHOSE = enum.auto()
-    """Asked which session is under way."""
+    """Sent a checked `Q`."""
+    QUERIED_SESSION = enum.auto()
+    """Sent a session query, `K` without fields."""
     ASKED_SESSION = enum.auto()
+    """Sent `K i s`."""
     TRYING = enum.auto()
-    """Trying whether the line carries the compact form."""
+    """Sent the requests of the trial of the line."""
     COMPLETE = enum.auto()
+    """The session has begun."""
 
 
 class _Row(NamedTuple):
-    """A state: a question that is asked again and again until an answer fits, which repeats it and says more."""
+    """Transitions of a state. Its request is repeated until an answer fits; the answer begins with the request."""
 
     question: bytes
+    """Body of the request."""
     answered: str
-    """Method that takes the answer and returns the next state."""
+    """Name of the method that takes the answer and returns the next state."""
     tries: float = math.inf
+    """Number of tries without an answer, after which `unanswered` follows."""
     unanswered: State | None = None
-    """The next state after so many tries."""
+    """Next state after `tries`."""
 
 
 _TABLE = {
     State.ASKED_PLAIN: _Row(b"Q", "_believe"),
     State.ASKED_CHECKED: _Row(b"Q", "_compare", CHECKED_TRIES, State.ASKED_PLAIN),
-    State.ASKED_WHOSE: _Row(b"K", "_told_whose", RESET_TRIES, State.ASKED_SESSION),
-    # With a first ID and the number of a session, another one each time.
+    State.QUERIED_SESSION: _Row(b"K", "_session_reported", RESET_TRIES, State.ASKED_SESSION),
+    # `_opening` adds the first ID and a new session number.
     State.ASKED_SESSION: _Row(b"K", "_session_begun"),
-    # Questions and answers of its own.
+    # `Trial` has the requests and takes the answers.
     State.TRYING: _Row(b"", "", TRIALS, State.ASKED_SESSION),
 }
 
 
 class _Opening(NamedTuple):
-    """A request for a session."""
+    """A `K i s` that was sent."""
 
     asked_at: float
-    """Instant in seconds."""
+    """Instant of its transmission, in seconds."""
     largest: int
     """Bytes of its datagram; 0 if frames are not in datagrams."""
 
 
 class SessionNumbers:
-    """Numbers of sessions, drawn at random, of which none is one of the last.
+    """Random session numbers; none repeats one of the last `_DIFFERENT`.
 
     Args:
-        choose: returns any number from 0 on.
+        choose: returns a random number from 0 on.
     """
 
     def __init__(self, choose: Callable[[], int]) -> None:
@@ -151,7 +155,7 @@ class SessionNumbers:
         self._last: deque[int] = deque(maxlen=_DIFFERENT)
 
     def next(self, most: int) -> int:
-        """Return a number from 1 to `most`."""
+        """Return a session number from 1 to `most`."""
         number = 1 + self.choose() % most
         while number in self._last or number in NEVER_CHOSEN:
             number = 1 + number % most
@@ -159,26 +163,26 @@ class SessionNumbers:
         return number
 
     def has_chosen(self, number: int) -> bool:
-        """Return whether a number is one of those that were chosen last."""
+        """Return whether a number is one of the last `_DIFFERENT` session numbers of this host."""
         return number in self._last
 
 
 class Handshake:
-    """One conversation with what is at the other end of a connection.
+    """The handshake on one connection.
 
     Args:
         node: number of the node on a shared medium, or None.
-        numbers: by which the session and its first ID are chosen.
+        numbers: source of session numbers and first IDs.
         now: the time in seconds.
-        before: number of the session before, if the gateway was not reset since as far as is known; 0 for none.
-        wire_time: where nodes share the medium, seconds that question and answer are on the wire, at most, 0 where that
-            is not known; None where there is no other node.
-        longest_try: seconds after which a question is asked again, at most, where the medium needs less than others.
-        person: True for a session of somebody who types: it shuts nothing out, and its first ID is 0.
-        compact: whether the compact form is asked for where the gateway has it, and no adapter gives back what is sent.
-        echo: True where an adapter is known to do so: then an echo, however long it is alone, says nothing.
-        is_transparent: whether the line is known to carry the compact form, so that it is not tried.
-        path: has the length of the longest datagram; None if frames are not in datagrams.
+        before: number of this host's previous session, if the gateway may still have it; 0 for none.
+        wire_time: if nodes share the line, most seconds that a request and its answer take on the wire, 0 if unknown;
+            None if there is no other node.
+        longest_try: most seconds until a request is sent again.
+        person: True for a session of a person who types: plain requests stay allowed, and the first ID is 0.
+        compact: use the compact form if the gateway has it, and no adapter echoes sent bytes.
+        echo: True if an adapter is known to echo sent bytes, so that an echo alone is no error.
+        is_transparent: True if the line is known to carry the compact form, so that it is not tested.
+        path: longest datagram of the network; None if frames are not in datagrams.
     """
 
     def __init__(  # noqa: PLR0913  (each is a choice of its own, by keyword)
@@ -202,55 +206,56 @@ class Handshake:
         self._questions = self._answers = 0
         self._knows_echo = echo
         self.echoes = 0
-        """Questions that came back."""
+        """Number of requests whose echo arrived."""
         self._node = node
         self._numbers = numbers
         self._person, self._wants_compact = person, compact
         self._tries_line = compact and not is_transparent
         self._trial: Trial | None = None
-        """The trial of the line, from its beginning on."""
+        """The trial of the line; None before it has begun."""
         self._first = 0 if person else numbers.choose()
         self._before = before
         self.session = NO_SESSION
-        """Number of the session that was asked for last."""
+        """Number of the session in the last `K i s`."""
         self.compact = False
-        """True if the compact form was asked for with it."""
+        """True if the last `K i s` has requested the compact form."""
         self._asked_for: dict[int, _Opening] = {}
-        """Requests for sessions, by number."""
+        """Sent `K i s`, by session number."""
         self._out = b""
+        """Bytes to send."""
         self._heard = self._unread = 0
-        """Bytes that were looked at, and that have arrived behind them."""
+        """Number of processed bytes, and of received bytes after them."""
         self._rest = b""
-        """Bytes of a line without an end, at most so many as show an answer."""
+        """Beginning of an incomplete line."""
         self._astray = self._changed = 0
-        """Lines that answered no question, and those of them that do with another end."""
+        """Number of lines that answer no request, and of those that would with another line end."""
         self._text = ""
-        """Text heard last that is no frame, or by which another protocol showed."""
+        """Last line that is no answer; a line of another known protocol is kept."""
         self._doubtful = b""
-        """An answer that no other has confirmed."""
+        """Answer to `Q` that is impossible, or that the checked answer contradicts."""
         self._alike = 0
-        """Number of times it was heard, where no gateway can be as it says."""
+        """Number of times that the same impossible answer arrived."""
         self._echoed_at = math.inf
-        """Since when nothing but the question was heard."""
+        """Instant since which only echoes have arrived; infinite if another line has arrived since."""
         self._believed = b""
-        """The answer that a checked one must repeat."""
+        """Plain answer to `Q`, which the checked answer must repeat."""
         self.codec = HostCodec(GatewayInfo(), node)
-        """The messages of the gateway, once it has said what it is; before, those of one as it comes."""
+        """Message codec with the widths of the gateway; before its answer to `Q`, with the default widths."""
         self.found_reset = False
-        """True if the gateway was reset since an earlier session, as far as is known."""
+        """True if the gateway was reset since this host's previous session."""
         self.round_trip = 0.0
-        """Seconds to the last answer."""
+        """Seconds from the last answered request to its answer."""
         self._patience = FIRST_TRY
         self._ask(State.ASKED_PLAIN, now)
 
     @property
     def complete(self) -> bool:
-        """True if the session has begun: `codec`, `session`, `first` and `round_trip` say how."""
+        """True if the session has begun, with `codec`, `session`, `first` and `round_trip`."""
         return self.state is State.COMPLETE
 
     @property
     def first(self) -> int:
-        """The first ID of the session."""
+        """First ID of the session."""
         if self._tries_line and Feature.COMPACT in self.codec.info.features:
             return first_id(self._first, self.codec.info)
         return self._first & self.codec.id_count - 1
@@ -262,21 +267,21 @@ class Handshake:
 
     @property
     def has_echo(self) -> bool:
-        """True if an adapter gives back what is sent."""
+        """True if an adapter echoes sent bytes."""
         return self._knows_echo or self.echoes > 0
 
     @property
     def byte_time(self) -> float:
-        """Seconds that a byte can need on the wire, at most: as the answer to the last question came."""
+        """Upper limit of the seconds that a byte takes on the wire, from the last round trip."""
         return self.round_trip / len(self._sent)
 
     @property
     def asks(self) -> bool:
-        """Return whether there is a question to send."""
+        """True if there are bytes to send."""
         return self._out != b""
 
     def take_turn(self, now: float) -> bytes:
-        """Return the bytes to send, the time for whose answer begins now."""
+        """Return the bytes to send in a slot that begins now, and start the timeout of their answer."""
         self._asked_at = now
         self.deadline = self._until()
         return self.take_output()
@@ -287,7 +292,7 @@ class Handshake:
         return data
 
     def describe(self) -> str:
-        """Return what was heard, for the message of a time out."""
+        """Return a description of the received bytes, for the error after a timeout."""
         if other := _protocol_of(self._text):
             return f"{other} answers there, no gateway: is it the right port?"
         if self.echoes and not self._knows_echo:
@@ -299,7 +304,7 @@ class Handshake:
         return NOT_CARRIED if self.line_changes_bytes else self._describe_answers()
 
     def _describe_answers(self) -> str:
-        """Describe a gateway whose answers are missing or unreadable."""
+        """Return a description of missing or damaged answers."""
         if self._believed:
             counts = f"{self._answers} of {self._questions} questions"
             advice = "" if self._path is None else self._path.advice
@@ -309,7 +314,7 @@ class Handshake:
         return "nothing arrived: check that the gateway is powered, the port and the wiring"
 
     def describe_end(self, reason: Exception | None) -> str:
-        """Return what can be known of an end of the connection: a line of text may have said why."""
+        """Return a description of the end of the connection, with the last line of text, which may give the reason."""
         if _protocol_of(self._text):
             return f"{self.describe()} (the connection ended before a gateway answered)"
         is_text = self._text and self._text.isprintable()
@@ -318,22 +323,22 @@ class Handshake:
 
     @property
     def _has_other_ends(self) -> bool:
-        """True if most of the lines that answer no question would answer it with another end."""
+        """True if most lines that are no answer would be answers with another line end."""
         most = self._changed >= _FEWEST_CHANGED and 2 * self._changed > self._astray
         return most or _WITHOUT_LF.search(self._rest) is not None
 
-    # The questions
+    # Requests
 
     @property
     def _is_plain(self) -> bool:
-        """True if question and answer are in plain form."""
+        """True if the current request and its answer are in plain form."""
         return self.state is State.ASKED_PLAIN or (self._person and self.state is State.ASKED_SESSION)
 
     def _question(self) -> bytes:
         return self._opening(self.session) if self.state is State.ASKED_SESSION else _TABLE[self.state].question
 
     def _fits(self, body: bytes, question: bytes) -> bool:
-        """Return whether a body answers a question: `Q` by the configuration, `K` by the number of a session."""
+        """Return whether a body answers a request: it repeats the request, and after a `K` adds a session number."""
         number = body[len(question) :]
         is_number = len(number) == self.codec.info.session_digits and not number.strip(HEX_DIGITS)
         return body.startswith(question) and (question == b"Q" or is_number)
@@ -342,7 +347,7 @@ class Handshake:
         return self.codec.opening(self.first, session | self.compact * self.codec.info.asks_compact)
 
     def _is_late(self, line: bytes, body: bytes, now: float) -> bool:
-        """Return whether a line answers an earlier question; where another session was asked for since, wait longer."""
+        """Return whether a line answers an earlier request. After a late answer to `K i s`, extend the timeout."""
         if self._believed and self._believed in line:
             return True
         for session, opening in self._asked_for.items():
@@ -355,14 +360,15 @@ class Handshake:
         return False
 
     def _until(self) -> float:
-        """Return the time until which the answer to what was asked last is waited for."""
+        """Return the instant at which the answer to the last request is late."""
         return self._asked_at + self._patience + (self._wire_time or 0.0)
 
     def _ask(self, state: State, now: float) -> None:
-        """Go on to a state, and ask its question."""
+        """Change to a state, and send its request."""
         self.state = state
         if state is not State.COMPLETE:
-            # What has answered soon, be it damaged, will again; a session has more to do.
+            # A gateway that answered quickly, even with a damaged frame, will do so again: keep the short retry time.
+            # Opening a session takes longer.
             self._patience = FIRST_TRY if state is State.ASKED_SESSION else min(self._patience, FIRST_TRY)
             if state is State.TRYING:
                 self._trial = Trial(self.codec, self.session, takes_turns=self._wire_time is not None)
@@ -385,8 +391,8 @@ class Handshake:
         framing, question = self.codec.framing, self._question()
         self._sent = framing.plain_request(question) if self._is_plain else framing.checked(question)
         if self.state is State.ASKED_PLAIN or self._trial is not None:
-            # A line end first, because an earlier program or a trial may have left a frame unfinished. Not CR, which
-            # would execute that frame unchecked.
+            # Send LF first, because an earlier program or a trial may have left an incomplete frame. CR would execute
+            # that frame without a check.
             self._sent = LF + self._sent
         self._out += self._sent
         if self._path is not None and self.state is State.ASKED_SESSION:
@@ -396,7 +402,7 @@ class Handshake:
         self.deadline = self._until()
 
     def expire(self, now: float) -> None:
-        """Ask again, if the time has come."""
+        """Send the request again, or change to the next state, if `deadline` is reached."""
         if self.complete or now < self.deadline:
             return
         if self._damaged:
@@ -415,12 +421,17 @@ class Handshake:
             self._wants_compact &= self.state is not State.TRYING
             self._ask(instead, now)
 
-    # The answers
+    # Answers
 
     def receive(self, data: bytes, now: float) -> int:
-        """Look for the answer in a read; return where the first line begins that was not looked at.
+        """Process the complete lines of a read; return the offset of the first line that was not processed.
 
-        That is behind the answer that completes the handshake, or behind `MOST_LINES`.
+        Lines are left over after the answer that completes the handshake, and after `MOST_LINES`.
+
+        Raises:
+            ConnectError: if only echoes arrive.
+            LinkLostError: if the gateway's session is another program's.
+            UnsupportedError: for another protocol version, or an impossible configuration.
         """
         start = lines = 0
         while (
@@ -445,13 +456,13 @@ class Handshake:
         return start
 
     def _receive_line(self, line: bytes, now: float) -> None:
-        # Samples of a session before may be in compact form, and end without a line end.
+        # Compact samples of an earlier session may precede the answer without a line end.
         line = line[line.rfind(COMPACT_END) + 1 :]
         if not line:
             return
         echo = self._sent.strip(LF)
         if line == echo or (self._is_plain and line.startswith(echo) and len(line) > len(echo) + 1):
-            # What is sent comes back, perhaps with the answer behind it.
+            # It is the echo of the request, perhaps with the answer after it.
             self.echoes += 1
             line = line[len(echo) :]
             if not line:
@@ -478,24 +489,24 @@ class Handshake:
         if _protocol_of(text) or not _protocol_of(self._text):
             self._text = text
         if not self._damaged and self._wire_time is None:
-            # Perhaps a damaged answer; what answers so soon will not take much longer for the next one.
+            # It may be a damaged answer. Then the next answer will take about as long, so send the request again soon.
             self._damaged = True
             self._patience = min(max(DAMAGE_PATIENCE * (now - self._asked_at), SHORTEST_TRY), LONGEST_TRY)
             self.deadline = now + DAMAGE_PAUSE
 
     def _compare(self, answer: bytes) -> State:
-        """Take the checked answer: both must say the same."""
+        """Take the checked answer to `Q`, which must repeat the plain one."""
         if answer != self._believed:
             self._doubtful = self._believed
             return self._believe(answer)
         self._doubtful = b""
-        return State.ASKED_WHOSE if self._before else State.ASKED_SESSION
+        return State.QUERIED_SESSION if self._before else State.ASKED_SESSION
 
     def _believe(self, answer: bytes) -> State:
-        """Read what the gateway says it is; what it says `SURE` times in the same words is no damage.
+        """Take an answer to `Q`; an impossible one is believed if it arrives `SURE` times.
 
         Raises:
-            UnsupportedError: for another protocol version, or impossible widths.
+            UnsupportedError: for another protocol version, or an impossible configuration.
         """
         try:
             self.codec = HostCodec(GatewayInfo.from_hex(answer[1:]), self._node)
@@ -511,21 +522,23 @@ class Handshake:
         self._doubtful = answer
         return State.ASKED_PLAIN
 
-    def _told_whose(self, body: bytes) -> State:
+    def _session_reported(self, body: bytes) -> State:
+        """Take the answer to a session query."""
         session = self._number_in(body)
         if session not in (NO_SESSION, self._before) and not self._numbers.has_chosen(session):
             raise LinkLostError(TAKEN)
-        # If the answer to an opening of its own was lost with the connection, a reset before it cannot be excluded.
+        # The session may be one whose `K i s` was answered on the lost connection. Then a reset before it is possible.
         self.found_reset = session != self._before
         self._before = session
         return State.ASKED_SESSION
 
     def _session_begun(self, body: bytes) -> State:
+        """Take the answer to the last `K i s`."""
         ended = self._number_in(body)
         if self._before and ended not in (self._before, *self._asked_for):
             self.found_reset = True
         return State.TRYING if self.compact and self._tries_line else State.COMPLETE
 
     def _number_in(self, answer: bytes) -> int:
-        """Return the number of the session that an answer to `K` tells."""
+        """Return the session number at the end of an answer to `K`."""
         return int(answer[-self.codec.info.session_digits :], 16) & self.codec.info.last_session

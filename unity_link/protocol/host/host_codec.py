@@ -1,4 +1,4 @@
-"""The messages of one gateway as its host speaks them: with the session under way in their checks."""
+"""The message codec of a host, with the current session in the CRC of each frame."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ if TYPE_CHECKING:
 
 
 class HostCodec(Codec):
-    """The messages of one gateway, in one session after the other.
+    """Encodes requests and decodes answers of one gateway, for one session at a time.
 
     Args:
-        info: what the gateway said of itself.
+        info: the gateway's configuration.
         node: its number on a shared medium, or None.
     """
 
@@ -25,22 +25,23 @@ class HostCodec(Codec):
         super().__init__(info, node)
         self.prefix_size = len(self.framing.prefix)
         self.burst_end = b"" if Feature.HALF_DUPLEX in info.features else LF
-        """An empty frame, by which damage to the end of the last one is found; none where sides take turns, for it is
-        alone there."""
+        """An empty frame to send after a burst, so that a damaged end of the last frame is detected at once. Nothing on
+        a half-duplex line, because only one frame is sent there at a time."""
         self.begin(NO_SESSION)
 
     def begin(self, session: int) -> None:
-        """Begin a session."""
+        """Use the number of a session from now on."""
         self.session = session
         self.seed = seed_of(session, from_gateway=False)
-        """Seed of what is sent."""
+        """Seed of the host's frames."""
         self.seed_back = seed_of(session, from_gateway=True)
-        """Seed of what the gateway sends."""
+        """Seed of the gateway's frames."""
         framing = self.framing
         self.begun = framing.crc.begun(framing.prefix, framing.begun ^ self.seed)
-        """Value with which the checks of what is sent begin, so that the seed is in them behind the prefix."""
+        """Initial value of the CRC of a whole frame, prefix included, that gives the same CRC as the seed after the
+        prefix; for frames of the host."""
         self.begun_back = framing.crc.begun(framing.prefix, framing.begun ^ self.seed_back)
-        """The same of what the gateway sends."""
+        """As `begun`, for frames of the gateway."""
 
     def confirmations(self, first: int, count: int) -> bytes:
         """Return the frames of ``h`` with consecutive IDs."""
@@ -48,6 +49,6 @@ class HostCodec(Codec):
         return b"".join(self.request("H", number, b"", self.seed) for number in ids)
 
     def residue(self, size: int) -> int:
-        """Return what a gateway without a session finds in the check of a sound request of so many characters."""
+        """Return the residue that a gateway without a session reports for an undamaged request of `size` characters."""
         body = size - self.framing.overhead
         return self.framing.crc.of(bytes(body), self.seed)

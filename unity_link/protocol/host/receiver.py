@@ -1,9 +1,14 @@
-"""Arrivals in a session: answers find their requests, and samples their groups.
+"""Received frames of an open session: responses are matched to requests, and samples to groups.
 
-A sample belongs to the owner that its group has at that point of the stream. `ResponseReceiver.receive` tries three
-ways in turn; each takes what the one before has left. First numpy takes as many answers to a batch, or samples, as are
-exactly the expected ones. Then other consecutive answers are compared one by one with the expected ones, and reported
-to the window together. A line that is left is decoded by itself.
+`ResponseReceiver.receive` tries three methods in turn, from the fastest to the most general:
+
+1. numpy checks consecutive answers to a batch, or consecutive samples, and takes those before the first unexpected one.
+2. Consecutive answers are compared one by one with the expected frames, and reported to the window together.
+3. Any other line is decoded alone. Damaged lines are cut where the beginning of the frame shows its length
+   (docs/protocol.md, "The host").
+
+A sample belongs to the owner that its group has at this point of the stream. The session is over if the gateway reports
+another session number, or none (error 0A with the residue of a request of this session).
 """
 
 from __future__ import annotations
@@ -28,17 +33,17 @@ if TYPE_CHECKING:
     from unity_link.protocol.window.window import Window
 
 FEWEST_ROWS = 16
-"""Answers of a batch that are worth a turn of numpy."""
+"""Fewest answers of a batch for which numpy is faster than a loop."""
 FEWEST_BYTES = 64
-"""Fewer bytes than so many answers have."""
+"""A lower limit of the bytes of `FEWEST_ROWS` answers."""
 FEWEST_SAMPLES = 12
-"""Samples, side by side, that are worth a turn of numpy."""
+"""Fewest consecutive samples for which numpy is faster than a loop."""
 
 
 class Counters:
     """Counters since the link was opened.
 
-    `unasked` are lines that answer nothing: damaged, empty and stray ones, and errors that say a request was damaged.
+    `unasked` counts lines that are no answer: damaged, empty and stray lines, and errors about damaged requests.
     """
 
     __slots__ = ("damaged", "errors", "repetitions", "requests", "responses", "stray", "timeouts", "unasked")
@@ -49,15 +54,15 @@ class Counters:
 
 
 class ResponseReceiver:
-    """Reader of what a gateway sends in one session.
+    """Receiver of the frames of one session.
 
     Args:
-        codec: the messages of the gateway.
-        window: over the IDs of the session.
+        codec: message codec of the session.
+        window: window of the session.
         groups: the groups of the gateway.
-        counters: of the link.
-        echo: lines that were sent, and may come back; None where none do.
-        half_duplex: whether host and gateway share a pair of wires.
+        counters: counters of the link.
+        echo: sent lines whose echoes may arrive; None if nothing echoes them.
+        half_duplex: True if host and gateway share a pair of wires.
     """
 
     def __init__(
@@ -72,50 +77,50 @@ class ResponseReceiver:
     ) -> None:
         self.codec, self.window = codec, window
         self.refused: int | None = None
-        """The ID of a request that came whole, and that the gateway did not take for it is in no session: it was reset.
+        """ID of an undamaged request that the gateway refused because it has no session: it was reset. None otherwise.
         """
-        self.under_way = codec.session
-        """The session that the gateway has, as far as it has said; 0 where it was reset."""
+        self.current = codec.session
+        """Number of the gateway's session, as it was last reported; 0 if the gateway was reset."""
         self._groups, self._counters, self._echo, self._is_half_duplex = groups, counters, echo, half_duplex
         self._mask = codec.id_count - 1
         self._sample = codec.framing.prefix + b"P"
-        """First letters of samples, which carry nothing about requests."""
+        """First characters of samples, which say nothing about requests."""
         self._next = self._ahead = _NOWHERE
-        """While a proof is pending, the ID that `n` has in this session, and the ID of the ``h`` that asks for it."""
+        """While a proof is pending: the ID that ``n`` must contain in this session, and the ID of the ``h`` ahead."""
         self._is_proven = False
         self._error_size = codec.framing.overhead + 3
         self._sizes = _answer_sizes(codec)
 
     @property
     def has_ended(self) -> bool:
-        """Return whether the gateway has said that the session is over."""
-        return self.refused is not None or self.under_way != self.codec.session
+        """True if the gateway has reported that this session is over."""
+        return self.refused is not None or self.current != self.codec.session
 
     def prove(self, number: int) -> int:
-        """Begin a proof that the gateway expects the next ID; return the ID of the ``h`` that asks for it.
+        """Begin a proof that the gateway expects the ID `number`; return the ID of the ``h`` ahead.
 
-        No other ID is further ahead of what the gateway expects in this session.
+        That ID is the last one that counts as ahead, half the sequence space from the expected ID.
         """
         self._next, self._ahead = number, number + self._mask // 2 & self._mask
         self._is_proven = False
         return self._ahead
 
     def end_proof(self) -> bool:
-        """End a proof; return whether the gateway has said that it expects the next ID."""
+        """End a proof; return whether the gateway has reported that it expects the next ID."""
         self._next = self._ahead = _NOWHERE
         return self._is_proven
 
     def receive(self, data: bytes, now: float, events: Events) -> int:
-        """Take the whole frames of a read, and return where the first begins that was not taken.
+        """Take the complete frames in `data`; return the offset of the first frame that was not taken.
 
-        All are taken but those behind one that tells of a reset, or behind `MOST_LINES` that were looked at one by one.
+        Frames are left over after one that ends the session, and after `MOST_LINES` that were decoded alone.
         """
         window, start, lines = self.window, 0, 0
         batched = len(data) >= FEWEST_BYTES
         sampling = bool(self._groups.begun)
         while True:
             if batched and isinstance(window.find(window.oldest), BatchRun):
-                # Looked for once for what can't be taken so, not at each line.
+                # Do not try again after a failure, so that unusual frames do not cost an attempt for each line.
                 before, start = start, self._receive_rows(data, start, now, events)
                 batched = start != before
             if sampling:
@@ -129,27 +134,27 @@ class ResponseReceiver:
             if start in (before, len(data)) or self.has_ended:
                 break
             if lines >= MOST_LINES and data.find(LF, start) >= 0:
-                # Bytes without an end are dropped by the read that brought them, however many lines stood before.
+                # Do not stop before bytes without an LF: those are dropped in this call, after any number of lines.
                 break
         if start != len(data) and not data.startswith(self._sample, start):
-            # Perhaps the beginning of a long answer on a slow line.
+            # An incomplete frame may be the beginning of a long answer on a slow line.
             window.loss.heard = True
         return start
 
     def _receive_next(self, data: bytes, start: int, now: float, events: Events) -> int:
-        """Take a line; return where it ends, `start` without an end."""
+        """Take one line; return the offset after it, or `start` if it has no LF."""
         end = data.find(b"\n", start)
         if end < 0:
             return start + self._drop_endless(data[start:], now)
         if end == start:
-            # A server's sign that what was repeated is still under way.
+            # An empty line: a server reports that a retransmitted request is still in flight.
             self.window.loss.heard = True
             self._counters.unasked += 1
             return start + 1
         return start + self._receive_line(data[start:end], now, events)
 
     def _receive_rows(self, data: bytes, start: int, now: float, events: Events) -> int:
-        """Take the answers to a batch as long as they stand side by side; return where they end."""
+        """Take consecutive answers to a batch by numpy; return the offset after them."""
         window = self.window
         while True:
             number = window.oldest
@@ -160,7 +165,7 @@ class ResponseReceiver:
             rows = min(run.count - offset, (len(data) - start) // run.reply_size)
             if rows < FEWEST_ROWS:
                 return start
-            # Of those sent again, some may have been answered meanwhile.
+            # Stop at an ID that was answered before: after retransmissions there may be such gaps.
             rows = window.alike(number, rows)
             taken = run.accept_rows(offset, data[start : start + rows * run.reply_size], events)
             if not taken:
@@ -170,16 +175,16 @@ class ResponseReceiver:
             start += taken * run.reply_size
 
     def _receive_answers(self, data: bytes, start: int, now: float, events: Events) -> int:
-        """Take answers that are just as they are expected as long as they stand side by side; return where they end.
+        """Take consecutive answers that equal the expected frames; return the offset after them.
 
-        The window is told together of those whose IDs follow each other.
+        Answers with consecutive IDs are reported to the window together.
         """
         find, mask = self.window.find, self._mask
         while start != len(data) and (first := self._number_at(data, start)) is not None:
             number, before = first, start
             while True:
                 run = find(number)
-                # Others do more than to be answered.
+                # Answers to other kinds of requests (fences, group set-up) have further effects: decode them alone.
                 if not (type(run) is Request or isinstance(run, BatchRun)):
                     break
                 end = start + run.reply_size
@@ -195,14 +200,14 @@ class ResponseReceiver:
         return start
 
     def _number_at(self, data: bytes, start: int) -> int | None:
-        """Return the ID that an answer has that begins here, None where none does."""
+        """Return the ID of the answer that begins at `start`, or None if no answer begins there."""
         codec = self.codec
         start += codec.prefix_size
         after = start + (1 if data[start + 1 : start + 2] < b"G" else 2)
         return codec.id_number.get(data[after : after + codec.info.id_digits])
 
     def _receive_samples(self, data: bytes, start: int, now: float, events: Events) -> int:
-        """Take samples as long as they stand side by side; return where they end."""
+        """Take consecutive samples by numpy; return the offset after them."""
         framing = self.codec.framing
         head = data[start : start + len(framing.prefix) + 3]
         group = self._groups.begun.get(head[-2:])
@@ -213,17 +218,17 @@ class ResponseReceiver:
         if count < FEWEST_SAMPLES:
             return start
         if not data.startswith(head, start + size):
-            return self._receive_mixture(data, start, now, events)
-        # Imported since the group was asked for.
+            return self._receive_interleaved(data, start, now, events)
+        # numpy was imported when the group was requested.
         arrays = wire.arrays
         bodies = arrays.open_rows(framing, arrays.rows_of(data, start, count, size), head, self.codec.seed_back)
         if len(bodies) < FEWEST_SAMPLES:
-            return self._receive_mixture(data, start, now, events)
+            return self._receive_interleaved(data, start, now, events)
         events.append(SampledRows(group.owner, bodies, now))
         return start + len(bodies) * size
 
-    def _receive_mixture(self, data: bytes, start: int, now: float, events: Events) -> int:
-        """Take samples of several groups as long as they stand side by side; return where they end."""
+    def _receive_interleaved(self, data: bytes, start: int, now: float, events: Events) -> int:
+        """Take consecutive samples of several groups by numpy; return the offset after them."""
         codec = self.codec
         found = wire.interleaved_samples.find_interleaved(
             data, start, codec.framing, self._groups.begun, codec.seed_back
@@ -234,7 +239,7 @@ class ResponseReceiver:
         return start + found.size
 
     def _receive_line(self, line: bytes, now: float, events: Events) -> int:
-        """Take what stands before an LF; return where the next frame begins."""
+        """Take the characters before an LF; return the offset of the next frame from the beginning of `line`."""
         if self._echo is not None and self._echo[line] > 0:
             self._echo[line] -= 1
             return len(line) + 1
@@ -251,12 +256,13 @@ class ResponseReceiver:
             if line[-1] != _CR:
                 self._receive_body(body, now, events)
                 return len(line) + 1
-            # All that is asked here is checked, and so are its answers: this one is another's, or damaged.
+            # A plain frame. Requests of this session are checked, and so are their answers: this frame is damaged, or
+            # an answer to another program.
             size = self._size_of(line)
             if size is not None and len(line) >= size:
                 return self._cut(line, size, now)
             if self._is_sign(body):
-                # Perhaps about a request in which damage has made a CR.
+                # It may answer a request of ours in which damage has made a CR.
                 self.window.loss.heard = True
                 self._counters.unasked += 1
                 self.window.damaged(now)
@@ -266,15 +272,16 @@ class ResponseReceiver:
         return len(line) + 1
 
     def _is_sign(self, body: bytes) -> bool:
-        """Return whether a plain error can be about a damaged request."""
+        """Return whether a plain frame is an error that the gateway may send for a damaged request."""
         if body[:1] == b"X":
             return _number_of(body[1:]) in _DAMAGED | _REFUSED
         return body[:1] == b"x" and body[1 + self.codec.info.id_digits :] == _SHUT_OUT
 
     def _has_no_session(self, line: bytes, now: float) -> bool:
-        """Look for the error that a gateway without a session answers; return whether it is one.
+        """Handle a line if it is error 0A, of a gateway without a session; return whether it is.
 
-        Whether it is about what this host has sent is known by what the check of the request was.
+        The error contains the residue of the request's CRC. Only an undamaged request of this session has the expected
+        residue, so the residue decides if this session is over.
         """
         try:
             body = self.codec.framing.open(line)
@@ -296,13 +303,13 @@ class ResponseReceiver:
         return True
 
     def _cut(self, line: bytes, size: int | None, now: float) -> int:
-        """Take a damaged frame from the beginning of a line; return where the next frame begins."""
+        """Record a damaged frame of `size` characters; return the offset of the next frame from its beginning."""
         self._damaged(line, now)
         return len(line) + 1 if size is None else min(size, len(line) + 1)
 
     def _drop_endless(self, rest: bytes, now: float) -> int:
-        """Drop a frame about a request without its LF where that should stand; return the length of what is dropped."""
-        # No request waits for a sample: its end may come with what follows it.
+        """Drop an answer whose LF is damaged, as soon as all its characters are there; return the dropped length."""
+        # Samples are not cut: no request waits for them, and their end may arrive with later bytes.
         size = None if rest.startswith(self._sample) else self._size_of(rest)
         if size is None or len(rest) < size:
             return 0
@@ -311,13 +318,13 @@ class ResponseReceiver:
     def _damaged(self, frame: bytes, now: float) -> None:
         self._counters.damaged += 1
         self._counters.unasked += 1
-        # What is as short as an error without an ID is one, damaged: one bit makes a P of an X.
+        # A frame as short as an error without an ID is a damaged error: one bit changes X to P.
         short = len(frame) < self._error_size
         if not short and frame.startswith(self._sample):
             return
         self.window.loss.heard = True
         if self._is_half_duplex:
-            # More of a damaged frame may follow: the time shows its end.
+            # More bytes of the damaged frame may follow, so only the timeout shows that the line is free.
             return
         if len(frame) + 1 == self._error_size:
             self.window.damaged(now)
@@ -325,9 +332,9 @@ class ResponseReceiver:
             self.window.answer_damaged(now)
 
     def _size_of(self, frame: bytes) -> int | None:
-        """Return how many characters a frame has, LF included, as its beginning says; None where that does not.
+        """Return the characters of a frame with its LF, if its beginning determines them; otherwise None.
 
-        Nor where it may be an echo, which begins as the answer does.
+        Also None on a line with an echo, because the echo of a request begins as its answer does.
         """
         framing = self.codec.framing
         if self._echo is not None or not frame.startswith(framing.prefix):
@@ -361,11 +368,11 @@ class ResponseReceiver:
             self._receive_error(body, now, events)
         elif body[0] == _K and len(body) == 1 + self.codec.info.session_digits:
             self.window.loss.heard = True
-            self.under_way = _number_of(body[1:]) & self.codec.info.last_session
-            self.window.asked(now)
+            self.current = _number_of(body[1:]) & self.codec.info.last_session
+            self.window.query_answered(now)
 
     def _receive_answer(self, body: bytes, now: float, events: Events) -> None:
-        """Take a message with an ID."""
+        """Take a checked message with an ID."""
         window = self.window
         window.loss.heard = True
         head = 1 if body[1] < _UPPER_G else 2
@@ -386,7 +393,7 @@ class ResponseReceiver:
             return
         offset = number - run.first & self._mask
         if head == 1 and body[0] == _LOWER_X:
-            if run.is_fence and not window.told(number, _UNCOUNTED, now):
+            if run.is_fence and not window.fence_answered(number, _UNCOUNTED, now):
                 return
             self._counters.errors += 1
             if run.is_question or not run.reply_size:
@@ -394,7 +401,7 @@ class ResponseReceiver:
             error = gateway_error(_number_of(body[after:]), run.describe(offset), self.codec.refusal)
             error.address = run.address_at(offset)
             run.fail_part(offset, 1, error, events)
-        elif body[0] == _LOWER_H and not run.is_question and not self._is_told(run, number, body[after:], now):
+        elif body[0] == _LOWER_H and not run.is_question and not self._confirms(run, number, body[after:], now):
             return
         elif not run.accept(offset, body, after, events) and not (run.unwanted() and body[0] == _LOWER_H):
             self._counters.stray += 1
@@ -403,32 +410,35 @@ class ResponseReceiver:
         window.answered(number, 1, now)
 
     def _receive_stray(self, number: int) -> None:
-        """Take an answer to an ID for which no request waits."""
+        """Take an answer to an ID without an unanswered request."""
         self._counters.stray += 1
         if number == self._ahead:
-            # A gateway that expects the next ID answers this one by `n`.
-            self.under_way = _ANOTHER
+            # In this session the gateway answers the ``h`` ahead by ``n``, so its session is another one.
+            self.current = _ANOTHER
 
     def _receive_gap(self, number: int, now: float) -> None:
-        """Take the ID that the gateway expects."""
+        """Take ``n`` with the ID that the gateway expects."""
         self._is_proven = number == self._next
         if self._is_proven and not self._is_half_duplex:
-            # The ``h`` with this ID is on its way.
+            # It answers the ``h`` ahead of a proof, and no request is lost: the ``h`` with this ID is in flight.
             return
         is_of_another = self._next not in (_NOWHERE, number)
         if is_of_another or not self.window.out_of_sequence(number, now):
-            self.under_way = _ANOTHER
+            self.current = _ANOTHER
 
-    def _is_told(self, run: Message, number: int, count: bytes, now: float) -> bool:
-        """Return whether the answer to an ``h`` tells of all posted writes before it; otherwise they are asked for."""
+    def _confirms(self, run: Message, number: int, count: bytes, now: float) -> bool:
+        """Return whether the answer to an ``h`` reports the outcomes of all posted writes before it.
+
+        If not, the window asks for the outcome of each.
+        """
         codec = self.codec
         if not (run.is_fence or run.unwanted()) or len(count) != self.codec.info.id_digits:
             return True
-        # What is not wanted promises nothing.
-        return self.window.told(number, codec.id_number.get(count, _UNCOUNTED), now) or not run.is_fence
+        # A cancelled request that is sent as ``h`` need not confirm any posted write.
+        return self.window.fence_answered(number, codec.id_number.get(count, _UNCOUNTED), now) or not run.is_fence
 
     def _receive_error(self, body: bytes, now: float, events: Events) -> None:
-        """Take an error without an ID."""
+        """Take a checked error without an ID."""
         self.window.loss.heard = True
         self._counters.unasked += 1
         code = _number_of(body[1:])
@@ -442,10 +452,10 @@ class ResponseReceiver:
 
 
 def _answer_sizes(codec: HostCodec) -> dict[bytes, int]:
-    """Return the characters of all frames about requests, by their letters, of which each has as many as the other.
+    """Return the characters of a frame with its LF, by its letters, for all answers and errors of fixed length.
 
-    Where sides take turns, ``X`` is none of them: a sample whose first letter was damaged begins so too, and its end is
-    waited for.
+    ``X`` is left out on a half-duplex line: it may be the damaged first letter of a longer sample, whose end must be
+    awaited there.
     """
     head = codec.framing.overhead + 1
     sizes = {b"x": head + codec.info.id_digits + 2, b"n": head + codec.info.id_digits}
@@ -464,11 +474,11 @@ _LOWER_H, _LOWER_N, _LOWER_X = b"hnx"
 _K, _P, _X = b"KPX"
 _CR = b"\r"[0]
 _NOWHERE = -1
-"""Is the ID of no request."""
+"""A number that is no ID."""
 _ANOTHER = -1
-"""Stands for the session of another program, which has the same number."""
+"""A number that is no session's: the gateway's session is another program's, with the number of ours."""
 _UNCOUNTED = -1
-"""Number of failed posted writes where an ``h`` is answered by an error, as by a server whose gateway is away."""
+"""Count of failed posted writes if an ``h`` is answered by an error, as by a server whose gateway is away."""
 _NO_SESSION = b"%02X" % ErrorCode.NO_SESSION
 _SHUT_OUT = b"%02X" % ErrorCode.SESSION_UNDER_WAY
 _DAMAGED = frozenset({ErrorCode.CRC, ErrorCode.TOO_LONG, ErrorCode.RECEIVE_OVERFLOW})

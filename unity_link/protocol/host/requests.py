@@ -1,11 +1,14 @@
-"""The requests of a host to a gateway: messages that know how they are sent and what their answers mean.
+"""The requests of a host: their frames, their answers, and their outcomes.
 
-A session takes them from *sources*. A `Request` is one message and a source of itself. A `RequestBlock` is a source of
-several requests, because the gateway limits their length. A `WordBatch` has many messages for single words and is a
-source of `BatchRun`, which numpy encodes and decodes together.
+A session takes messages from *sources*:
 
-What ends, and what a program that waits is to be told, is put into a list of events, for the session to return: a
-request or batch whose answer or error is known, or which is on its way where that is all that is waited for.
+- `Request` is a single message, and its own source.
+- `RequestBlock` is a source of several requests, if one would be longer than the gateway allows.
+- `WordBatch` (in `batches`) has many messages for single words. It is a source of `BatchRun`, whose messages are
+  encoded and decoded together by numpy.
+
+A request whose answer or error is known is appended to a list of events, which the session returns. A posted write is
+appended when it is sent.
 """
 
 from __future__ import annotations
@@ -33,7 +36,7 @@ if TYPE_CHECKING:
     from unity_link.protocol.host.host_codec import HostCodec
 
 REPEATABLE = frozenset({"R", "RM", "H"})
-"""Commands that change nothing: a new session may send them again."""
+"""Commands that change nothing, so that the next session may send them again."""
 _MANY_WORDS = frozenset({"RM", "RQ"})
 _ERRORS: dict[int, tuple[type[GatewayError], str]] = {
     4: (BusError, "the bus refused the access"),
@@ -62,9 +65,9 @@ def gateway_error(code: int, what: str, refusal: Callable[[], str]) -> GatewayEr
     """Return the exception for an error code of the gateway.
 
     Args:
-        code: of the error.
-        what: names the request.
-        refusal: returns the reason why the bus refuses accesses, empty where none is known.
+        code: code of the error response.
+        what: name of the request, as the beginning of the text.
+        refusal: returns the reason why the bus refuses accesses; empty if it is unknown.
     """
     kind, text = _ERRORS.get(code, (GatewayError, f"the gateway answered error {code:02X}"))
     reason = refusal() if kind is BusError else ""
@@ -72,7 +75,7 @@ def gateway_error(code: int, what: str, refusal: Callable[[], str]) -> GatewayEr
 
 
 class Source(Protocol):
-    """Something that has messages to send."""
+    """A request, or several, from which the session takes runs of messages to send."""
 
     @property
     def size(self) -> int:
@@ -80,49 +83,49 @@ class Source(Protocol):
 
     @property
     def reply_size(self) -> int:
-        """Characters of the answer to the next message, 0 if it has none."""
+        """Characters of the answer to the next message; 0 for a posted write, which has none."""
 
     @property
     def posted(self) -> bool:
-        """Return whether the next message is a posted write."""
+        """True if the next message is a posted write."""
 
     @property
     def places(self) -> int:
-        """Words of the next message that the gateway keeps, for they cannot be read again."""
+        """Words that the gateway stores for the next message, if it is a destructive read; otherwise 0."""
 
     @property
     def least(self) -> int:
-        """Number of messages for which room is wanted before the next turn."""
+        """Fewest messages for which the source waits for room, while other requests are in flight."""
 
     @property
     def of_session(self) -> bool:
-        """Return whether no other session sends it than the one in which it was asked for."""
+        """True if the source ends with the session in which it was submitted."""
 
     def take(self, room: int, events: Events) -> Message:
         """Return the next run, of at most `room` messages."""
 
     def exhausted(self) -> bool:
-        """Return whether all has been taken."""
+        """Return whether all messages have been taken."""
 
     @property
     def outlives_session(self) -> bool:
-        """Return whether the next session may send it, if this one ends before."""
+        """True if the next session may send the messages that this one does not."""
 
     def unwanted(self) -> bool:
-        """Return whether it is not awaited any more."""
+        """Return whether the source was cancelled, or has failed."""
 
     def fail(self, error: UnityLinkError, events: Events) -> None:
-        """End what has not been taken yet."""
+        """End the messages that have not been taken with an error."""
 
 
 class Message(Run):
-    """A run that knows its messages.
+    """A run of the window with its messages.
 
     Args:
-        codec: the messages of the gateway.
-        command: in upper case.
+        codec: message codec of the gateway.
+        command: the command, in upper case.
         fields_size: characters of the fields of each message.
-        reply_digits: hex digits behind the ID of each answer, None for a posted write.
+        reply_digits: hex digits after the ID of each answer, None for posted writes.
         count: number of messages.
     """
 
@@ -134,20 +137,25 @@ class Message(Run):
         self.codec = codec
         self.command = command
         self.given_up = False
-        """True if it will never be answered, and is sent as ``h`` from now on."""
+        """True if its answer is not wanted any more, so that retransmissions are sent as ``h``."""
         self.frames = b""
-        """Frames of all its messages, as they were sent first."""
+        """Frames of all messages, as they were first sent."""
 
     def encode(self) -> bytes:
-        """Return the frames, under the IDs that the window has given."""
+        """Return the frames, with the IDs that the window has assigned."""
         raise NotImplementedError
 
     def frames_of(self, offset: int, count: int) -> bytes:
-        """Return the frames of some messages once more."""
+        """Return the frames of `count` messages from `offset` on, to send them again."""
         return self.frames[offset * self.size : (offset + count) * self.size]
 
     def data_of(self, frame: bytes, opening: bytes) -> bytes | None:
-        """Return what stands behind the ID in a response that begins so; None where it is anything else, or damaged."""
+        """Return the characters after the ID of a response; None if the frame is damaged or not the expected one.
+
+        Args:
+            frame: the frame with its LF.
+            opening: expected beginning of the frame, up to the ID.
+        """
         codec = self.codec
         framing = codec.framing
         covered = frame[: -framing.ending_size]
@@ -161,19 +169,26 @@ class Message(Run):
         return None
 
     def accept(self, offset: int, body: bytes, position: int, events: Events) -> bool:
-        """Take the response to one message, with its data from `position` on; False where it is no response to it."""
+        """Take the body of the response to one message; return whether it is a valid one.
+
+        Args:
+            offset: position of the message in the run.
+            body: body of the response.
+            position: offset of the data after the ID in the body.
+            events: events are appended to it.
+        """
         raise NotImplementedError
 
     def unwanted(self) -> bool:
-        """Return whether the answer is not awaited any more."""
+        """Return whether the answer is not wanted any more."""
         return self.given_up
 
     def fail_part(self, offset: int, count: int, error: UnityLinkError, events: Events) -> None:
-        """Record that there will be no answer to these messages of the run."""
+        """End `count` messages from `offset` on with an error."""
         raise NotImplementedError
 
     def give_up(self, number: int, kind: type[UnansweredError | UnsupportedError], reason: str, events: Events) -> None:
-        """End what waits for answers that will never come, from an ID on; it is sent as ``h`` from now on."""
+        """End the messages from the ID `number` on with an error; their retransmissions are sent as ``h``."""
         self.given_up = True
         offset = number - self.first & self.codec.id_count - 1
         self.fail_part(offset, self.count - offset, kind(f"{self.describe(offset)}: {reason}"), events)
@@ -188,31 +203,31 @@ class Message(Run):
         return f"{_NAMES[self.command]}{f' of {name}' if name else ''} at {where}"
 
     def address_at(self, offset: int) -> int | None:
-        """Return the address of one message, of a block the first one; None for a message without an address."""
+        """Return the address of one message, or the first address of a block; None for a message without one."""
         if self.command[0] not in "RW":
             return None
         return int(self.fields_at(offset)[: self.codec.info.address_digits], 16)
 
     def fields_at(self, offset: int) -> bytes:
-        """Return the fields of one message."""
+        """Return the hex digits of the fields of one message."""
         raise NotImplementedError
 
     def again(self, offset: int, count: int) -> Source | None:
-        """Return what a new session has to send for this part of the run, None where that could execute it twice."""
+        """Return the source of these messages for the next session, or None if they might be executed twice."""
         raise NotImplementedError
 
     def question(self, offset: int, count: int) -> Message:
-        """Return the run that asks how some posted writes of this one ended."""
+        """Return the run that asks for the outcomes of `count` posted writes of this run, from `offset` on."""
         return Question(self, offset, count)
 
 
 class Question(Message):
-    """``h`` with the IDs of posted writes that were executed: asks how each of them ended.
+    """``h`` with the IDs of executed posted writes: the answer to each reports the outcome of its write.
 
     Args:
         asked: the run of the posted writes.
-        offset: place of the first in it.
-        count: how many are asked for.
+        offset: position of the first one in it.
+        count: number of posted writes.
     """
 
     __slots__ = ("_asked", "_offset")
@@ -225,54 +240,54 @@ class Question(Message):
         self._asked, self._offset = asked, offset
 
     def frames_of(self, offset: int, count: int) -> bytes:
-        """Return the frames of some of them."""
+        """Return the frames of `count` questions from `offset` on."""
         return self.codec.confirmations(self.first + offset, count)
 
     def accept(self, offset: int, body: bytes, position: int, events: Events) -> bool:  # noqa: ARG002
-        """Take the answer that says that it ended well."""
+        """Take the answer to one question, which reports that the write did not fail."""
         return body.startswith(b"h") and len(body) + self.codec.framing.overhead == self.reply_size
 
     def fail_part(self, offset: int, count: int, error: UnityLinkError, events: Events) -> None:
-        """Pass on that they failed."""
+        """Report the failure of the posted writes."""
         self._asked.fail_part(self._offset + offset, count, error, events)
 
     def fields_at(self, offset: int) -> bytes:
-        """Return the fields of the write that is asked for."""
+        """Return the hex digits of the fields of the posted write."""
         return self._asked.fields_at(self._offset + offset)
 
     def describe(self, offset: int) -> str:
-        """Return the name of the write that is asked for."""
+        """Return the name of the posted write."""
         return self._asked.describe(self._offset + offset)
 
     def address_at(self, offset: int) -> int | None:
-        """Return the address of the write that is asked for."""
+        """Return the address of the posted write."""
         return self._asked.address_at(self._offset + offset)
 
     def again(self, offset: int, count: int) -> Source | None:  # noqa: ARG002
-        """Return None: the write was executed."""
+        """Return None: the posted writes were executed, and the next session sends nothing for them."""
         return None
 
 
 class Request(Message, Awaited):
-    """One message, and what became of it: a source of itself.
+    """A single message and its outcome; its own source.
 
     Args:
-        codec: the messages of the gateway.
-        command: in upper case.
-        fields: hex digits.
-        reply_digits: hex digits behind the ID of the answer, None for a posted write.
-        of_session: whether no other session may send it than the one in which it was asked for.
+        codec: message codec of the gateway.
+        command: the command, in upper case.
+        fields: its fields as hex digits.
+        reply_digits: hex digits after the ID of the answer, None for a posted write.
+        of_session: True if the request ends with the session in which it was submitted.
     """
 
     __slots__ = ("answer", "done", "error", "fields", "of_session", "opening", "poster", "sent", "waiter")
     poster: Any
-    """Task or thread that has posted it; of posted writes alone, which reads need not pay for."""
+    """Task or thread that has posted it; set for posted writes only, to save the time in reads."""
     least = 1
 
     def __init__(
         self, codec: HostCodec, command: str, fields: bytes, reply_digits: int | None, *, of_session: bool = False
     ) -> None:
-        # As `Message` would: this is on the way of every read.
+        # The same as in `Message.__init__`, inlined because every read runs it.
         head = codec.head_sizes[command]
         self.first = 0
         self.count = 1
@@ -285,18 +300,18 @@ class Request(Message, Awaited):
         self.fields = fields
         self.of_session = of_session
         self.opening = b""
-        """Beginning of the frame, and of that of the answer: the command and the ID that the window gave."""
+        """Beginning of the frame and of the expected answer: node prefix, command and ID; set by `encode`."""
         self.sent = False
-        """True if it was given an ID."""
+        """True if the window has assigned an ID."""
         self.done = False
-        """True if `answer` or `error` is known."""
+        """True if `answer` or `error` is set."""
         self.answer: Any = None
         """The word or words read; None for an acknowledgement."""
         self.error: UnityLinkError | None = None
         self.waiter: Any = None
 
     def encode(self) -> bytes:
-        """Return the frame, under the ID that the window has given."""
+        """Return the frame, with the ID that the window has assigned."""
         codec = self.codec
         self.opening = codec.openings[self.command] + codec.id_text[self.first]
         covered = self.opening + self.fields
@@ -304,19 +319,19 @@ class Request(Message, Awaited):
         return frame
 
     def take_frame(self, offset: int, frame: bytes, events: Events) -> bool:  # noqa: ARG002
-        """Take the frame of the response; False where it is anything else, or not as it usually is."""
+        """Take the frame of the response if it is exactly the expected one; return whether it is."""
         data = self.data_of(frame, self.opening)
         return data is not None and self.take_data(data, events)
 
     def accept(self, offset: int, body: bytes, position: int, events: Events) -> bool:  # noqa: ARG002
-        """Take the response."""
+        """Take the body of the response; return whether it is a valid one."""
         codec = self.codec
         if not body.startswith(codec.lower[self.command]) or len(body) + codec.framing.overhead != self.reply_size:
             return False
         return self.take_data(body[position:], events)
 
     def take_data(self, data: bytes, events: Events) -> bool:
-        """Take what stands behind the ID in the response; False where it is no answer."""
+        """Take the characters after the ID of the response; return whether they are valid."""
         try:
             answer = self.decode(data)
         except ValueError:
@@ -328,7 +343,7 @@ class Request(Message, Awaited):
         return True
 
     def decode(self, data: bytes) -> Any:
-        """Return what the response says."""
+        """Return the word or words of the response; None if it has none."""
         if not data:
             return None
         if self.command in _MANY_WORDS:
@@ -336,12 +351,12 @@ class Request(Message, Awaited):
         return int(data, 16)
 
     def cancel(self) -> None:
-        """Record that no call waits for it any more: it is not sent, or the gateway does as it was asked unheard."""
+        """Record that no call awaits the request: it is not sent; or if it was, its answer is ignored."""
         if not (self.posted and self.sent):
             self.given_up = True
 
     def fail(self, error: UnityLinkError, events: Events) -> None:
-        """End it with an error; that of a posted write which was sent is told by a `PostedFailure`."""
+        """End the request with an error; the error of a posted write that was sent becomes a `PostedFailure`."""
         if self.posted and self.sent:
             events.append(PostedFailure(error, 1, self.poster))
         elif not self.done:
@@ -350,44 +365,44 @@ class Request(Message, Awaited):
             events.append(self)
 
     def fail_part(self, offset: int, count: int, error: UnityLinkError, events: Events) -> None:  # noqa: ARG002
-        """End it with an error."""
+        """End the request with an error."""
         self.fail(error, events)
 
     def fields_at(self, offset: int) -> bytes:  # noqa: ARG002
-        """Return the fields."""
+        """Return the hex digits of the fields."""
         return self.fields
 
     def again(self, offset: int, count: int) -> Source | None:  # noqa: ARG002
-        """Return the request itself where it changes nothing."""
+        """Return the request itself if the next session may send it, otherwise None."""
         return self if self.outlives_session else None
 
     # A source of itself
 
     @property
     def outlives_session(self) -> bool:
-        """Return whether the next session may send it, because it changes nothing."""
+        """True if the next session may send the request, because it changes nothing."""
         return not self.of_session and self.command in REPEATABLE
 
     def take(self, room: int, events: Events) -> Message:  # noqa: ARG002
-        """Return the request itself; a posted write that has waited for room is told as sent."""
+        """Return the request itself; report a posted write as sent."""
         self.sent = True
         if self.posted:
             events.append(self)
         return self
 
     def exhausted(self) -> bool:
-        """Return True: one turn is enough."""
+        """Return True, because `take` returns the only message."""
         return True
 
 
 class DestructiveRead(Request):
-    """A request whose words the gateway keeps, for they cannot be read again.
+    """A queue read or masked write. The gateway stores the words read, because reading them again would differ.
 
     Args:
-        codec: the messages of the gateway.
-        command: in upper case.
-        fields: hex digits.
-        words: that it reads.
+        codec: message codec of the gateway.
+        command: the command, in upper case.
+        fields: its fields as hex digits.
+        words: number of words read.
     """
 
     __slots__ = ("places",)
@@ -398,13 +413,13 @@ class DestructiveRead(Request):
 
 
 class SessionRequest(Request):
-    """A request of the session itself.
+    """A request that the session itself makes, to set up groups.
 
     Args:
-        codec: the messages of the gateway.
-        command: in upper case.
-        fields: hex digits.
-        follow: is called when it has ended, with its error or None.
+        codec: message codec of the gateway.
+        command: the command, in upper case.
+        fields: its fields as hex digits.
+        follow: called with the error, or None, and the list of events, when the request has ended.
     """
 
     __slots__ = ("_follow",)
@@ -416,7 +431,7 @@ class SessionRequest(Request):
         self._follow = follow
 
     def accept(self, offset: int, body: bytes, position: int, events: Events) -> bool:
-        """Take the response, and go on."""
+        """Take the body of the response, and call `follow`."""
         ended: Events = []
         accepted = super().accept(offset, body, position, ended)
         if ended:
@@ -424,7 +439,7 @@ class SessionRequest(Request):
         return accepted
 
     def fail(self, error: UnityLinkError, events: Events) -> None:
-        """End it, and go on with its error."""
+        """End the request with an error, and call `follow`."""
         ended: Events = []
         super().fail(error, ended)
         if ended:
@@ -432,11 +447,11 @@ class SessionRequest(Request):
 
 
 class Confirmation(Request):
-    """An ``h``: its answer counts the posted writes that failed.
+    """An ``h``, whose answer counts the posted writes of the session that failed.
 
     Args:
-        codec: the messages of the gateway.
-        of_session: whether it ends with its session, where a new one would send it again.
+        codec: message codec of the gateway.
+        of_session: True if it ends with its session; otherwise the next session may send it.
     """
 
     __slots__ = ()
@@ -446,16 +461,16 @@ class Confirmation(Request):
         super().__init__(codec, "H", b"", codec.info.id_digits, of_session=of_session)
 
     def decode(self, data: bytes) -> Any:
-        """Return None: what the response counts is told to the window."""
+        """Return None, because the receiver reports the count to the window; raise `ValueError` if it is not hex."""
         int(data, 16)
 
 
 class Fence(Confirmation):
-    """A confirmation that is not sent before all that was asked for earlier.
+    """A confirmation that is sent after all requests that were submitted before it.
 
     Args:
-        codec: the messages of the gateway.
-        of_session: whether it ends with its session, where a new one would send it again.
+        codec: message codec of the gateway.
+        of_session: True if it ends with its session; otherwise the next session may send it.
     """
 
     __slots__ = ("earlier",)
@@ -463,14 +478,17 @@ class Fence(Confirmation):
     def __init__(self, codec: HostCodec, *, of_session: bool = False) -> None:
         super().__init__(codec, of_session=of_session)
         self.earlier: list[Source] = []
-        """Sources of several turns that were asked for before."""
+        """Sources that were queued before, and may need several turns."""
 
     def follow(self, waiting: Iterable[Source]) -> None:
-        """Wait for what waits now and takes several turns."""
+        """Wait until the messages of these queued sources are sent."""
         self.earlier += [source for source in waiting if not source.exhausted()]
 
     def fail_part(self, offset: int, count: int, error: UnityLinkError, events: Events) -> None:
-        """End it with an error; where the gateway answers one, each posted write before it has been asked for."""
+        """End the fence with an error.
+
+        An error response to the fence is no error of the call: the window has asked for each posted write's outcome.
+        """
         if isinstance(error, GatewayError):
             self.take_data(b"0", events)
         else:

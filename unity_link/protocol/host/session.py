@@ -1,24 +1,26 @@
-"""The host's whole side of the protocol, without I/O.
+"""The host's end of the protocol, without I/O: requests and received bytes in, bytes to send and events out.
 
-What programs ask for, bytes and the time go in; bytes to send, events and a deadline come out. A `Session` goes on from
-one connection to the next, and from one life of the gateway to the next. Each time it begins with the handshake, and of
-everything that was under way at an end it says what is known of it:
+One `Session` object outlives connections and resets of the gateway. Its states:
 
     =========  =====================================  ==================================================
     state      begins with                            ends with
     =========  =====================================  ==================================================
     away       the end of a connection                `connect`
-    opening    `connect`, or the news of a reset      the answer to `K`: `Opened`; or `disconnect`
-    open       the answer to `K`                      the news of a reset: `Interrupted`; or `disconnect`
+    opening    `connect`, or a reset of the gateway   the answer to `K i s`: `Opened`; or `disconnect`
+    open       the answer to `K i s`                  a reset of the gateway: `Interrupted`; or `disconnect`
     =========  =====================================  ==================================================
 
-Requests may be made at any time. What must wait, for a session or for room in its window, waits in one line; a source
-with more to send goes to the end of the line after its turn, so that a batch of thousands does not hold up the others.
-A request that is alone goes by a way of its own, the shortest, and so does an answer that comes alone. All else that
-arrives is read by `ResponseReceiver`.
-
-Every call in which something can happen returns its events. The session calls no program and looks at no clock: `now`
-is a time in seconds that never goes back.
+1. Requests may be submitted in any state. Those without a session, or without room in the window, form one queue. A
+   source with more requests goes to the end of the queue after its turn, so that a long batch does not delay others.
+2. At the end of an open session each request in flight is executed, not executed or unknown. With `resumes`, requests
+   that change nothing wait for the next session; all others end with an error that contains this outcome.
+3. After `KEEP_ALIVE` without an answer, a proof precedes the next request: it shows that the gateway's session is this
+   one, and not another program's with the same number (docs/protocol.md, "A number that comes again"). While groups are
+   set up, the proof needs no request.
+4. A single request in flight and its answer have faster methods, `submit_alone` and `receive_alone`. Other answers go
+   to `ResponseReceiver`.
+5. Every method that may cause events returns them. A session calls no program and reads no clock: `now` is a time in
+   seconds that never goes back.
 """
 
 from __future__ import annotations
@@ -68,43 +70,43 @@ if TYPE_CHECKING:
     from unity_link.protocol.wire.path import Path
 
 _FIRST_TURN = 256
-"""Bytes of a question of the handshake and its answer, at most; gateways of later versions say more of themselves."""
+"""Upper limit of the bytes of a request of the handshake and its answer; later versions may add fields to `Q`."""
 _MOST_WAITING = 64
-"""Least number of requests that wait for a session before those given up are removed."""
-_NO_RING = 2
-"""IDs of the window while there is no session: as few as a ring can have."""
+"""Queued requests without a session, from which on cancelled ones are removed."""
+_NO_IDS = 2
+"""IDs of the unused window while there is no session: the fewest possible."""
 _UNKNOWN_PATIENCE = 0.25
-"""Seconds that an answer to the handshake can be on its way where nothing is known of the line."""
+"""Longest delay in seconds of an answer in the handshake, if the speed of the line is unknown."""
 _MOST_ECHOES = 8192
-"""Lines that may come back, at most."""
+"""Most sent lines that are stored to recognise their echoes."""
 COMPACT_HINT = " (if the line changes bytes of compact frames, compact=0 in the URL keeps them text)"
 SILENT = "the gateway does not answer any more: is it powered and connected, or does another program read its answers?"
 RESET = "the gateway was reset"
 FLOODED = (
-    "the line is full of what is no answer ({lines} lines since the last one): is an echo on, as behind `stty sane`, "
+    "only lines that are no answer arrive ({lines} since the last answer): is an echo on, as after `stty sane`, "
     "has the speed of the port changed, or does another program use it?"
 )
 
 
 class Session:
-    """The host's side of one link.
+    """The host's end of one link.
 
     Args:
-        node: number of the gateway on a medium that several share, None for a medium of its own.
-        choose: returns any number from 0 on, by which the number of a session and its first ID are chosen.
-        resumes: whether requests that change nothing are sent again in a new session; otherwise they end with the old.
-        compact: whether frames are in the compact form where the gateway has it.
-        echo: whether an adapter is known to give back what is sent; it is found out else.
+        node: number of the gateway on a shared medium, None for a medium with one gateway.
+        choose: returns a random number from 0 on, from which session numbers and first IDs are made.
+        resumes: send requests that change nothing again in the next session; if False, they end with their session.
+        compact: use the compact form if the gateway has it.
+        echo: True if an adapter is known to echo sent bytes; otherwise the handshake detects it.
     """
 
     _path: Path | None = None
-    """The network of the connection; None if frames are not in datagrams."""
+    """Longest datagram of the network; None if frames are not in datagrams."""
     _mtu = LONGEST_MTU
     """Bytes of an IP packet that the networks of earlier connections carried, as far as their ends show."""
     on_retransmission: Callable[[int], object] | None = None
-    """Called after requests are queued for retransmission, with their number, for a log."""
+    """Called with the number of requests after requests are queued for retransmission, for a log."""
     _opened_at = 0.0
-    """Instant of the begin of the session."""
+    """Instant at which the session began."""
 
     def __init__(
         self,
@@ -117,9 +119,9 @@ class Session:
     ) -> None:
         self.counters = Counters()
         self.closed: LinkLostError | None = None
-        """Why there will be no session any more."""
+        """Reason for the end, after `close`; None before."""
         self.epoch = -1
-        """Number of the session, counted from 0; -1 before the first."""
+        """Number of sessions opened so far, minus 1; -1 before the first."""
         self._node = node
         self._numbers = SessionNumbers(choose)
         self._resumes = resumes
@@ -128,69 +130,67 @@ class Session:
         self._wants_compact, self._knows_echo = compact, echo
         self._packer: Packer | None = None
         self._unpacker: Unpacker | None = None
-        """The two directions of the compact form, from the first session on that asked for it."""
+        """Converters of the two directions, while the compact form is used."""
         self._echo: Counter[bytes] | None = None
-        """Lines that were sent, and may come back; None where none do."""
+        """Sent lines whose echoes may arrive; None if nothing echoes them."""
         self.output: list[bytes] = []
-        """Bytes to be sent; `take_output` returns them."""
+        """Frames to send; `take_output` returns them."""
         self._waiting: deque[Source] = deque()
+        """Queue of sources that wait for a session, or for room in the window."""
         self._most_waiting = _MOST_WAITING
-        """Number of requests that wait for a session at which those given up are looked for."""
+        """Length of the queue at which cancelled requests are removed, while there is no session."""
         self.codec: HostCodec
-        """The messages of the gateway, once it has said for the first time what it is."""
+        """Message codec of the gateway; set when the first session opens."""
         self.groups: GroupTable
-        """The groups of the gateway; as `codec`."""
+        """The groups of the gateway; set with `codec`."""
         self._handshake: Handshake | None = None
         self._give_up_at: float | None = None
-        """Instant by which a gateway that was reset must have answered."""
+        """Instant at which the link is lost if a gateway does not answer after its reset; None without a reset."""
         self._shortest_timeout = 0.0
         self._blocked = False
-        """True if the medium takes no bytes: what was sent is still held back, so a repetition would be behind it."""
+        """True while the medium accepts no bytes: retransmissions would only queue after the frames before them."""
         self._takes_turns = False
-        """True if a turn is waited for before each frame: `take_turn` gives it."""
+        """True on a shared line: each frame waits for `take_turn`, which begins the slot of this link."""
         self._may_send = self._may_begin = False
-        """True if frames, and new requests among them, may be sent now: the session is open and, where turns are taken,
-        has its turn. New requests wait for a pending proof, too.
-        """
+        """True if frames may be sent now: the session is open, and on a shared line the slot is this link's. The second
+        is for new requests, which also wait for a pending proof."""
         self._proofs = 0
-        """Number of the pending proof that the session under way is this one, counted from 1; 0 without one."""
-        self._is_half_duplex = self._asked_alone = False
-        """True if both sides share a pair of wires: each frame waits for the answer to the one before, or for its time.
-        And if `K` was the last frame there.
-        """
+        """Number of exchanges of the pending proof, from 1; 0 without a pending proof."""
+        self._is_half_duplex = self._queried_alone = False
+        """True on a half-duplex line: one frame is sent at a time. The second: that frame is a session query."""
         self._byte_time: float | None = None
         self._longest_try = math.inf
         self._is_transparent = False
-        """True if the line is known to carry the compact form."""
+        """True if the line is known to carry the bytes of the compact form."""
         self._before_flood = 0.0, -1, 0, 0
-        """Instant of the last answer, and the counts then: answers, lines that are none, and what was sent."""
+        """Instant of the last answer; and the counts of answers, other lines and transmissions at that instant."""
         self._receiver: ResponseReceiver | None = None
-        """Reader of what arrives while the session is open."""
-        self.window: Window[Message] = Window(_NO_RING)
-        """The window over the IDs of the session; while there is no session, one in which nothing is in flight."""
+        """Receiver of the open session; None in the other states."""
+        self.window: Window[Message] = Window(_NO_IDS)
+        """Window of the open session; in the other states an idle one."""
 
     # State
 
     @property
     def is_open(self) -> bool:
-        """Return whether requests are sent now."""
+        """True if the session is open, so that requests can be sent."""
         return self._receiver is not None
 
     @property
     def is_full(self) -> bool:
-        """Return whether what is asked for has to wait: for room, or for a session."""
+        """True if requests are queued: for room in the window, or for a session."""
         return bool(self._waiting)
 
     @property
     def is_behind(self) -> bool:
-        """True if frames have arrived that were not looked at yet."""
+        """True if received frames wait for the next call of `receive`."""
         return LF in self._rest
 
     @property
     def deadline(self) -> float | None:
-        """Instant at which `expire` must be called; None while there is nothing to wait for."""
+        """Instant at which `expire` must be called; None without a timer."""
         if self._takes_turns and self.wants_turn:
-            # Then the time begins.
+            # The timeout begins with the slot.
             return self._give_up_at
         if self._receiver is not None:
             deadline = self.window.deadline
@@ -199,9 +199,9 @@ class Session:
 
     @property
     def _keep_alive_due(self) -> float | None:
-        """Instant at which the gateway is to be asked whether it still hears its host; None while that does not matter.
+        """Instant of the next proof without a request; None if a request is in flight, or no group is set up.
 
-        Samples say neither that it does nor that it was not reset since.
+        Samples show neither that the gateway still receives frames nor that it was not reset.
         """
         if not self.window.is_idle() or not self.groups.begun:
             return None
@@ -209,14 +209,14 @@ class Session:
 
     @property
     def echoes(self) -> bool:
-        """True if an adapter gives back what is sent."""
+        """True if an adapter echoes the sent frames."""
         return self._echo is not None
 
-    # Turns, where nodes share a medium
+    # Slots of a shared line
 
     @property
     def wants_turn(self) -> bool:
-        """Return whether a turn is waited for, to send something."""
+        """True if this link waits for a slot on the shared line to send a frame."""
         if not self._takes_turns:
             return False
         if self._receiver is None:
@@ -229,13 +229,13 @@ class Session:
 
     @property
     def is_owed_an_answer(self) -> bool:
-        """Return whether an answer can be on its way."""
+        """True if an answer may still arrive, so that no other link may send."""
         if self._receiver is not None:
             return self._awaits_session or (self.window.in_flight > 0 and not self.window.retransmission.is_due())
         return self._handshake is not None and not self._handshake.asks
 
     def take_turn(self, now: float) -> Events:
-        """Send one frame."""
+        """Send one frame, because the slot of this link has begun."""
         events: Events = []
         self._now = now
         if self._receiver is not None:
@@ -248,29 +248,32 @@ class Session:
             self._may_send = self._may_begin = False
         elif self._handshake is not None and self._handshake.asks:
             self.output.append(self._handshake.take_turn(now))
-        # What came between two turns is no part of an answer.
+        # Bytes that arrived between two slots are not part of an answer to this link.
         self._drop_rest()
         return events
 
     @property
     def _awaits_session(self) -> bool:
-        """Return whether the answer to a `K` that was sent alone can be on its way."""
-        return self._asked_alone and bool(self.window.retransmission.questions)
+        """True if the answer to a session query that was sent alone may still arrive."""
+        return self._queried_alone and bool(self.window.retransmission.queries)
 
-    def _asks_alone(self) -> bool:
-        """Return whether the question whose the session is goes alone: before the second repetition in a row."""
+    def _queries_alone(self) -> bool:
+        """Send a session query alone if it is due on a half-duplex line; return whether one is pending.
+
+        It is due before the second retransmission in a row.
+        """
         if self._awaits_session:
             return True
-        signs, repetition = self.window.loss, self.window.retransmission
-        asks = not self._asked_alone and signs.gone_back > 1 and signs.place == repetition.sent
-        self._asked_alone = asks
-        if asks:
-            self._ask_whose()
-        return asks
+        loss, retransmission = self.window.loss, self.window.retransmission
+        is_due = not self._queried_alone and loss.gone_back > 1 and loss.place == retransmission.sent
+        self._queried_alone = is_due
+        if is_due:
+            self._query_session()
+        return is_due
 
     @property
     def longest_turn(self) -> float:
-        """Seconds after which no answer can come any more to what was just sent."""
+        """Seconds after which no answer to the frame just sent can arrive any more."""
         if self._receiver is not None:
             return self.window.longest_answer
         if self._byte_time is None:
@@ -278,10 +281,10 @@ class Session:
         return ANSWER_PATIENCE + self._byte_time * _FIRST_TURN
 
     def take_output(self) -> bytes:
-        """Return the bytes to send, which are forgotten here."""
+        """Return the bytes to send, and remove them from `output`."""
         out = self.output
         if out and self.window.send_limit.loses:
-            # Nothing may follow it for long.
+            # End the burst explicitly: the next frame may be a long time off.
             self.output.append(self.codec.burst_end)
         data = b"".join(out)
         out.clear()
@@ -290,14 +293,14 @@ class Session:
         return data if self._packer is None else self._packer.pack(data)
 
     def _expect_echoes(self, echo: Counter[bytes], data: bytes) -> None:
-        """Record the lines of what is sent now, for they may come back."""
+        """Store the lines that are sent now, to recognise their echoes."""
         if echo.total() > _MOST_ECHOES:
-            # They were damaged on the way.
+            # The echoes of these lines arrived damaged.
             echo.clear()
         echo.update(line for line in data.split(LF) if line)
 
     def describe_silence(self) -> str:
-        """Return what was heard of a gateway that has not answered, for an error."""
+        """Return the received bytes of a gateway that did not complete the handshake, in words for an error."""
         return "the connection was not accepted" if self._handshake is None else self._handshake.describe()
 
     # Connections
@@ -313,18 +316,16 @@ class Session:
         is_transparent: bool = False,
         path: Path | None = None,
     ) -> None:
-        """Begin on a new connection.
+        """Begin the handshake on a new connection.
 
         Args:
             now: the time.
-            shortest_timeout: seconds that the medium may hold an answer back, and some more.
-            takes_turns: whether other nodes share the medium, so that a turn is waited for before each frame.
-            byte_time: seconds that a byte needs on the wire, None where that is not known.
-            longest_try: seconds after which a question of the handshake is asked again, at most, where the medium needs
-                less than others.
-            is_transparent: whether the medium is known to carry every byte as it is, so that the compact form needs no
-                trial.
-            path: has the length of the longest datagram; None if frames are not in datagrams.
+            shortest_timeout: lower limit of the timeout in seconds, above the delay that the medium may add to answers.
+            takes_turns: True if other nodes share the line, so that each frame waits for a slot.
+            byte_time: seconds that a byte takes on the wire, None if unknown.
+            longest_try: most seconds until a request of the handshake is sent again.
+            is_transparent: True if the medium carries every byte unchanged, so that the compact form needs no test.
+            path: longest datagram of the network; None if frames are not in datagrams.
         """
         self._shortest_timeout = max(shortest_timeout, ANSWER_PATIENCE) if takes_turns else shortest_timeout
         self._takes_turns, self._byte_time, self._longest_try = takes_turns, byte_time, longest_try
@@ -358,23 +359,23 @@ class Session:
             self.output.append(self._handshake.take_output())
 
     def disconnect(self, reason: str) -> Events:
-        """End what the connection carried: it is closed, or about to be.
+        """End the session or its handshake, because its connection ended; the next `connect` begins another.
 
-        Returns:
-            The events of what has ended; what can be sent again in a new session waits for it.
+        Args:
+            reason: reason for the end, for the errors of requests.
         """
         events: Events = []
         self._end_session(LinkLostError(reason), events)
         return events
 
     def connection_error(self, reason: Exception | None) -> ConnectError:
-        """Return what can be known of the end of a connection before the gateway has answered."""
+        """Return an error for a connection that ended during the handshake."""
         if self._handshake is None:
             return ConnectError("the connection ended when the gateway had just answered")
         return ConnectError(self._handshake.describe_end(reason))
 
     def close(self, error: LinkLostError) -> Events:
-        """End for good: everything that waits ends."""
+        """End the session finally; all requests end with the error."""
         events: Events = []
         self.closed, self._resumes = error, False
         self._end_session(error, events)
@@ -383,12 +384,12 @@ class Session:
         return events
 
     def _end_session(self, error: LinkLostError, events: Events) -> None:
-        """End a session or its handshake, keeping what may be sent again for the next one."""
+        """End a session or its handshake; keep the requests that may be sent again in the next session."""
         self._handshake = self._give_up_at = None
         if self._receiver is None:
             return
         window, refused = self.window, self._receiver.refused
-        self._receiver, self.window = None, Window(_NO_RING)
+        self._receiver, self.window = None, Window(_NO_IDS)
         self._may_send = self._may_begin = False
         self.groups.interrupted()
         if self._proofs:
@@ -405,13 +406,13 @@ class Session:
         self._drop_of_session(error, events)
         for place, fence in enumerate(self._waiting):
             if isinstance(fence, Fence):
-                # What is sent again stands before it now.
+                # The requests that are sent again precede the fence in the queue.
                 fence.follow(islice(self._waiting, place))
 
     def _fail_unproven(self, error: LinkLostError, events: Events) -> None:
-        """End the requests that a proof has held back: their callers meant the session that is over.
+        """End the requests that waited for a proof, because they were submitted for the session that is over.
 
-        If this session resumes, requests that may be sent in the next session wait for it, as those in flight do.
+        With `resumes`, requests that may be sent in the next session stay queued, as those in flight do.
         """
         held_back = list(self._waiting)
         self._waiting.clear()
@@ -422,6 +423,7 @@ class Session:
                 source.fail(error.about(Outcome.NOT_EXECUTED), events)
 
     def _drop_of_session(self, error: LinkLostError, events: Events) -> None:
+        """End the queued requests that belong to the session that is over."""
         for source in [source for source in self._waiting if source.of_session]:
             self._waiting.remove(source)
             source.fail(error.about(Outcome.NOT_EXECUTED), events)
@@ -429,10 +431,10 @@ class Session:
     # Requests
 
     def submit(self, source: Source, now: float) -> Events:
-        """Send what `source` has as soon as there is room.
+        """Send the requests of `source` as soon as there is room in the window.
 
         Raises:
-            LinkLostError: where there will be no session any more.
+            LinkLostError: after `close`.
         """
         events: Events = []
         waiting, window = self._waiting, self.window
@@ -462,21 +464,21 @@ class Session:
             return events
         if source is waiting[0] or waiting[0].unwanted() or self._fence(now):
             self._admit(now, events)
-        # Else what is first has no room: it would have been sent by what made some.
+        # Otherwise the window is full; the request at the head is sent when an acknowledgement frees space.
         return events
 
     def _drop_unwanted(self) -> None:
-        """Forget what was given up: where a gateway is away for days, time limits of calls do not fill the memory."""
+        """Remove cancelled requests, so that calls with time limits do not fill the memory while a gateway is away."""
         wanted = [source for source in self._waiting if not source.unwanted()]
         self._waiting.clear()
         self._waiting.extend(wanted)
         self._most_waiting = max(_MOST_WAITING, 2 * len(wanted))
 
     def submit_alone(self, request: Request, now: float) -> bytes:
-        """Return the frame of a request that has an answer, where nothing else is under way.
+        """Assign an ID to a request with an answer if no other request is in flight or queued.
 
         Returns:
-            The frame, to be sent at once; nothing where other things are under way: then `submit` it.
+            The bytes to send at once; nothing if the request was not accepted and must be given to `submit`.
         """
         window = self.window
         if self._waiting or self.output or not self._may_begin or self._echo is not None or not window.is_idle():
@@ -496,7 +498,7 @@ class Session:
         self.output.append(run.encode())
 
     def _admit(self, now: float, events: Events) -> None:
-        """Let sources into the window, in turn, as far as there is room."""
+        """Send requests of the queued sources, in turn, while there is room in the window."""
         waiting, window = self._waiting, self.window
         room = size = posted = 0
         self._prove(now)
@@ -511,7 +513,7 @@ class Session:
             if size != source.size or posted != source.posted or window.room_of_answers is not None:
                 size, posted = source.size, source.posted
                 room = window.room(size, posted=posted, reply_size=source.reply_size)
-            # A window that is small because the line loses is not waited for to grow.
+            # Wait until numpy is worth it, but not for a send limit to grow that is low after a loss.
             if not room or (room < source.least and room < window.most_room(size, source.reply_size) // 2):
                 break
             if source.places and self._overlaps(source):
@@ -537,10 +539,11 @@ class Session:
         return True
 
     def _prove(self, now: float) -> None:
-        """Ask whether the session under way is this one and not another program's of the same number, if that is due.
+        """Send a proof, if one is due, that the gateway's session is this one and not another of the same number.
 
-        `K` asks for the number. An ``h`` far ahead of the next ID asks for that ID: the gateway answers it by `n`. The
-        ``h`` with the next ID is a request like any other: `n` has come before its answer, or was lost.
+        The proof is three frames. `K` asks for the number. An ``h`` half the sequence space ahead of the next ID is out
+        of sequence, so the gateway answers it by ``n`` with the next ID. The ``h`` with the next ID is a request like
+        any other: if its answer arrives without an ``n`` before it, the ``n`` is lost, and the proof is repeated.
         """
         waiting, window = self._waiting, self.window
         is_due = self._proofs or (waiting and now >= window.since + KEEP_ALIVE)
@@ -557,15 +560,15 @@ class Session:
         self._may_begin = False
         ahead = self.codec.confirmations(self._receiver.prove(window.next), 1)
         if not self._is_half_duplex:
-            self._ask_whose()
+            self._query_session()
             self.output.append(ahead)
         self._number(confirmation, now)
         if self._is_half_duplex:
-            # One frame at a time: `n` is a sign of loss, after which the ``h`` with the next ID is sent.
+            # Send only the ``h`` ahead now. Its ``n`` is a sign of loss, so the other ``h`` is retransmitted after it.
             self.output[-1] = ahead
 
     def _end_proof(self, events: Events) -> None:
-        """Take the result of a proof; without one, the next proof follows."""
+        """Evaluate a proof after its last answer; if it is incomplete, the next exchange follows."""
         assert self._receiver is not None
         if self._receiver.end_proof():
             self._proofs = 0
@@ -574,7 +577,7 @@ class Session:
             self._leave_to_another(events)
 
     def _overlaps(self, source: Source) -> bool:
-        """Return whether the words of a destructive read would take the place of some that are not answered."""
+        """Return whether the gateway would overwrite stored words of an unanswered destructive read by this one."""
         first, window = self.window.next, self.window
         for other in window.parts(window.oldest, window.next):
             places = other.run.places
@@ -586,9 +589,9 @@ class Session:
         return False
 
     def _fence(self, now: float) -> bool:
-        """Confirm posted writes by an ``h`` where it is time; return whether it was.
+        """Send an ``h`` if one is due for posted writes; return whether it was sent.
 
-        Then the place that was kept for it may be room for what waits.
+        The place that was reserved for it is then free for queued requests.
         """
         needed = self.window.needs_fence(now)
         if needed:
@@ -596,29 +599,29 @@ class Session:
         return needed
 
     def _go_on(self, now: float, events: Events) -> None:
-        """Send what answers have made room for, or shown to be lost."""
+        """Send frames after answers arrived: retransmissions, queries, proofs, and requests for which there is room."""
         if self.window.retransmission.is_due():
             self._repeat()
-        if self.window.retransmission.must_ask and not self._blocked and not self._is_half_duplex:
-            self._ask_whose()
+        if self.window.retransmission.must_query and not self._blocked and not self._is_half_duplex:
+            self._query_session()
         if self._proofs and self.window.is_idle():
             self._end_proof(events)
         if self._waiting or self._proofs or self.window.posted_writes.unfenced:
             self._admit(now, events)
 
-    def _ask_whose(self) -> None:
-        """Ask which session is under way: the answer says how far the line has come, too."""
-        self.window.retransmission.ask()
+    def _query_session(self) -> None:
+        """Send a session query; its answer also shows which earlier frames have arrived."""
+        self.window.retransmission.query_sent()
         self.output.append(self.codec.framing.checked(b"K"))
 
     def _repeat(self) -> None:
-        """Send unanswered requests again; an ``h`` in place of those that are not wanted any more."""
-        if self._blocked or not self._may_send or (self._is_half_duplex and self._asks_alone()):
+        """Retransmit the planned requests; an ``h`` replaces cancelled ones."""
+        if self._blocked or not self._may_send or (self._is_half_duplex and self._queries_alone()):
             return
         repeated, window = 0, self.window
         if window.loss.place == window.retransmission.sent and not self._is_half_duplex:
-            # Ahead of all.
-            self._ask_whose()
+            # The window has just gone back: send the query before the retransmissions.
+            self._query_session()
         for number, run, offset, count in window.repeat():
             frames = self.codec.confirmations(number, count) if run.unwanted() else run.frames_of(offset, count)
             self.output.append(frames)
@@ -634,7 +637,7 @@ class Session:
     # Groups
 
     def start(self, group: HeldGroup, now: float) -> Events:
-        """Set up a group that is held; while the session is not open, the next one does."""
+        """Set up and start a held group; if the session is not open, the group starts when the next session opens."""
         events: Events = []
         self._now = now
         if self._receiver is not None:
@@ -647,31 +650,31 @@ class Session:
         else:
             step.fail(LinkLostError(SILENT, Outcome.NOT_EXECUTED), events)
 
-    # What arrives, and time
+    # Received bytes, and time
 
     def receive_alone(self, data: bytes, now: float) -> Request | None:
-        """Take the answer to the oldest request, where that is all that has come and nothing waits for it.
+        """Take the answer to the oldest request, if the bytes are exactly this answer and no request is queued.
 
         Returns:
-            The request; None where something else has come, or more: then `receive` it.
+            The request; None if the bytes were not accepted and must be given to `receive`.
         """
         if self._unpacker is not None:
             data = self._unpacker.unpack_whole(data)
         window = self.window
-        if self._rest or self._waiting or window.posted_writes.unfenced or not window.is_quiet():
+        if self._rest or self._waiting or window.posted_writes.unfenced or not window.has_no_loss():
             return None
         request = window.find(window.oldest)
         if type(request) is not Request or not request.take_frame(0, data, []):
             return None
         window.loss.heard = True
         self.counters.responses += 1
-        window.answered_quietly(1, now)
+        window.acknowledge_in_order(1, now)
         return request
 
     def receive(self, data: bytes, now: float) -> Events:
-        """Take bytes of the connection, cut anywhere; where much is to be done for them, a part of them.
+        """Take bytes of the connection, cut anywhere.
 
-        While `is_behind`, it is to be called again, with what has arrived meanwhile or nothing.
+        Expensive lines are processed in parts: while `is_behind`, call it again with newly received bytes, or none.
         """
         events: Events = []
         self._now = now
@@ -691,8 +694,8 @@ class Session:
                     self._session_is_over(receiver, now, events)
             data = data[taken:]
             if receiver is self._receiver:
-                # What is left waits for its turn, or is the beginning of a frame. Noise without a line end is none, and
-                # must not grow.
+                # The rest waits for the next call, or is an incomplete frame. Drop it if it is longer than any frame:
+                # noise without a line end must not fill the memory.
                 endless = len(data) > LONGEST_FRAME and LF not in data
                 self._rest = b"" if endless else data
                 if endless:
@@ -703,7 +706,7 @@ class Session:
         return events
 
     def _receive_first(self, data: bytes, now: float, events: Events) -> int:
-        """Hand bytes to the handshake, if there is one; return how many were taken."""
+        """Pass bytes to the handshake, if there is one; return how many were processed."""
         if self._handshake is None:
             return len(data)
         try:
@@ -716,11 +719,11 @@ class Session:
         return taken
 
     def pause_writing(self) -> None:
-        """Send nothing again: the medium takes no bytes, so what was sent before is still held back."""
+        """Stop retransmissions, because the medium accepts no bytes and still holds earlier frames."""
         self._blocked = True
 
     def resume_writing(self, now: float) -> Events:
-        """Send what has waited for a medium that takes bytes again."""
+        """Send the frames that waited, because the medium accepts bytes again."""
         events: Events = []
         self._now = now
         self._blocked = False
@@ -729,11 +732,11 @@ class Session:
         return events
 
     def expire(self, now: float) -> Events:
-        """Let time pass, if `deadline` has come."""
+        """Handle timeouts, if `deadline` is reached."""
         events: Events = []
         self._now = now
         if self.wants_turn:
-            # Not before it was sent can an answer to it be late.
+            # The frame waits for its slot, so no answer is late.
             pass
         elif self._receiver is not None:
             self._expire(now, events)
@@ -745,7 +748,7 @@ class Session:
         return events
 
     def _expire(self, now: float, events: Events) -> None:
-        """Send again what was not answered in time, and confirm what was posted."""
+        """Handle the timeouts of an open session: retransmissions, fences, proofs and floods."""
         window, counters = self.window, self.counters
         flood = self._find_flood(now)
         before = counters.repetitions
@@ -771,15 +774,15 @@ class Session:
 
     @property
     def _hint(self) -> str:
-        """Another possible cause of an end, for its message; empty if frames are text and not in datagrams."""
+        """Advice about the medium for the error of a lost link; empty for text frames that are not in datagrams."""
         if self._path is not None:
             return self._path.advice
         return "" if self._packer is None else COMPACT_HINT
 
     def _suspect_path(self, now: float) -> None:
-        """Take a shorter length for the next connection if the session ends soon and a long frame was under way.
+        """Use a shorter datagram on the next connection if this session ends early with a long frame in flight.
 
-        The opening of the session shows that the path to the gateway carries the length, but not the path back.
+        The opening of the session shows the length that the path to the gateway carries, but not that of the way back.
         """
         path, run = self._path, self.window.slots[self.window.oldest]
         is_new = now - self._opened_at < 2 * LONGEST_SILENCE
@@ -788,17 +791,17 @@ class Session:
             self._mtu = path.mtu
 
     def _bound_answers(self) -> None:
-        """Bound the answers under way where the path does not carry each datagram of a gateway."""
+        """Limit the bytes of answers in flight, if the path may lose the longest datagrams of a gateway."""
         if self._path is not None and self._path.is_short and self._receiver is not None:
             self.window.bound_answers(self._room_of_answers)
 
     def _room_of_answers(self) -> int:
-        """Return how many bytes of answers may be under way: a gateway puts them into one datagram, with samples."""
+        """Return the most bytes of answers in flight, which a gateway may send in one datagram with samples."""
         assert self._path is not None
         return self._path.longest_frame - RESERVE - self.groups.sample_bytes
 
     def _find_flood(self, now: float) -> int:
-        """Return how many lines have come in place of answers, where what is sent cannot be the cause of so many."""
+        """Return the number of lines since the last answer, if they are too many to be damaged answers; otherwise 0."""
         counters = self.counters
         sent = self.window.retransmission.sent
         if self.window.is_idle() or self._before_flood[1] != counters.responses:
@@ -810,13 +813,13 @@ class Session:
         return lines if is_flood else 0
 
     def _session_is_over(self, receiver: ResponseReceiver, now: float, events: Events) -> None:
-        if receiver.refused is None and receiver.under_way != NO_SESSION:
+        if receiver.refused is None and receiver.current != NO_SESSION:
             self._leave_to_another(events)
         else:
             self._gateway_was_reset(now, events)
 
     def _leave_to_another(self, events: Events) -> None:
-        """End the session: the one under way is another program's."""
+        """End the session, because the gateway's session is another program's."""
         events.append(Taken(LinkLostError(TAKEN)))
         self._end_session(LinkLostError(TAKEN), events)
 
@@ -828,9 +831,9 @@ class Session:
         self._begin(now, again=False)
 
     def _interrupted(self, error: GatewayResetError, events: Events) -> None:
-        """Report a reset, after which the gateway knows no group.
+        """Report a reset of the gateway, which has lost its groups.
 
-        It may be found when the connection is opened again: requests that belong to the former session end here, too.
+        A reset may also be found in the handshake of the next connection, so requests of the old session end here, too.
         """
         self._drop_of_session(error, events)
         events.append(Interrupted(error))
@@ -838,7 +841,7 @@ class Session:
     # The handshake
 
     def _advance_handshake(self, now: float, events: Events) -> None:
-        """Send what the handshake has to ask, and open the session when it is complete."""
+        """Send the next request of the handshake, or open the session if the handshake is complete."""
         handshake = self._handshake
         assert handshake is not None
         if handshake.asks and not self._takes_turns:
@@ -852,6 +855,7 @@ class Session:
             self._open(handshake, now, events)
 
     def _open(self, handshake: Handshake, now: float, events: Events) -> None:
+        """Open the session that the handshake has begun, with a new window."""
         codec = handshake.codec
         info = codec.info
         if self.epoch < 0:
@@ -878,10 +882,10 @@ class Session:
         )
         self.window.since = self._opened_at = now
         self.epoch += 1
-        # A node that is not half-duplex has its line alone.
+        # A gateway that is not half-duplex shares its line with no other, so this link needs no slots.
         self._takes_turns = self._takes_turns and self._is_half_duplex
         self._may_send = self._may_begin = not self._takes_turns
-        self._asked_alone, self._before_flood = False, (0.0, -1, 0, 0)
+        self._queried_alone, self._before_flood = False, (0.0, -1, 0, 0)
         self._echo = Counter() if handshake.has_echo else None
         self._receiver = ResponseReceiver(
             self.codec, self.window, self.groups, self.counters, self._echo, half_duplex=self._is_half_duplex
@@ -892,7 +896,7 @@ class Session:
         self.groups.start(self.codec, events)
 
     def _drop_rest(self) -> None:
-        """Forget the beginning of a frame."""
+        """Drop incomplete frames."""
         self._rest = b""
         if self._unpacker is not None:
             self._unpacker.reset()

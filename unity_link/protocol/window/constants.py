@@ -1,70 +1,81 @@
-"""The durations and counts of a host's attempts: the constants of its side of protocol section 3, in one table.
+"""Durations and counts of a host (docs/reliability.md has the table). Durations are in seconds.
 
-`unity_link.protocol.window.window` uses them. Generated clients in other languages get the same values (`TABLE`). The
-module imports nothing, so that it can be read without any package installed. Times are in seconds.
+Generated clients in other languages get the same values (`TABLE`). The module imports nothing, so that it can be read
+without any package installed.
 """
 
+# Retransmission
+
 LONGEST_SILENCE = 5.0
-"""Without anything that can be about a request, and with one under way, after which the link is lost."""
+"""Time in which no bytes of an answer arrive while requests are in flight (samples do not count): the link is lost."""
 KEEP_ALIVE = 1.0
-"""Without a request, while groups are set up; then an ``h`` asks whether the gateway still hears, and was not reset."""
+"""Time since the last answer, after which a host proves that the session is its own: before the next request, and
+while groups are set up."""
 FEWEST_SILENT_TRIES = 3
-"""Time outs in silence before the link is lost, however long one takes."""
+"""Fewest timeouts in silence before the link is lost, even if each takes longer than `LONGEST_SILENCE`."""
 MOST_SIGNS = 12
-"""Number of times the window goes back for signs of loss of the same request; further ones count as time outs."""
+"""Times that the window goes back to the same request for signs of loss; then only timeouts count."""
 MOST_TRIES = 32
-"""Time outs of one request while something was heard; one more, and the request is given up."""
+"""Timeouts of one request while answers or damaged frames arrive; the next one gives the request up."""
 MOST_REFUSALS = 3
-"""Errors 02 and 03 to one request until it is given up."""
+"""Errors 02 and 03 to one request, after which it is given up."""
 FEWEST_IN_FLIGHT = 8
-"""Requests in flight on a line that loses, at least."""
+"""Lower limit of the requests in flight on a line that loses frames."""
 DONE_FOR_ONE_MORE = 4
-"""Requests done, posted writes among them, that let one more be in flight, where a loss has made them few."""
+"""Requests done, posted writes included, that raise the send limit by one after a loss."""
 FIRST_TIMEOUT = 0.25
-"""The time out before the first round trip was measured."""
+"""Timeout before the first measured round trip."""
 SHORTEST_TIMEOUT = 0.025
-"""The shortest time out on media that do not say better: an answer may stay in a USB chip until its latency timer ends,
-16 ms by default, whatever the last round trip was."""
+"""Shortest timeout, unless the medium has its own: a USB chip may delay an answer by its latency timer, 16 ms by
+default, even if earlier round trips were shorter."""
 QUICK_TIMEOUT = 0.003
-"""The same for media that hand everything on at once: sockets, pseudo-terminals, gateways of this process."""
+"""Shortest timeout of media without such a delay: sockets, pseudo-terminals, gateways in this process."""
 LONGEST_TIMEOUT = 2.0
+"""Upper limit of the timeout, which doubles with each timeout."""
 FENCE_DELAY = 0.001
-"""Posted writes are confirmed by an ``h`` after this time, if nothing else with an answer follows them."""
+"""Time after which an ``h`` is sent after posted writes, unless a request with an answer follows them first."""
 MEASUREMENT_PAUSE = 0.001
-"""Between two measurements of the round trip: one a window is enough, and fast reads are left alone."""
+"""Time between two measurements of the round trip, so that fast reads are not slowed by measuring each."""
 ANSWER_PATIENCE = 0.1
-"""On a half-duplex medium, and where nodes share a line: how long an answer can be on its way, beyond what its bytes
-need. It is the shortest time out there, too, and what each try of a node that does not answer costs the others."""
+"""On a half-duplex or shared line: longest delay of an answer beyond the time of its bytes. It is the shortest timeout
+there, and the time that each request to a missing node takes from the other nodes."""
+MOST_QUESTIONS = 8
+"""Most unanswered session queries whose transmission numbers are stored."""
+MOST_SENDINGS = 8
+"""Most retransmissions of one request whose transmission numbers are stored; older ones are dropped."""
+MOST_KEPT_WORDS = 256
+"""Words of destructive reads that a gateway stores; those of a request begin at its ID modulo this number."""
+
+# Handshake
+
 FIRST_TRY = 0.1
-"""Seconds until a question of the handshake is asked again, doubled each time."""
+"""Time until a request of the handshake is sent again; it doubles each time, up to `LONGEST_TRY`."""
 LONGEST_TRY = 1.0
 CHECKED_TRIES = 4
-"""Number of times the checked `Q` is asked before the plain answer is doubted."""
+"""Number of times that a checked `Q` is sent before the answer to the plain `Q` is suspected to be damaged."""
 DAMAGE_PAUSE = 0.002
-"""Seconds from a line that is no answer to the next question."""
+"""Time from a line that is no answer to the next request."""
 DAMAGE_PATIENCE = 16
 """Factor by which the wait for the next answer exceeds the time that a line without an answer took."""
 SHORTEST_TRY = 0.002
+"""Lower limit of the wait for an answer."""
 DAMAGE_COST = 1 / 16
-"""Part of a try that a question counts that was answered by something else."""
+"""Fraction of a try that a request counts whose answer is damaged."""
 TRIALS = 4
-"""Number of times a request of the trial of the compact form is sent before the line is taken not to carry that."""
+"""Number of times that a request of the test of the compact form is sent before the test fails."""
 TRIAL_FACTOR = 5
-"""Factor by which a trial takes longer than the opening of its session, at most: it has as many more bytes."""
+"""Upper limit of the duration of that test, in durations of opening the session: the test has as many more bytes."""
 SURE = 3
-"""Number of times an impossible answer is heard before it is believed: a datagram that was damaged can come twice."""
+"""Number of times that an impossible answer arrives before it is believed: a damaged datagram can arrive twice."""
 ECHO_PATIENCE = 0.5
-"""Seconds for which nothing but an echo is heard before it is believed: on a pair of wires an answer may follow."""
+"""Time in which only an echo arrives before it is reported as one: on a pair of wires an answer may follow an echo."""
+
+# Floods
+
 FLOOD_PATIENCE = 1.0
-"""Seconds without an answer, in a flood of lines that are none; the next time out ends the session at the latest."""
+"""Time without an answer after which a flood of other lines ends the session."""
 FEWEST_OF_A_FLOOD = 64
-"""Lines of a flood, at least, besides two for each request that is sent meanwhile: those may be its damaged answer."""
-MOST_QUESTIONS = 8
-"""Questions whose the session is, at most, whose answers are waited for."""
-MOST_SENDINGS = 8
-"""Sendings of a request behind the first of which the places are known: the last ones."""
-MOST_KEPT_WORDS = 256
-"""Words of destructive reads that a gateway keeps; those of a request begin at its ID modulo this."""
+"""Fewest lines of a flood, beyond two for each request sent in that time, which may be damaged answers."""
 
 TABLE: dict[str, float] = {name: value for name, value in globals().items() if isinstance(value, int | float)}
-"""All of them by name, for clients in other languages."""
+"""All constants of this module by name, for clients in other languages."""

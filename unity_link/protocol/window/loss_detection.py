@@ -1,9 +1,14 @@
-"""The signs of loss, and the patience with them.
+"""Loss detection: which errors, answers and timeouts make the window go back, and when the link is lost.
 
-A loss brings many signs (``X01`` for the damaged request, ``n`` for the one behind it). So when the window has gone
-back for one, it takes no further sign before something has arrived that was sent since: the answer to the `K` that is
-sent ahead of the repetition, or to a request. What brings no sign, or had its `K` lost, the time out finds. From
-`MOST_SIGNS` on for the same request it is left to the time, so that what is damaged each time is given up.
+1. One loss causes several signs: ``X01`` for the damaged request, ``n`` for the request after it. So after the window
+   went back for a sign, it ignores further signs until a frame arrives that was sent since: the answer to the session
+   query (`K`) sent ahead of the retransmissions, or an answer to a request.
+2. A loss without a sign, or whose query is lost, is found by the timeout.
+3. After `MOST_SIGNS` for the same request only the timeout counts, so that a request that is damaged each time is
+   given up.
+4. After `MOST_TRIES` timeouts, or `MOST_REFUSALS` refusals, the oldest request is given up: an ``h`` replaces it. If
+   the ``h`` is given up as well, the link is lost.
+5. The link is also lost after `LONGEST_SILENCE` with at least `FEWEST_SILENT_TRIES` timeouts in silence.
 """
 
 from __future__ import annotations
@@ -19,37 +24,39 @@ from unity_link.protocol.window.retransmission import NEVER
 
 
 class LossDetection:
-    """Tries of the oldest request, and what was heard of them."""
+    """Signs of loss, timeouts and refusals of the oldest request."""
 
     __slots__ = ("_gave_up", "_refusals", "_silent_since", "_silent_tries", "_tries", "gone_back", "heard", "lost",
                  "place", "timed_out")  # fmt: skip
 
     def __init__(self) -> None:
         self.heard = False
-        """Something that can be about a request has arrived since the last time out, be it damaged: set by the reader.
+        """True if bytes that can belong to an answer arrived since the last timeout, damaged ones too.
+
+        The receiver sets it.
         """
         self.place = NEVER
-        """Place of the first sending since the window went back."""
+        """Number of the first transmission since the window went back."""
         self.gone_back = 0
-        """Number of times that it has gone back to this oldest request."""
+        """Number of times that the window went back to this oldest request, at most `MOST_SIGNS`."""
         self.timed_out = False
-        """True if it went back last because the time had run out."""
+        """True if the window went back last for a timeout, False for a sign of loss."""
         self.lost = False
-        """The gateway does not answer any more: too many time outs in silence, or not even an ``h`` comes through."""
+        """True if the gateway no longer answers: too many timeouts in silence, or even an ``h`` was given up."""
         self._refusals = self._tries = self._silent_tries = 0
         self._silent_since = 0.0
         self._gave_up = False
 
     def takes(self, arrived: int) -> bool:
-        """Return whether a sign is followed, given the place of the last sending that has arrived."""
-        return self.place <= arrived and not self.are_left_to_the_time()
+        """Return whether the window goes back for a sign, given the number of the last transmission that arrived."""
+        return self.place <= arrived and not self.ignores_signs()
 
-    def are_left_to_the_time(self) -> bool:
-        """Return whether the window has gone back so often to this request that no further sign counts."""
+    def ignores_signs(self) -> bool:
+        """Return whether the window went back to this request so often that only the timeout counts."""
         return self.gone_back >= MOST_SIGNS
 
     def go_back(self, sent: int) -> None:
-        """Record that the window goes back, given the number of sendings."""
+        """Record that the window goes back; `sent` is the number of the next transmission."""
         self.place = sent
         self.gone_back = min(self.gone_back + 1, MOST_SIGNS)
 
@@ -61,7 +68,12 @@ class LossDetection:
         return given_up
 
     def time_out(self, now: float, since: float) -> bool:
-        """Record that the time has run out; return whether the oldest request is given up."""
+        """Record a timeout; return whether the oldest request is given up.
+
+        Args:
+            now: instant of the timeout.
+            since: instant from which the timeout counts.
+        """
         self._tries += 1
         given_up = False
         if self.heard:
@@ -79,15 +91,15 @@ class LossDetection:
         return given_up
 
     def give_up(self) -> None:
-        """Record that another request stands in for the oldest."""
+        """Record that an ``h`` replaces the oldest request."""
         self._tries = self._refusals = self.gone_back = 0
         self._gave_up = True
 
     def news(self) -> None:
-        """Record that something was executed."""
+        """Record that the gateway has executed a request."""
         self._tries = self._silent_tries = 0
 
     def moved(self) -> None:
-        """Begin anew with another oldest request."""
+        """Reset the counts for a new oldest request."""
         self._gave_up = False
         self.gone_back = self._refusals = self._tries = self._silent_tries = 0

@@ -1,7 +1,9 @@
-"""Posted writes, which have no answer: an ``h`` behind them tells how many of the session have failed.
+"""Posted writes (``ws``), which have no response, and the fences (``h``) that confirm them.
 
-They are *unfenced* as long as no ``h`` was sent behind them, and *executed* until the answer to one has told how they
-ended. Where it counts more failed ones than errors have come, each that is executed is asked for by itself.
+1. A posted write is *unfenced* until an ``h`` is sent after it.
+2. It is *executed* once a response to a later request arrived, until the answer to an ``h`` reports its outcome.
+3. The answer to an ``h`` counts all posted writes of the session that failed. If it counts more than error responses
+   have arrived, errors are lost, and the window asks for the outcome of each executed one.
 """
 
 from __future__ import annotations
@@ -14,42 +16,42 @@ from unity_link.protocol.window.sequence_space import R
 
 
 class PostedWrites(Generic[R]):
-    """Posted writes that were sent and not told as done."""
+    """Posted writes that were sent, and whose outcomes are not known yet."""
 
     __slots__ = ("before", "due", "executed", "failed", "first", "mark", "start", "unfenced")
 
     def __init__(self) -> None:
         self.unfenced = False
-        """True if some are unfenced."""
+        """True if there are unfenced posted writes."""
         self.start = self.mark = 0
-        """IDs of the first unfenced one, and behind the last request that is no posted write since, if there are any.
+        """ID of the first unfenced posted write, and the ID after the last other request sent since (`start` if none).
         """
         self.before = 0
-        """Characters of all requests before the first unfenced one."""
+        """Characters of all requests of the session before the first unfenced posted write."""
         self.due = math.inf
-        """Instant at which they are to be confirmed, if there are any."""
+        """Instant at which an ``h`` is due for the unfenced posted writes."""
         self.executed: list[R | None] = []
-        """Runs of the executed ones by ID, from `first` on; None for what else was sent between them."""
+        """Runs of the executed posted writes, one for each ID from `first` on; None for other requests between them."""
         self.first = 0
-        """ID of the first of `executed`, if there are any."""
+        """ID of the first item of `executed`."""
         self.failed = 0
-        """Number of those whose errors have come, in this session."""
+        """Number of error responses to posted writes in this session, modulo the number of IDs."""
 
     def begin(self, run: R, now: float) -> None:
-        """Record the first posted writes behind the last ``h``."""
+        """Record the first posted writes after the last ``h``."""
         self.unfenced = True
         self.start = self.mark = run.first
         self.before, self.due = run.before, now + FENCE_DELAY
 
-    def sent_behind(self, run: R, after: int) -> None:
-        """Record a run that is sent behind unfenced ones, the IDs of which end before `after`."""
+    def sent_after(self, run: R, after: int) -> None:
+        """Record another run that is sent while posted writes are unfenced; its IDs end before `after`."""
         if run.is_fence:
             self.unfenced, self.due = False, math.inf
         else:
             self.mark = after
 
     def keep(self, number: int, runs: list[R | None], mask: int) -> None:
-        """Record those that were executed, by ID from `number` on; None for what else was."""
+        """Record executed posted writes: one run for each ID from `number` on, None for other requests."""
         if not self.executed:
             self._hold(number, runs, mask)
             return
@@ -57,7 +59,7 @@ class PostedWrites(Generic[R]):
         self.executed += runs
 
     def take_executed(self, before: int, mask: int) -> list[R | None]:
-        """Return the executed ones whose IDs are from `first` on and before another, and forget them."""
+        """Return the executed posted writes with IDs from `first` to before `before`, and remove them."""
         count = before - self.first & mask
         if count > mask >> 1:
             return []
@@ -66,6 +68,6 @@ class PostedWrites(Generic[R]):
         return taken
 
     def _hold(self, number: int, runs: list[R | None], mask: int) -> None:
-        """Let the executed ones be these; what stands before the first of them is left out."""
-        other = next((place for place, run in enumerate(runs) if run is not None), len(runs))
-        self.first, self.executed = number + other & mask, runs[other:]
+        """Set `executed` and `first`, without other requests before the first posted write."""
+        others = next((place for place, run in enumerate(runs) if run is not None), len(runs))
+        self.first, self.executed = number + others & mask, runs[others:]

@@ -1,7 +1,10 @@
-"""The duration of answers: round trips as they were measured, and the time out that follows from them (RFC 6298).
+"""Round trips, and the retransmission timeout that follows from them (RFC 6298).
 
-One request at a time is timed, and none that was sent twice. Messages here are of unlike sizes, which RFC 6298 does not
-know: so the time that bytes need on the wire counts beside the time out.
+1. One request at a time is timed, and none that was retransmitted (Karn's algorithm).
+2. The timeout is the smoothed round trip plus four times its variation, but at least twice the round trip.
+3. Messages have very different sizes, unlike the segments of RFC 6298. So the time that the bytes in flight take on the
+   wire is added to the timeout.
+4. Each timeout doubles the timeout (backoff), up to `LONGEST_TIMEOUT`.
 """
 
 from __future__ import annotations
@@ -15,9 +18,9 @@ class RoundTrip:
     """Estimate of the round trips of one session.
 
     Args:
-        byte_time: seconds that one byte may need on the wire, at most; round trips of many bytes show where it is less.
-        first: a first measurement in seconds, if there is one.
-        shortest_timeout: seconds that the medium may hold an answer back, and some more.
+        byte_time: upper limit of the seconds that one byte takes on the wire; measured round trips lower it.
+        first: first measured round trip in seconds, or None.
+        shortest_timeout: lower limit of the timeout in seconds, above the delay that the medium may add to an answer.
     """
 
     __slots__ = (
@@ -30,7 +33,7 @@ class RoundTrip:
         "_since",
         "_timeout",
         "_variation",
-        "is_doubled",
+        "has_backed_off",
         "least",
         "next_measurement",
         "smoothed",
@@ -43,13 +46,13 @@ class RoundTrip:
         self._measured_timeout = self._timeout = FIRST_TIMEOUT
         self._variation = 0.0
         self.smoothed: float | None = None
-        """Smoothed round trip in seconds (SRTT of RFC 6298), None before the first."""
+        """Smoothed round trip in seconds (SRTT of RFC 6298), None before the first measurement."""
         self.least = 0.0 if first is None else first
-        """The least in seconds, 0 before the first."""
-        self.is_doubled = False
-        """True if the time out is longer than the round trips say, for nothing came in time."""
+        """Shortest measured round trip in seconds."""
+        self.has_backed_off = False
+        """True if timeouts have doubled the timeout since the last measurement."""
         self.timed: int | None = None
-        """ID of the request that is timed."""
+        """ID of the request that is being timed; None if there is none."""
         self._since = 0.0
         self._bytes = self._reply_bytes = 1
         self.next_measurement = -math.inf
@@ -58,19 +61,19 @@ class RoundTrip:
             self._measure(first)
 
     def begin(self, number: int, now: float, size: int, reply_size: int) -> None:
-        """Time a request that is sent now.
+        """Begin to time a request.
 
         Args:
             number: its ID.
-            now: the time.
-            size: characters of all that is under way, the request included.
+            now: instant of its transmission.
+            size: characters of all requests in flight, this one included.
             reply_size: characters of its answer.
         """
         self.timed, self._since = number, now
         self._bytes, self._reply_bytes = size, reply_size
 
     def end(self, now: float) -> None:
-        """Record the answer to the request that is timed."""
+        """Record the answer to the timed request."""
         round_trip = now - self._since
         self._measure(round_trip)
         self._byte_time = min(self._byte_time, round_trip / self._bytes)
@@ -78,34 +81,34 @@ class RoundTrip:
         self.timed = None
         self.next_measurement = now + MEASUREMENT_PAUSE
 
-    def double(self) -> None:
-        """Wait twice as long from now on."""
+    def back_off(self) -> None:
+        """Double the timeout."""
         self._timeout = min(2 * self._timeout, LONGEST_TIMEOUT)
-        self.is_doubled = self._timeout != self._measured_timeout
+        self.has_backed_off = self._timeout != self._measured_timeout
 
-    def undo_doubling(self) -> None:
-        """Wait as long as the round trips say."""
+    def end_backoff(self) -> None:
+        """Reset the timeout to the value of the measured round trips."""
         self._timeout = self._measured_timeout
-        self.is_doubled = False
+        self.has_backed_off = False
 
     def time_out(self, size: int, reply_size: int) -> float:
-        """Return the seconds after which an answer is late.
+        """Return the timeout of an answer in seconds.
 
         Args:
-            size: characters of all that is under way.
+            size: characters of all requests in flight.
             reply_size: characters of the answer.
         """
         return self._timeout + self._wire_time(size, reply_size)
 
     def longest(self, size: int, reply_size: int) -> float:
-        """Return the same with nothing doubled."""
+        """Return the timeout without backoff, in seconds; the arguments are those of `time_out`."""
         return self._measured_timeout + self._wire_time(size, reply_size)
 
     def _wire_time(self, size: int, reply_size: int) -> float:
         return self._byte_time * size + self._reply_byte_time * reply_size
 
     def _measure(self, round_trip: float) -> None:
-        """Adapt the time out (RFC 6298, section 2)."""
+        """Update the smoothed round trip, its variation and the timeout (RFC 6298, section 2)."""
         if self.smoothed is None:
             self.smoothed = round_trip
             self._variation = round_trip / 2
@@ -115,4 +118,4 @@ class RoundTrip:
         self.least = min(self.least, round_trip)
         wanted = self.smoothed + max(4 * self._variation, self.smoothed)
         self._measured_timeout = min(max(wanted, self._shortest_timeout), LONGEST_TIMEOUT)
-        self.undo_doubling()
+        self.end_backoff()

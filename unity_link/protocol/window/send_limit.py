@@ -1,7 +1,9 @@
-"""Number of requests that may be under way: half the ring, what a receive FIFO holds, and fewer on a line that loses.
+"""The send limit: the most requests and bytes in flight (the congestion window of RFC 5681).
 
-One damaged request costs all those sent behind it. So where the window goes back, fewer are kept in flight: half as
-many, and at most four times as many as came through since it went back before; some that are done later it is one more.
+1. At most half of the sequence space is in flight, and without flow control at most the bytes of the receive FIFO.
+2. A lost request costs the retransmission of all requests after it. So each loss halves the number of requests, to at
+   least `FEWEST_IN_FLIGHT`. From the second loss on it is also at most four times the requests done since the last one.
+3. Every `DONE_FOR_ONE_MORE` requests that are done raise the limit by one.
 """
 
 from __future__ import annotations
@@ -10,11 +12,11 @@ from unity_link.protocol.window.constants import DONE_FOR_ONE_MORE, FEWEST_IN_FL
 
 
 class SendLimit:
-    """Bounds of what is in flight.
+    """Limits of the requests in flight.
 
     Args:
-        most: requests in flight, at most.
-        byte_limit: most unconfirmed request bytes, or None where flow control protects the gateway's receive FIFO.
+        most: most requests in flight on a line without loss.
+        byte_limit: most unconfirmed request bytes; None if flow control protects the gateway's receive FIFO.
     """
 
     __slots__ = ("_after_loss", "_came", "_most", "allowed", "byte_limit", "loses")
@@ -23,32 +25,33 @@ class SendLimit:
         self._most = self.allowed = most
         self.byte_limit = byte_limit
         self.loses = False
-        """True if fewer are kept in flight, for the line has lost some."""
+        """True if losses have lowered the limit, and it is not at its maximum again."""
         self._after_loss = self._came = 0
+        """The limit right after the last loss, and the number of requests done since."""
 
     def most_room(self, size: int) -> int:
-        """Return for how many requests of `size` characters there is room while nothing is under way."""
+        """Return how many requests of `size` characters may be sent while none is in flight."""
         return self.allowed if self.byte_limit is None else min(self.allowed, max(1, self.byte_limit // size))
 
     def room(self, outstanding: int, outstanding_bytes: int, size: int, *, kept_free: bool) -> int:
         """Return how many more requests of `size` characters may be sent.
 
         Args:
-            outstanding: requests that may still be lost.
-            outstanding_bytes: characters of those that are not known to be executed.
-            size: of each that may be sent.
-            kept_free: whether one more place is left.
+            outstanding: number of requests in flight that may have to be retransmitted.
+            outstanding_bytes: characters of the requests whose execution is not confirmed.
+            size: characters of each request to send.
+            kept_free: reserve one place for an ``h``.
         """
-        # A window of one has no room for both.
+        # A window of one request has no place to reserve.
         room = self.allowed - outstanding - (kept_free and self._most > 1)
         if self.byte_limit is not None:
             by_bytes = (self.byte_limit - outstanding_bytes) // size - kept_free
-            # A request longer than the whole FIFO goes alone.
+            # A request longer than the whole FIFO is sent while no other is in flight.
             room = min(room, max(by_bytes, 0 if outstanding_bytes else 1))
         return room
 
     def lose(self) -> None:
-        """Allow fewer, because some were lost."""
+        """Lower the limit after a loss."""
         if self.loses:
             self.allowed = min(self.allowed, 4 * self._came)
         self.allowed = self._after_loss = max(self.allowed // 2, min(FEWEST_IN_FLIGHT, self._most))
@@ -56,7 +59,7 @@ class SendLimit:
         self._came = 0
 
     def came_through(self, count: int) -> None:
-        """Record how many more are done since some were lost, and let so many more be in flight."""
+        """Record `count` requests as done since the last loss, and raise the limit."""
         self._came += count
         self.allowed = min(self._most, self._after_loss + self._came // DONE_FOR_ONE_MORE)
         self.loses = self.allowed < self._most

@@ -1,16 +1,16 @@
-"""The IDs of a session on their ring, and what waits for answers to them.
+"""The sequence space: the IDs of a session, and the unanswered request of each.
 
-IDs go round a ring of 16**id_digits numbers, on which the host keeps three marks:
+IDs count modulo 16**id_digits. The host keeps three marks:
 
         answered         executed, but some        sent, and            not yet
-                         answers were lost         not confirmed        sent
+                         answers are lost          not confirmed        sent
     ----------------|------------------------|---------------------|-------------
                   oldest                  executed                 next
 
-- `oldest` is the oldest request that still wants something: its answer, or the news that it was executed.
-- `executed` is what the gateway is known to expect at least: a response to ID k says that all before k were executed,
-  and ``n i`` says the same of all before i.
-- `next` is the ID that the next request gets.
+- `oldest` is the ID of the oldest request that is not done: its answer or its confirmation is missing.
+- `executed` is the lowest ID that the gateway may expect: a response to ID k confirms that all requests before k are
+  executed, and ``n i`` confirms it for all before i.
+- `next` is the ID of the next request.
 """
 
 from __future__ import annotations
@@ -25,34 +25,34 @@ if TYPE_CHECKING:
 class Run:
     """One or more requests of equal size that hold consecutive IDs.
 
-    A single request is a run of one. A run of many lets a batch be numbered, sent and answered in one step.
+    A single request is a run of one. The requests of a long run are numbered, sent and answered in one step.
     """
 
     __slots__ = ("before", "count", "first", "posted", "reply_size", "sending", "size")
     is_fence = False
-    """True of an ``h``, the answer to which counts the posted writes that failed."""
+    """True for an ``h`` whose answer counts the posted writes that failed."""
     places = 0
-    """Words that the gateway keeps, for they cannot be read again."""
+    """Words of a destructive read, which the gateway stores for retransmissions."""
     is_question = False
-    """True of an ``h`` that asks how a posted write ended."""
+    """True for an ``h`` that asks for the outcome of a posted write with the same ID."""
 
     def __init__(self, count: int, size: int, reply_size: int) -> None:
         self.first = 0
-        """The first ID, given by the window."""
+        """ID of the first request; the window sets it."""
         self.sending = 0
-        """Place of the first request among all that were sent, given by the window."""
+        """Transmission number of the first request, when it was first sent; the window sets it."""
         self.before = 0
-        """Characters of all requests of the session before the first, given by the window."""
+        """Characters of all requests of the session before this run; the window sets it."""
         self.count = count
         """Number of requests."""
         self.size = size
-        """Characters of each."""
+        """Characters of each request."""
         self.reply_size = reply_size
-        """Characters of the answer to each; 0 where there is none: a posted write."""
+        """Characters of each answer; 0 for posted writes, which have none."""
         self.posted = reply_size == 0
 
     def question(self, offset: int, count: int) -> Self:
-        """Return the run that asks how some posted writes of this one ended."""
+        """Return the run that asks for the outcomes of `count` posted writes of this run, from `offset` on."""
         raise NotImplementedError
 
 
@@ -60,23 +60,23 @@ R = TypeVar("R", bound=Run)
 
 
 class Part(NamedTuple, Generic[R]):
-    """Some requests of a run that follow each other."""
+    """Consecutive requests of a run."""
 
     number: int
-    """ID of the first."""
+    """ID of the first request."""
     run: R
     offset: int
-    """Its place in the run."""
+    """Position of the first request in the run."""
     length: int
-    """The number of them."""
+    """Number of requests."""
 
 
 class SequenceSpace(Generic[R]):
-    """The marks, and the run that waits for the answer to each ID.
+    """The three marks, and the unanswered run of each ID.
 
     Args:
         size: number of IDs.
-        first: the first ID of the session.
+        first: first ID of the session.
     """
 
     __slots__ = ("executed", "mask", "next", "oldest", "slots")
@@ -84,55 +84,58 @@ class SequenceSpace(Generic[R]):
     def __init__(self, size: int, first: int) -> None:
         self.mask = size - 1
         self.slots: list[R | None] = [None] * size
-        """Runs by ID; None where nothing waits."""
+        """Run of each ID with an unanswered request; None for other IDs."""
         self.oldest = self.executed = self.next = first
 
     @property
     def unanswered_count(self) -> int:
-        """Number of IDs from the oldest on that were sent."""
+        """Number of IDs from `oldest` to before `next`; some of them may be answered."""
         return self.next - self.oldest & self.mask
 
     def distance(self, number: int) -> int:
-        """Return how far an ID is behind the oldest."""
+        """Return the number of IDs from `oldest` to `number`."""
         return number - self.oldest & self.mask
 
     def find(self, number: int) -> R | None:
-        """Return the run that an answer names, or None where nothing waits for it (a stale answer)."""
+        """Return the run of an unanswered ID, or None: the answer to another ID is stale."""
         return self.slots[number]
 
     def between(self, first: int, last: int) -> list[R | None]:
-        """Return what waits for answers to the IDs from `first` on and before `last`."""
+        """Return the runs of the IDs from `first` to before `last`; None for each ID without an unanswered request."""
         slots = self.slots
         return slots[first:last] if first <= last else slots[first:] + slots[:last]
 
     def open(self, first: int, last: int) -> int:
-        """Return how many IDs wait for answers, from `first` on and before `last`."""
+        """Return the number of unanswered IDs from `first` to before `last`."""
         between = self.between(first, last)
         return len(between) - between.count(None)
 
     def alike(self, number: int, count: int) -> int:
-        """Return how many IDs from one on, of so many at most, wait for answers to the same run."""
+        """Return how many consecutive IDs from `number` on belong to the same run, at most `count`."""
         runs = self.between(number, number + count & self.mask)
         if runs.count(runs[0]) == count:
             return count
         return next(place for place, run in enumerate(runs) if run is not runs[0])
 
     def fill(self, first: int, count: int, run: R | None) -> None:
-        """Let a run wait for the answers to some IDs, or nothing."""
+        """Assign a run to `count` IDs from `first` on; None marks them as answered."""
         self.put(first, [run] * count)
 
     def put(self, first: int, runs: list[R | None]) -> None:
-        """Let these wait for the answers to the IDs from `first` on, each to one; None is nothing."""
-        before_lap = min(len(runs), self.mask + 1 - first)
-        self.slots[first : first + before_lap] = runs[:before_lap]
-        self.slots[: len(runs) - before_lap] = runs[before_lap:]
+        """Assign one run to each ID from `first` on; None marks an ID as answered."""
+        before_wrap = min(len(runs), self.mask + 1 - first)
+        self.slots[first : first + before_wrap] = runs[:before_wrap]
+        self.slots[: len(runs) - before_wrap] = runs[before_wrap:]
 
     def parts(self, position: int, last: int) -> Iterator[Part[R]]:
-        """Return the parts of runs that wait for answers from one ID on and before another."""
+        """Return the unanswered parts of runs, from the ID `position` to before the ID `last`."""
         return parts_of(self.between(position, last), position, self.mask)
 
-    def behind_next_with_answer(self, position: int) -> int:
-        """Return the ID behind the next request that has an answer; that of the next where all are posted writes."""
+    def after_next_with_answer(self, position: int) -> int:
+        """Return the ID after the next unanswered request from `position` on that is no posted write.
+
+        It is `next` if there is none.
+        """
         slots, mask, end = self.slots, self.mask, self.next
         while position != end:
             run = slots[position]
@@ -145,7 +148,7 @@ class SequenceSpace(Generic[R]):
         return end
 
     def advance(self) -> bool:
-        """Move the oldest mark up over what is done; return whether it moved."""
+        """Move `oldest` past the requests that are done; return whether it moved."""
         before = self.oldest
         between = self.between(before, self.executed)
         done = len(between)
@@ -156,7 +159,7 @@ class SequenceSpace(Generic[R]):
 
 
 def parts_of(runs: list[R | None], number: int, mask: int) -> Iterator[Part[R]]:
-    """Return the parts of the runs that stand for the IDs from `number` on, each for one; None is nothing."""
+    """Return the parts of runs, given the run of each ID from `number` on; None for an answered ID."""
     for run, same in groupby(runs):
         count = len(list(same))
         if run is not None:

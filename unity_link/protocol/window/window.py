@@ -1,34 +1,38 @@
-"""The host's side of docs/protocol.md, "Exactly once, in order", as a state machine without I/O or clocks.
+"""The window: exactly-once delivery in order at the host (docs/protocol.md, "The host"), without I/O or clocks.
 
 Every request carries an ID of the sequence space (`unity_link.protocol.window.sequence_space`). At most half of the IDs
-are in flight: the gateway takes the half before its own number for repetitions. The window's reaction to each event:
+are in flight, because the gateway treats the other half as repetitions. The window reacts to an event as follows:
 
-    ==============================  ==========================================================================
-    response to an unanswered ID    answered; `executed` moves behind it; what was sent before it and is not answered
-                                    was lost: where the gateway has executed all that, send it again; else go back
-    response to any other ID        stale, the answer to a repetition: nothing
-    response to an ``h``            the same, and the posted writes before it are told, or each is asked for
-    ``n i``                         `executed` moves to i; go back; outside of the window: the session is over
-    ``X01`` ``X07`` ``X09``         a request arrived damaged: go back
-    ``X02`` ``X03``                 the same, and the third time for the same request: give that one up
-    a frame with a wrong CRC        an answer arrived damaged, perhaps: send the oldest again, or the next if it came
-                                    before; go back where all were
-    time out, something was heard   go back, with twice the time out; after too many for the same request: give that
-                                    one up; after as many for the ``h`` in its place: lost
-    time out, nothing was heard     go back, with twice the time out; after `LONGEST_SILENCE`: lost
-    ==============================  ==========================================================================
+    ==============================  ====================================================================================
+    event                           reaction
+    ==============================  ====================================================================================
+    response to an unanswered ID    The request is done, and all requests before it are executed. Unanswered requests
+                                    that were sent before it, or their answers, are lost: retransmit only those whose
+                                    execution is certain, otherwise go back.
+    response to any other ID        Ignore it: it answers a retransmission of a request that is done.
+    response to an ``h`` (fence)    As above. Its count confirms the posted writes before it; if some failed
+                                    without an error, ask for the outcome of each.
+    ``n i``                         All requests before ID i are executed: go back. If i is outside of the window, the
+                                    session is over.
+    ``X01`` ``X07`` ``X09``         A request arrived damaged: go back.
+    ``X02`` ``X03``                 The same; after `MOST_REFUSALS` for one request, give it up.
+    frame with a wrong CRC          An answer may be damaged: retransmit the oldest request, or the next one if the
+                                    oldest was retransmitted already. If all were, go back.
+    timeout, something was heard    Go back, with backoff. After `MOST_TRIES` for one request, give it up; after as many
+                                    for its replacement, the link is lost.
+    timeout in silence              Go back, with backoff. After `LONGEST_SILENCE` the link is lost.
+    ==============================  ====================================================================================
 
-*Go back* means: ask for the session by a `K`, and send the unanswered requests again, in order, from `oldest`. It is
-done once for a loss (`loss`), with fewer in flight (`send_limit`); about a sign that may be of the same loss or of the
-next one, one more `K` asks, as the first may be lost. The repetition sends only as many at a time, and new
-requests follow behind its end. A damaged answer costs nothing but itself: the order in which requests were sent,
-repetitions and `K` among them, says of each answer which others will not come any more (`retransmission`).
-
-Something was *heard* if it can be about a request; samples are not. A request that is given up, or that is not wanted
-any more, keeps its ID, for those behind it build on it; when it is sent again, it is sent as ``h``.
-
-The time out is RFC 6298's (`round_trip`), but never less than twice the round trip, with the clock of the caller. The
-doubling is undone by the answer to a request that was sent once, and by any progress after a sign of loss.
+1. *Go back*: send a session query (`K`), then retransmit the unanswered requests from `oldest` on, in order. New
+   requests follow them.
+2. The window goes back once for a loss (`loss_detection`), and then keeps fewer requests in flight (`send_limit`).
+3. A later sign may belong to the same loss or to a new one. One more query decides, because the first may be lost.
+4. Both directions keep the order of frames. So each answer shows which answers can no longer arrive
+   (`retransmission`); a damaged answer therefore costs one retransmission.
+5. Bytes were *heard* if they can belong to an answer or an error. Samples do not count.
+6. A request that is given up, or cancelled, keeps its ID, because later IDs follow it. Its retransmissions are ``h``.
+7. The timeout is that of RFC 6298 (`round_trip`), but at least twice the round trip. An answer to a request that was
+   sent once ends the backoff, and so does progress after a sign of loss.
 """
 
 from __future__ import annotations
@@ -50,7 +54,7 @@ if TYPE_CHECKING:
 
 
 class Unanswered(NamedTuple, Generic[R]):
-    """Part of a run that is not done: `size` requests from `offset` on, and what is known of them."""
+    """Requests of a run that are not done, `size` of them from `offset` on, with their outcome."""
 
     run: R
     offset: int
@@ -59,16 +63,16 @@ class Unanswered(NamedTuple, Generic[R]):
 
 
 class Window(SequenceSpace[R]):
-    """The host's window over one session.
+    """The requests in flight of one session.
 
     Args:
-        ring: number of IDs, 16**id_digits.
-        first: the first ID of the session.
-        byte_limit: most unconfirmed request bytes, or None where flow control protects the gateway's receive FIFO.
-        byte_time: seconds that one byte may need on the wire, at most; round trips of many bytes show where it is less.
-        round_trip: a first measurement in seconds, if there is one.
-        shortest_timeout: seconds that the medium may hold an answer back, and some more.
-        most: requests in flight, at most; None for half the ring.
+        id_count: number of IDs, 16**id_digits.
+        first: first ID of the session.
+        byte_limit: most unconfirmed request bytes; None if flow control protects the gateway's receive FIFO.
+        byte_time: upper limit of the seconds that one byte takes on the wire; measured round trips lower it.
+        round_trip: first measured round trip in seconds, or None.
+        shortest_timeout: lower limit of the timeout in seconds, above the delay that the medium may add to an answer.
+        most: most requests in flight; None for half the sequence space.
     """
 
     __slots__ = ("_free", "_sent", "_unawaited", "loss", "posted_writes", "retransmission", "room_of_answers",
@@ -76,7 +80,7 @@ class Window(SequenceSpace[R]):
 
     def __init__(
         self,
-        ring: int,
+        id_count: int,
         first: int = 0,
         byte_limit: int | None = None,
         byte_time: float = 0.0,
@@ -84,8 +88,8 @@ class Window(SequenceSpace[R]):
         shortest_timeout: float = SHORTEST_TIMEOUT,
         most: int | None = None,
     ) -> None:
-        super().__init__(ring, first)
-        self.send_limit = SendLimit(ring // 2 if most is None else most, byte_limit)
+        super().__init__(id_count, first)
+        self.send_limit = SendLimit(id_count // 2 if most is None else most, byte_limit)
         self.posted_writes: PostedWrites[R] = PostedWrites()
         self.retransmission: Retransmission[R] = Retransmission(self)
         self.loss = LossDetection()
@@ -94,53 +98,53 @@ class Window(SequenceSpace[R]):
         self._sent = 0
         """Characters of all requests of the session."""
         self._free = 0
-        """Number of requests of any size for which there is room at least, as far as it was asked."""
+        """Lower limit of the number of requests that may be sent now, of any size; cached by `has_room`."""
         self._unawaited = first
-        """ID before which no answer is awaited, as far as it was asked."""
+        """ID before which no answer is expected; cached by `_next_reply_size`."""
         self.room_of_answers: Callable[[], int] | None = None
-        """Returns how many bytes of answers may be under way; None: any number."""
+        """Returns the most bytes of answers in flight; None for no limit."""
         self.since = 0.0
-        """Instant of the last progress; while nothing is in flight, of the last request that was done."""
+        """Instant of the last progress, from which the timeout counts. If the window is idle: when it became idle."""
 
     @property
     def in_flight(self) -> int:
-        """Number of IDs from the first on that was sent and is not done."""
-        in_flight, posts = self.next - self.oldest & self.mask, self.posted_writes
-        # Either may be before the other.
-        return max(in_flight, self.next - posts.first & self.mask) if posts.executed else in_flight
+        """Number of IDs from the first request that is not done, to `next`."""
+        in_flight, posted = self.next - self.oldest & self.mask, self.posted_writes
+        # Executed posted writes without a fence may be before the oldest request, or after it.
+        return max(in_flight, self.next - posted.first & self.mask) if posted.executed else in_flight
 
     @property
     def bytes(self) -> int:
-        """Characters of the requests that are not known to be executed."""
+        """Characters of the requests whose execution is not confirmed."""
         run = self.slots[self.executed]
         if run is None or self.executed == self.next:
             return 0
         return self._sent - run.before - (self.executed - run.first & self.mask) * run.size
 
     def is_idle(self) -> bool:
-        """Return whether nothing is in flight."""
+        """Return whether no request is in flight."""
         return self.next == self.oldest and not self.posted_writes.executed
 
-    def is_lone(self) -> bool:
-        """Return whether one request alone is in flight."""
+    def has_one_request(self) -> bool:
+        """Return whether exactly one request is in flight."""
         return self.next - self.oldest & self.mask == 1
 
     # Sending
 
     def bound_answers(self, room_of_answers: Callable[[], int]) -> None:
-        """Bound the answers under way by as many bytes as a function returns."""
+        """Limit the bytes of answers in flight to the number that a function returns."""
         self.room_of_answers = room_of_answers
         self._free = 0
 
     def room(self, size: int, *, posted: bool = False, reply_size: int = 0) -> int:
         """Return how many more requests of `size` characters with answers of `reply_size` may be sent now.
 
-        Where there are posted writes, a place is left for the ``h`` that will confirm them.
+        If there are posted writes, one place stays reserved for the ``h`` that confirms them.
         """
         if self.retransmission.is_due():
             return 0
         kept_free = posted or self.posted_writes.unfenced
-        # What is not known to be executed, or executed and not answered, may still be lost.
+        # Requests that are unconfirmed, or executed and unanswered, may have to be retransmitted.
         outstanding = self.unanswered_count
         if self.oldest != self.executed:
             outstanding -= self.between(self.oldest, self.executed).count(None)
@@ -152,7 +156,7 @@ class Window(SequenceSpace[R]):
         return max(0, room)
 
     def most_room(self, size: int, reply_size: int) -> int:
-        """Return for how many such requests there is room while nothing is under way."""
+        """Return how many such requests may be sent while the window is idle."""
         most = self.send_limit.most_room(size)
         if self.room_of_answers is None or not reply_size:
             return most
@@ -164,16 +168,16 @@ class Window(SequenceSpace[R]):
             return True
         room = self.room(size, posted=posted, reply_size=reply_size)
         if self.send_limit.byte_limit is None and self.room_of_answers is None:
-            # Answers make more, and what makes less forgets it; a place is left for an ``h``.
+            # Cache the number: answers only increase it, and `_repeat` clears it. Reserve one place for an ``h``.
             self._free = room - 1
         return room > 0
 
     def send(self, run: R, now: float) -> None:
-        """Assign IDs to a run that is now sent. The caller has seen that there is room (an ``h`` needs none)."""
-        first, count, repetition = self.next, run.count, self.retransmission
+        """Assign IDs to a run that is sent now. The caller has checked `room`; an ``h`` needs none."""
+        first, count, retransmission = self.next, run.count, self.retransmission
         run.first = first
-        run.sending = repetition.sent
-        repetition.sent += count
+        run.sending = retransmission.sent
+        retransmission.sent += count
         run.before = self._sent
         self._free -= count
         self._sent += run.size * count
@@ -189,37 +193,37 @@ class Window(SequenceSpace[R]):
                 self.posted_writes.begin(run, now)
             return
         if self.posted_writes.unfenced:
-            self.posted_writes.sent_behind(run, self.next)
+            self.posted_writes.sent_after(run, self.next)
         trip = self.round_trip
         if trip.timed is None and now >= trip.next_measurement:
             trip.begin(first, now, self.bytes, run.reply_size)
 
     def needs_fence(self, now: float) -> bool:
-        """Return whether posted writes have waited long enough, or are many enough, to be confirmed by an ``h``."""
-        posts, allowance = self.posted_writes, self.send_limit
-        limit = allowance.byte_limit
+        """Return whether an ``h`` is due: the posted writes without one are old, or a quarter of the window or FIFO."""
+        posted, send_limit = self.posted_writes, self.send_limit
+        limit = send_limit.byte_limit
         return (
-            posts.unfenced
+            posted.unfenced
             and (
-                4 * (self.next - posts.start & self.mask) >= allowance.allowed
-                or now >= posts.due
-                or (limit is not None and 4 * (self._sent - posts.before) >= limit)
+                4 * (self.next - posted.start & self.mask) >= send_limit.allowed
+                or now >= posted.due
+                or (limit is not None and 4 * (self._sent - posted.before) >= limit)
             )
             and not self.retransmission.is_due()
         )
 
     def repeat(self) -> list[Part[R]]:
-        """Return what is to be sent again now, in order."""
+        """Return the requests to retransmit now, in order."""
         start = self.retransmission.start
-        least = self.open(self.oldest, self.behind_next_with_answer(self.oldest))
+        least = self.open(self.oldest, self.after_next_with_answer(self.oldest))
         return self.retransmission.take(max(self.send_limit.allowed, least) - self.open(self.oldest, start))
 
     def unanswered(self, refused: int | None = None) -> Iterator[Unanswered[R]]:
-        """Return all that is not done, in order.
+        """Return all requests that are not done, in order, with their outcomes at the end of the session.
 
         Args:
-            refused: the ID of a request that met a gateway without a session, and was known by its residue
-                (docs/protocol.md, "The host").
+            refused: ID of the request that a gateway without a session has refused (error 0A with the right residue);
+                requests that were first sent after its last transmission are not executed.
         """
         never = self.next if refused is None else self.retransmission.never_arrived_from(refused)
         if self.distance(never) < self.distance(self.executed):
@@ -233,19 +237,19 @@ class Window(SequenceSpace[R]):
 
     # Receiving
 
-    def is_quiet(self) -> bool:
-        """Return whether an answer to the oldest says nothing of others: none is missing, or was sent again."""
-        repetition = self.retransmission
+    def has_no_loss(self) -> bool:
+        """Return whether no loss is suspected: no answer is missing, and no request in flight was retransmitted."""
+        retransmission = self.retransmission
         return (
             self.oldest == self.executed
-            and repetition.start == repetition.end
-            and not repetition.awaits()
-            and not self.round_trip.is_doubled
+            and retransmission.start == retransmission.end
+            and not retransmission.awaits()
+            and not self.round_trip.has_backed_off
             and self.loss.place == NEVER
         )
 
-    def answered_quietly(self, count: int, now: float) -> None:
-        """Record the answers to the oldest requests, all of which wait for one, while it is quiet."""
+    def acknowledge_in_order(self, count: int, now: float) -> None:
+        """Record the answers to the oldest `count` requests while `has_no_loss` is true; none was answered before."""
         number, trip = self.oldest, self.round_trip
         if trip.timed is not None and trip.timed - number & self.mask < count:
             trip.end(now)
@@ -259,22 +263,27 @@ class Window(SequenceSpace[R]):
         self.since = now
 
     def answered(self, number: int, count: int, now: float) -> None:
-        """Record the answers to `count` IDs from `number` on, all of which wait for one."""
+        """Record the answers to the `count` unanswered IDs from `number` on.
+
+        Raises:
+            ValueError: if one of these IDs has no unanswered request.
+        """
         last, after = number + count - 1 & self.mask, number + count & self.mask
         run, beginning = self.slots[last], self.slots[number]
         if run is None or beginning is None:
             raise ValueError(f"no request with ID {number} waits for an answer")
-        if number == self.oldest and self.is_quiet():
-            self.answered_quietly(count, now)
+        if number == self.oldest and self.has_no_loss():
+            self.acknowledge_in_order(count, now)
             return
-        trip, repetition = self.round_trip, self.retransmission
+        trip, retransmission = self.round_trip, self.retransmission
         if trip.timed is not None and trip.timed - number & self.mask < count:
             trip.end(now)
-        # Without repetitions, the answer to the oldest says nothing of the others.
-        tells = repetition.awaits() or number != self.oldest
-        place = self._answered_place(beginning, number, run, last) if tells or self.loss.place != NEVER else NEVER
-        if trip.is_doubled and repetition.sending(run, last) == repetition.first_sending(run, last):
-            trip.undo_doubling()
+        # Without retransmissions, the answer to the oldest request shows no loss.
+        may_show_loss = retransmission.awaits() or number != self.oldest
+        is_needed = may_show_loss or self.loss.place != NEVER
+        place = self._answered_place(beginning, number, run, last) if is_needed else NEVER
+        if trip.has_backed_off and retransmission.sending(run, last) == retransmission.first_sending(run, last):
+            trip.end_backoff()
         self._confirm(number)
         if self.distance(after) > self.distance(self.executed):
             self.executed = after
@@ -282,57 +291,63 @@ class Window(SequenceSpace[R]):
         if self.send_limit.loses:
             self.send_limit.came_through(count)
         self._news(now)
-        if tells:
+        if may_show_loss:
             self._find_lost(place, now)
         elif place != NEVER:
-            repetition.arrived(place)
+            retransmission.arrived(place)
             if place >= self.loss.place:
                 self.loss.place = NEVER
 
     def _answered_place(self, beginning: R, number: int, run: R, last: int) -> int:
-        """Return the place of the sending of the last of some IDs, all of which are answered now."""
-        repetition = self.retransmission
-        place = repetition.answered_sending(beginning, number)
+        """Return the transmission number of the last of some IDs, all of which are answered now."""
+        retransmission = self.retransmission
+        place = retransmission.answered_sending(beginning, number)
         if last != number:
-            # Those of the others came behind it.
-            repetition.answered = max(repetition.answered, place)
-            place = repetition.answered_sending(run, last)
+            # The answers to the later IDs belong to later transmissions.
+            retransmission.answered = max(retransmission.answered, place)
+            place = retransmission.answered_sending(run, last)
         return place
 
-    def told(self, number: int, failed: int, now: float) -> bool:
-        """Take the count of failed posted writes from the answer to an ``h``: return whether all before it are told.
+    def fence_answered(self, number: int, failed: int, now: float) -> bool:
+        """Record the answer to an ``h``; return whether the outcomes of all posted writes before it are known now.
 
-        Otherwise each is asked for, and the ``h`` is sent once more behind them: at once, or where they were asked for
-        before, when their answers show that it was sent before them.
+        They are if the gateway counts as many failed writes as error responses arrived. Otherwise each posted write is
+        asked for by an ``h`` with its ID, and the fence is retransmitted after these questions: at once, or, if they
+        were asked before, as soon as an answer shows that they are lost.
+
+        Args:
+            number: ID of the ``h``.
+            failed: number of failed posted writes of the session, modulo the number of IDs.
+            now: instant of arrival.
         """
-        posts, repetition = self.posted_writes, self.retransmission
+        posted, retransmission = self.posted_writes, self.retransmission
         self._confirm(number)
         if self.executed == number:
             self.executed = number + 1 & self.mask
-        first, executed = posts.first, posts.take_executed(number, self.mask)
+        first, executed = posted.first, posted.take_executed(number, self.mask)
         asked = []
         if self.open(self.oldest, number):
             asked = [part for part in self.parts(self.oldest, number) if part.run.is_question]
         if not executed and not asked:
             return True
-        if failed == posts.failed:
+        if failed == posted.failed:
             for part in asked:
                 self.answered(part.number, part.length, now)
             return True
         run = self.slots[number]
         assert run is not None
-        place = repetition.answered_sending(run, number)
-        repetition.arrived(place)
-        again = [part.number for part in asked if repetition.is_lost(part.number, place)]
+        place = retransmission.answered_sending(run, number)
+        retransmission.arrived(place)
+        again = [part.number for part in asked if retransmission.is_lost(part.number, place)]
         if executed:
             for part in parts_of(executed, first, self.mask):
                 self.fill(part.number, part.length, part.run.question(part.offset, part.length))
             if self.distance(first) > self.mask >> 1:
-                # Otherwise an earlier ``h`` has gone back further.
+                # Move `oldest` back to the first question, unless an earlier ``h`` has moved it further.
                 self.oldest = first
             again.append(first)
         if not again:
-            # The answers to what was asked for are on their way, and will show that this one came before them.
+            # The answers to the questions are in flight, and will show that this answer precedes them.
             self.since = now
             return False
         self.loss.timed_out = False
@@ -340,29 +355,28 @@ class Window(SequenceSpace[R]):
         return False
 
     def post_failed(self) -> None:
-        """Record that the error of a posted write has come."""
+        """Record that the error response to a posted write arrived."""
         self.posted_writes.failed = self.posted_writes.failed + 1 & self.mask
 
-    def asked(self, now: float) -> None:
-        """Record the answer to a `K` that was sent ahead of a repetition: what was sent before will not be answered."""
-        repetition = self.retransmission
-        place = repetition.told()
+    def query_answered(self, now: float) -> None:
+        """Record the answer to a session query. Frames that were sent before it will not be answered any more."""
+        retransmission = self.retransmission
+        place = retransmission.query_answered()
         if place == NEVER or self.next == self.oldest:
             return
-        if self.loss.are_left_to_the_time():
-            repetition.arrived(place)
+        if self.loss.ignores_signs():
+            retransmission.arrived(place)
             return
         self._find_lost(place, now)
-        if repetition.in_doubt and repetition.questions:
-            # Where one was lost, this was the answer to a later one.
-            repetition.doubt()
+        if retransmission.in_doubt and retransmission.queries:
+            # The answers to queries are alike: if a query was lost, this one answered a later query. Send another one.
+            retransmission.doubt()
 
     def out_of_sequence(self, expected: int, now: float) -> bool:
-        """Record ``n``: the gateway expects this ID, so a request has been lost.
+        """Record ``n i``: the gateway expects the ID `expected`, so a request is lost.
 
         Returns:
-            False where no gateway can expect the ID in this session: it executed what lies before `executed`, and
-            nothing was sent from `next` on.
+            False if no gateway expects this ID in this session, because it is before `executed` or after `next`.
         """
         if expected - self.executed & self.mask > self.next - self.executed & self.mask:
             return False
@@ -375,7 +389,7 @@ class Window(SequenceSpace[R]):
             self._news(now)
         run = self.slots[expected]
         if expected == self.executed and run is not None:
-            # Nothing behind a request that was lost is executed before that was sent again.
+            # The gateway executes no later request before the lost one, so the first transmission of that one is lost.
             self.retransmission.arrived(self.retransmission.first_sending(run, expected))
             if self.loss.takes(self.retransmission.answered):
                 self._go_back(now)
@@ -386,24 +400,24 @@ class Window(SequenceSpace[R]):
         self._go_back(now)
 
     def answer_damaged(self, now: float) -> None:
-        """Record that something arrived damaged: perhaps the answer to the oldest, or to the next if it came before."""
-        repetition = self.retransmission
-        if not self.loss.takes(repetition.answered):
-            repetition.doubt()
+        """Record a damaged frame: perhaps the answer to the oldest request that was sent once."""
+        retransmission = self.retransmission
+        if not self.loss.takes(retransmission.answered):
+            retransmission.doubt()
             return
-        start = repetition.first_sent_once()
-        end = self.behind_next_with_answer(start)
+        start = retransmission.first_sent_once()
+        end = self.after_next_with_answer(start)
         if start == end:
             self._go_back(now)
-        elif not repetition.includes(start):
+        elif not retransmission.includes(start):
             self.loss.timed_out = False
             self._repeat(start, end, now)
             if self.distance(start) >= self.distance(self.executed):
-                # What arrived damaged may have been an error or ``n``, and then there is no answer to what is sent.
-                repetition.doubt()
+                # If the damaged frame was an error or ``n``, the retransmission gets no answer: a query decides.
+                retransmission.doubt()
 
     def refused(self, now: float) -> R | None:
-        """Record ``X02`` or ``X03``: give the run whose request is given up, if this was once too often."""
+        """Record ``X02`` or ``X03``; return the run of the oldest request if it is given up now, otherwise None."""
         given_up = None
         if self.oldest != self.next and self.oldest == self.executed and self.loss.takes(self.retransmission.answered):
             if self.loss.refused():
@@ -415,29 +429,29 @@ class Window(SequenceSpace[R]):
 
     @property
     def deadline(self) -> float | None:
-        """Instant at which `expire` must be called, or a fence is due; None while nothing is under way."""
-        posts, repeating = self.posted_writes, self.retransmission.is_due()
-        if posts.unfenced and not repeating and not 0 < self.distance(posts.mark) <= self.unanswered_count:
-            # Posted writes alone have no answer to wait for: their fence will.
-            return posts.due
+        """Instant at which `expire` must be called, or a fence is due; None while the window is idle."""
+        posted, repeating = self.posted_writes, self.retransmission.is_due()
+        if posted.unfenced and not repeating and not 0 < self.distance(posted.mark) <= self.unanswered_count:
+            # Only posted writes are in flight, which have no answer: wait for the time of their fence.
+            return posted.due
         if self.next == self.oldest:
             return None
         expiry = self.since + self.round_trip.time_out(self.bytes, self._next_reply_size())
-        return expiry if repeating else min(expiry, posts.due)
+        return expiry if repeating else min(expiry, posted.due)
 
     @property
     def longest_answer(self) -> float:
-        """Seconds after which no answer can come any more to the oldest request, if it was sent just now."""
+        """Seconds until the answer to the oldest request is late, if the request is sent now; without backoff."""
         return self.round_trip.longest(self.bytes, self._next_reply_size())
 
     def resume(self, now: float) -> None:
-        """Record that the turn has come in which something is sent again: the time for its answer begins."""
+        """Restart the timeout, because the slot on a half-duplex line began in which the retransmission is sent."""
         self.since = now
 
     def expire(self, now: float) -> R | None:
-        """Record the time: give the run whose request is given up, if this was once too often.
+        """Go back if the timeout has passed; return the run of the oldest request if it is given up now.
 
-        A fence that is due is the matter of `needs_fence`.
+        `needs_fence` handles fences that are due.
         """
         deadline = self.deadline
         if (
@@ -446,9 +460,9 @@ class Window(SequenceSpace[R]):
             or (deadline == self.posted_writes.due and not self.retransmission.is_due())
         ):
             return None
-        # Also where something was heard: it may be the beginning of a long answer on a slow line.
-        self.round_trip.double()
-        self.retransmission.questions.clear()
+        # Back off even if bytes were heard: they may be the beginning of a long answer on a slow line.
+        self.round_trip.back_off()
+        self.retransmission.queries.clear()
         given_up = self._give_up() if self.loss.time_out(now, self.since) else None
         self._repeat_from_oldest(now)
         return given_up
@@ -456,16 +470,16 @@ class Window(SequenceSpace[R]):
     # The inside
 
     def _next_reply_size(self) -> int:
-        """Return how many characters the next answer has, 0 where none is awaited."""
+        """Return the characters of the next answer, 0 if none is expected."""
         if self.distance(self._unawaited) > self.unanswered_count:
             self._unawaited = self.oldest
-        last = self.behind_next_with_answer(self._unawaited) - 1 & self.mask
+        last = self.after_next_with_answer(self._unawaited) - 1 & self.mask
         run = self.slots[last]
         self._unawaited = last
         return 0 if run is None else run.reply_size
 
     def _confirm(self, expected: int) -> bool:
-        """Move `executed` up, if it is not so far; the posted writes that it passes are executed."""
+        """Move `executed` to an ID unless it is beyond it; return whether it moved. Keep the posted writes passed."""
         if self.distance(expected) <= self.distance(self.executed):
             return False
         number, runs = self.executed, self.between(self.executed, expected)
@@ -473,34 +487,34 @@ class Window(SequenceSpace[R]):
         different = set(runs)
         others = {run for run in different if run is None or not run.posted}
         if len(others) < len(different):
-            posts = [None if run in others else run for run in runs] if others else runs
-            self.posted_writes.keep(number, posts, self.mask)
+            executed = [None if run in others else run for run in runs] if others else runs
+            self.posted_writes.keep(number, executed, self.mask)
             self.put(number, [run if run in others else None for run in runs] if others else [None] * len(runs))
             if self.send_limit.loses:
-                self.send_limit.came_through(len(posts) - posts.count(None))
+                self.send_limit.came_through(len(executed) - executed.count(None))
         return True
 
     def _news(self, now: float) -> None:
-        """Move `oldest` up over what is done, and start the clock anew."""
+        """Move `oldest` past the requests that are done, and restart the timeout."""
         self.loss.news()
         self.since = now
         if self.advance():
             self.loss.moved()
             if not self.loss.timed_out:
-                # What the window went back for was a sign, so the answer is not a late one to what was sent before.
-                self.round_trip.undo_doubling()
+                # The window went back for a sign of loss, not a timeout, so this is no late answer: the timeout holds.
+                self.round_trip.end_backoff()
             self.retransmission.follow()
 
     def _give_up(self) -> R | None:
         given_up = self.slots[self.oldest]
         if given_up is not None:
-            # What it is sent as from now on, an ``h``, has an answer.
+            # It is sent as an ``h`` from now on, which has an answer.
             given_up.posted = False
         self.loss.give_up()
         return given_up
 
     def _go_back(self, now: float) -> None:
-        """Go back for a sign of loss; where it may be one of the loss before, ask how far the line has come."""
+        """Go back for a sign of loss. If the sign may belong to the previous loss, send a session query instead."""
         if self.oldest == self.next:
             return
         if self.loss.takes(self.retransmission.answered):
@@ -510,22 +524,26 @@ class Window(SequenceSpace[R]):
             self.retransmission.doubt()
 
     def _find_lost(self, place: int, now: float) -> None:
-        """Send again what was sent before something that has arrived, and is not answered: it or its answer was lost.
+        """Retransmit the unanswered requests that were sent before a frame whose answer arrived: they are lost.
 
-        Where the gateway has executed it, only the answer was lost, and what is behind it is on its way.
+        If the gateway has executed them, only their answers are lost, and the answers to later requests are in flight.
+
+        Args:
+            place: transmission number of the frame whose answer arrived.
+            now: instant of arrival.
         """
-        repetition = self.retransmission
-        repetition.arrived(place)
-        if not repetition.is_any() and not repetition.is_due():
+        retransmission = self.retransmission
+        retransmission.arrived(place)
+        if not retransmission.is_any() and not retransmission.is_due():
             self.loss.place = NEVER
-        if not repetition.is_lost(self.oldest, place):
+        if not retransmission.is_lost(self.oldest, place):
             return
         self.loss.timed_out = False
-        if repetition.is_lost(self.executed, place):
+        if retransmission.is_lost(self.executed, place):
             self._repeat_from_oldest(now)
             return
         end = self.oldest
-        while end != self.executed and (self.slots[end] is None or repetition.is_lost(end, place)):
+        while end != self.executed and (self.slots[end] is None or retransmission.is_lost(end, place)):
             end = end + 1 & self.mask
         self._repeat(self.oldest, end, now)
 
@@ -535,7 +553,7 @@ class Window(SequenceSpace[R]):
         self._repeat(self.oldest, self.next, now)
 
     def _repeat(self, start: int, end: int, now: float) -> None:
-        """Repeat all requests without an answer from `start` on and before `end`, besides those already due."""
+        """Plan the retransmission of unanswered requests from `start` to before `end`, in addition to those planned."""
         self.retransmission.begin(start, end)
         self._free, self._unawaited = 0, self.oldest
         self.round_trip.timed = None

@@ -1,8 +1,8 @@
 """The bytes of the protocol and their meaning, for both ends of a line.
 
 - `crc`: the check digits of a frame
-- `configuration`: what a gateway reports about itself (`Q`), from which all widths follow
-- `frames`: what is between two line ends: CRC, node number, checked and plain form
+- `configuration`: the gateway's answer to `Q`, from which all widths follow
+- `frames`: the bytes between two line ends: node number, body, CRC
 - `messages`: requests and responses, for the widths of one gateway
 - `compact`, `compact_rows`: the compact form, two digits in each byte
 - `arrays`, `interleaved_samples`: the same for many messages at a time, by numpy

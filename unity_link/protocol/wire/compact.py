@@ -1,8 +1,13 @@
-"""The compact form of frames (docs/protocol.md, "The compact form"): two digits a byte, between bytes that no text has.
+"""The compact form of frames (docs/protocol.md, "The compact form"): two hex digits in each byte.
 
-It is the same frame, with the CRC of its text: what is above this module sees text, and both forms mix at any time.
-Frames side by side are taken together, cut where an end and a start meet; where they are many bytes, of one command and
-one length, by numpy (`unity_link.protocol.wire.compact_rows`).
+- A compact frame is START, its content, and END. If the content has one of these bytes, ESCAPE, LF or CR, it is sent as
+  ESCAPE and the byte xored with STUFFED.
+- The content is the number of the command (one digit), a padding digit 0 if the number of digits would be odd, and the
+  other digits of the text with its CRC. In an addressed frame, the number of the node comes first (one byte).
+- Both forms may be mixed. All other modules use text, so this module converts between the two.
+
+Consecutive frames are converted together: END and START meet between them. Many frames of one command and one length
+are converted by numpy (`unity_link.protocol.wire.compact_rows`).
 """
 
 from __future__ import annotations
@@ -34,24 +39,24 @@ ESCAPE: Final = COMPACT_ESCAPE
 STUFFED: Final = COMPACT_STUFFED
 RESERVED: Final = COMPACT_RESERVED
 COMMANDS: Final = ("r", "rm", "rq", "w", "wm", "wq", "wk", "ws", "h", "gn", "gx", "gp", "i", "n", "x", "P")
-"""Commands that have this form, each at its number."""
+"""Commands that have a compact form; the number of a command is its index."""
 MANY_BYTES: Final = 1024
-"""Bytes in compact form that are worth a turn of numpy to be packed."""
+"""Fewest bytes in compact form for which packing by numpy is faster."""
 MANY: Final = 8192
-"""Bytes that are worth one to be unpacked, where each frame counts as `EACH` more."""
+"""Fewest bytes for which unpacking by numpy is faster; each frame counts as `EACH` additional bytes."""
 EACH: Final = 100
 _ADDRESSED: Final = frozenset(("r", "rm", "rq", "w", "wm", "wq", "wk", "ws"))
-"""Commands whose requests name an address."""
+"""Commands whose requests contain an address."""
 _STUFFING: Final = [(bytes((byte,)), ESCAPE + bytes((byte ^ STUFFED,))) for byte in ESCAPE + RESERVED[:-1]]
-"""Bytes and what stands for them; the escape comes first, for it is in what stands for the others."""
+"""Reserved bytes and their escaped forms. ESCAPE comes first, because the escaped forms of the others contain it."""
 _PLAIN: Final = [bytes((byte ^ STUFFED,)) for byte in range(256)]
-"""The byte that is meant, for each that stands behind an escape."""
+"""The original byte for each byte that follows ESCAPE."""
 _SAMPLE: Final = COMMANDS.index("P")
 _REST_OF_A_SAMPLE: Final = START + b"\xf0"
 _FIRST_LETTER: Final = ord("g")
 _ESCAPED = re.compile(rb"\xd3(.?)", re.DOTALL)
 _CUT: Final = END + b"\n"
-"""End of the text of a cut frame: a character that is no digit, so that no CRC fits, and the line end."""
+"""End of the text of a cut frame: a character that is no hex digit, so that the CRC is wrong, and the line end."""
 _DIGITS: Final = b"0123456789ABCDEF"
 _FRAME = re.compile(rb"\xb5[^\n\r\xb5\xca]*\xca\n?|[^\n\xb5\xca]*\n")
 _PIECE = re.compile(rb"\xb5([^\n\r\xb5\xca]*)([\n\r\xb5\xca])|([\n\r])|(\xca)|[^\n\r\xb5\xca]+")
@@ -59,26 +64,27 @@ _PIECE = re.compile(rb"\xb5([^\n\r\xb5\xca]*)([\n\r\xb5\xca])|([\n\r])|(\xca)|[^
 
 @dataclasses.dataclass(frozen=True)
 class CompactForm:
-    """Widths of a gateway's frames in one direction, which tell the frames with a digit to fill up.
+    """Widths of the frames of one direction, on which it depends if a command has a padding digit.
 
-    Words must have an even number of digits.
+    Words have an even number of digits in each gateway with the compact form.
     """
 
     id_digits: int
     crc_digits: int
     address_digits: int
     from_gateway: bool
+    """True for the frames that a gateway sends, False for those of a host."""
     has_node: bool = False
-    """True for addressed frames: the first byte is the number of the node."""
+    """True for addressed frames: the first byte of the content is the number of the node."""
 
     @classmethod
     def of(cls, info: GatewayInfo, *, from_gateway: bool) -> CompactForm:
-        """Return the form of what a gateway sends, or takes."""
+        """Return the form of the frames that a gateway sends, or receives."""
         has_node = Feature.ADDRESSED in info.features
         return cls(info.id_digits, info.crc_bits // 4, info.address_digits, from_gateway, has_node)
 
     def is_filled(self, command: str) -> bool:
-        """Return whether a digit 0 stands behind the number of a command, for an even number of digits."""
+        """Return whether a padding digit 0 follows the number of a command, so that the number of digits is even."""
         digits = 1 + self.crc_digits
         if command != "P":
             digits += self.id_digits
@@ -89,25 +95,25 @@ class CompactForm:
         return digits % 2 == 1
 
     def heads(self) -> list[tuple[str, str]]:
-        """Return, for each number of a command, its letters and the digit that fills up, "0" or ""."""
+        """Return the letters of each command and its padding digit, "0" or "", in order of the commands' numbers."""
         return [(command, "0" if self.is_filled(command) else "") for command in COMMANDS]
 
 
 class Packer:
-    """Puts frames into the compact form.
+    """Converts frames from text to the compact form.
 
     Args:
-        form: of the frames in this direction.
+        form: form of the frames in this direction.
     """
 
     def __init__(self, form: CompactForm) -> None:
         self._heads = {command.encode(): f"{number:X}{fill}" for number, (command, fill) in enumerate(form.heads())}
         self._prefix_size = 3 if form.has_node else 0
-        # On a shared medium for the sake of nodes without the form, which know no other end.
+        # On a shared medium LF follows, because nodes without the compact form find the end of a frame by LF alone.
         self._end = END + b"\n" if form.has_node else END
 
     def pack(self, frames: bytes) -> bytes:
-        """Return frames, whole ones, with those that have a compact form in it, and the others as they are."""
+        """Convert complete frames; frames of commands without a compact form stay text."""
         if frames.find(b"\n") == len(frames) - 1:
             return self.pack_one(frames)
         packed = self._pack_equal(frames)
@@ -117,7 +123,7 @@ class Packer:
         return b"".join([self._pack_equal(b"".join(group)) or b"".join(map(self.pack_one, group)) for group in groups])
 
     def _pack_equal(self, frames: bytes) -> bytes:
-        """Return two frames or more of one command and one length in compact form; nothing where they are not that."""
+        """Convert two or more frames of one command and one length; return nothing if they differ in these."""
         size = frames.find(b"\n") + 1
         count = len(frames) // size if size else 0
         head, at = self._head(frames)
@@ -143,13 +149,16 @@ class Packer:
         return START + (END + START).join(stuffed) + END
 
     def _head(self, frame: bytes) -> tuple[str, int]:
-        """Return the number of the command of a frame and what fills up, and where the digits begin; or nothing."""
+        """Return the hex digit of a frame's command with the padding digit, and the offset of the other digits.
+
+        The digits are empty if the command has no compact form.
+        """
         at = self._prefix_size
         size = 2 if len(frame) > at + 1 and frame[at + 1] >= _FIRST_LETTER else 1
         return self._heads.get(frame[at : at + size], ""), at + size
 
     def pack_one(self, frame: bytes) -> bytes:
-        """Return one frame in compact form if it has one, and as it is otherwise."""
+        """Convert one frame; return it unchanged if it has no compact form."""
         head, at = self._head(frame)
         digits = frame[1 : self._prefix_size] + head.encode() + frame[at:-1]
         if not head or frame[-1:] != b"\n" or (self._prefix_size and frame[:1] != b"Z"):
@@ -160,37 +169,40 @@ class Packer:
 
 
 class Unpacker:
-    """Makes text of what arrives in both forms.
+    """Converts received bytes in both forms to text.
 
-    The text of a cut frame (docs/protocol.md, "Cut frames") ends in the byte of an end and LF, so its check fails.
+    The text of a cut frame (docs/protocol.md, "Cut frames") ends in END and LF, so that its CRC is wrong.
 
     Args:
-        form: of the frames in this direction.
+        form: form of the frames in this direction.
     """
 
     def __init__(self, form: CompactForm) -> None:
         self._commands = [(command, 1 + len(fill)) for command, fill in form.heads()]
-        """Letters for each number of a command, and how many digits stand for them."""
+        """By the number of a command: its letters, and the number of hex digits that encode them."""
         self._has_node = form.has_node
         self.reset()
 
     def reset(self) -> None:
-        """Forget what has begun."""
+        """Drop incomplete frames."""
         self._begun = b""
-        """A compact frame without its end, from its start on."""
+        """The incomplete compact frame at the end of the received bytes, from its START on."""
         self._in_line = False
-        """True behind text without its line end."""
-        self._behind_end = False
-        """True right behind an end."""
+        """True if the received bytes end within a line of text."""
+        self._after_end = False
+        """True if the received bytes end with END."""
 
     @property
     def begins_answer(self) -> bool:
-        """Return whether the beginning of a frame that is no sample has come, perhaps of a long one on a slow line."""
+        """True if an incomplete compact frame has arrived that is not a sample: an answer on a slow line."""
         at = 1 + self._has_node
         return len(self._begun) > at and self._begun[at] >> 4 != _SAMPLE
 
     def unpack_whole(self, data: bytes) -> bytes:
-        """Return the text of what is one frame, nothing where it is not, or something has come before, and of nodes."""
+        """Return the text of `data` if it is exactly one frame and no incomplete frame precedes it.
+
+        Otherwise, and for addressed frames, return nothing; then `unpack` converts it.
+        """
         if self._begun or self._in_line or self._has_node:
             return b""
         if data.isascii():
@@ -198,7 +210,7 @@ class Unpacker:
         return self._text_of_few(data) if data.count(END) == 1 else b""
 
     def unpack(self, data: bytes) -> bytes:
-        """Return the text of what has arrived; a compact frame comes with its end."""
+        """Convert received bytes; an incomplete compact frame is kept until its END arrives."""
         if self._has_node and data:
             data = self._without_line_ends(data)
         if self._begun:
@@ -210,21 +222,21 @@ class Unpacker:
             return data
         if self._in_line or not data.startswith(START):
             return b"".join(self._pieces(data))
-        # A line end may stand behind frames; only whole ones are taken together.
+        # A line end may follow the frames. Convert the complete frames together, and the rest piece by piece.
         end = data.find(b"\n")
         whole = data[: data.rfind(END, 0, len(data) if end < 0 else end) + 1]
         text = self._text_of_frames(whole)
         return b"".join((text, *self._pieces(data[len(whole) :] if text else data)))
 
     def _without_line_ends(self, data: bytes) -> bytes:
-        """Return what has arrived without the line ends behind ends: on a shared medium they belong to frames."""
-        if self._behind_end:
+        """Remove the LF after each END: on a shared medium it belongs to the compact frame."""
+        if self._after_end:
             data = data.removeprefix(b"\n")
-        self._behind_end = data.endswith(END)
+        self._after_end = data.endswith(END)
         return data.replace(END + b"\n", END)
 
     def _text_of_frames(self, data: bytes) -> bytes:
-        """Return the text of compact frames side by side; nothing where they are not that, or not whole."""
+        """Return the text of consecutive compact frames, or nothing if `data` is not a sequence of complete ones."""
         size = len(data) + EACH * data.count(START)
         if size < MANY or self._has_node or b"\n" in data or b"\r" in data:
             return self._text_of_few(data)
@@ -235,12 +247,12 @@ class Unpacker:
         return text + others if others else b""
 
     def _text_of_few(self, data: bytes) -> bytes:
-        """Return the same as `_text_of_frames`, by way of their contents one by one."""
+        """Return the same as `_text_of_frames`, without numpy."""
         count = data.count(START)
         if data[:1] != START or data[-1:] != END or data.count(END) != count or b"\n" in data or b"\r" in data:
             return b""
         if ESCAPE + END in data:
-            # Perhaps an escape without its byte, which cuts the frame.
+            # An ESCAPE without its byte cuts a frame; `_pieces` handles that.
             return b""
         if count == 1:
             return self._text(data[1:-1]) + b"\n"
@@ -252,13 +264,14 @@ class Unpacker:
         return "\n".join([*map(self._line, contents), ""]).encode()
 
     def _line(self, content: bytes) -> str:
-        """Return the text of a frame of no node without its line end, given its bytes without escapes."""
+        """Return the text of a frame without its line end and node, given its content without escapes."""
         if not content:
             return ""
         command, after = self._commands[content[0] >> 4]
         return command + content.hex().upper()[after:]
 
     def _pieces(self, data: bytes) -> Iterable[bytes]:
+        """Convert received bytes piece by piece: compact frames, complete and cut, and text."""
         at = 0
         while at < len(data):
             if data[at] == START[0] and self._in_line:
@@ -266,8 +279,9 @@ class Unpacker:
                 self._in_line = False
             found = _PIECE.match(data, at)
             if found is None:
-                # The end is still to come. Noise without an end must not grow: give its text now, which is longer than
-                # any frame. Later bytes continue that text as the rest of a sample, for which no request waits.
+                # END has not arrived. If these bytes are longer than any frame, they are noise: return their text now,
+                # so that they do not fill the memory. The following bytes continue as the rest of a sample, because no
+                # request waits for a sample.
                 self._begun = data[at:]
                 if len(self._begun) > LONGEST_FRAME:
                     yield self._text(self._begun[1:])
@@ -283,7 +297,7 @@ class Unpacker:
                 self._in_line = not (found[3] or found[4])
 
     def _text(self, content: bytes) -> bytes:
-        """Return the text of what stands between start and end, without its line end."""
+        """Return the text of the content of a frame, without its line end."""
         if ESCAPE in content:
             content = _unstuffed(content)
         prefix = ""
@@ -293,32 +307,40 @@ class Unpacker:
 
 
 def text_of(info: GatewayInfo, *, from_gateway: bool) -> Callable[[bytes], bytes]:
-    """Return a function that makes text of the bytes of one direction as they arrive, as a gateway's features ask."""
+    """Return a function that converts the bytes of one direction to text, as they arrive.
+
+    It returns them unchanged if the gateway has no compact form.
+    """
     if Feature.COMPACT not in info.features:
         return bytes
     return Unpacker(CompactForm.of(info, from_gateway=from_gateway)).unpack
 
 
 def cut(data: bytes) -> list[bytes]:
-    """Return the whole frames of both forms, each with its end."""
+    """Return the complete frames in `data`, in both forms, each with its end."""
     return _FRAME.findall(data)
 
 
 def is_sample(frame: bytes, prefix: bytes) -> bool:
-    """Return whether a frame of a gateway, in either form, is a sample; `prefix` is that of its text."""
-    # Behind its number a sample has a digit that fills up, whatever the widths are.
+    """Return whether a frame of a gateway, in either form, is a sample.
+
+    Args:
+        frame: the frame.
+        prefix: prefix of the node in text frames, empty without one.
+    """
+    # In compact form a sample always has a padding digit: its digits without it are odd for all widths.
     return frame.startswith((prefix + b"P", START + _stuffed(bytes.fromhex(prefix[1:].decode())) + b"\xf0"))
 
 
 def _rows() -> ModuleType:
-    """Return the module that takes frames together, which needs numpy."""
+    """Import and return the module that needs numpy."""
     from unity_link.protocol.wire import compact_rows
 
     return compact_rows
 
 
 def _stuffed(content: bytes) -> bytes:
-    """Return bytes with their escapes."""
+    """Return the content of a frame with its reserved bytes escaped."""
     if len(content.translate(None, RESERVED)) != len(content):
         for byte, stuffed in _STUFFING:
             content = content.replace(byte, stuffed)
@@ -326,14 +348,14 @@ def _stuffed(content: bytes) -> bytes:
 
 
 def _ends_in_escape(content: bytes) -> bool:
-    """Return whether the last byte is an escape, whose byte has not come; one that is escaped itself is none."""
+    """Return whether the content ends in an ESCAPE without its byte; an escaped ESCAPE does not count."""
     return bool((len(content) - len(content.rstrip(ESCAPE))) % 2)
 
 
 def _unstuffed(content: bytes) -> bytes:
-    """Return bytes without their escapes."""
+    """Return the content of a frame with its escapes resolved."""
     before, *others = content.split(ESCAPE)
     if b"" not in others:
         return before + b"".join([_PLAIN[part[0]] + part[1:] for part in others])
-    # An escape follows another one, or nothing follows: the sender was no packer, or the line damaged the frame.
+    # An ESCAPE follows another one, or ends the content. No `Packer` sends that, but damage can cause it.
     return _ESCAPED.sub(lambda pair: bytes(byte ^ STUFFED for byte in pair[1]), content)

@@ -1,4 +1,7 @@
-"""The compact form of many frames of one command and one length, side by side, by numpy: `compact` gives the same."""
+"""Conversion of many frames of one command and one length to the compact form and back, by numpy.
+
+The results are the same as those of `compact`.
+"""
 
 from __future__ import annotations
 
@@ -28,10 +31,10 @@ def pack(frames: bytes, count: int, at: int, head: str) -> bytes:
     """Return frames of one command in compact form.
 
     Args:
-        frames: of one length, with an even number of digits in compact form, and sound.
-        count: of the frames.
+        frames: valid frames of one length, which have an even number of digits in compact form.
+        count: number of the frames.
         at: characters before the digits of a frame.
-        head: number of the command, and the digit that fills up.
+        head: hex digit of the command's number, and the padding digit if there is one.
     """
     rows = np.frombuffer(frames, np.uint8).reshape(count, -1)
     first = np.frombuffer(head.encode(), np.uint8)
@@ -55,13 +58,14 @@ def pack(frames: bytes, count: int, at: int, head: str) -> bytes:
 
 
 def unpack(data: bytes, commands: Sequence[tuple[str, int]]) -> tuple[bytes, int]:
-    """Return the text of the compact frames of one command and one length with which data begins, and their size in it.
-
-    Nothing and 0 if data is anything but sound frames side by side.
+    """Convert the compact frames of one command and one length at the beginning of `data` to text.
 
     Args:
-        data: bytes without line ends, at least one.
-        commands: for each number of a command its letters, and how many digits stand for them.
+        data: bytes without line ends, at least one byte.
+        commands: by the number of a command, its letters and the number of hex digits that encode them.
+
+    Returns:
+        The text and the number of bytes converted; nothing and 0 if `data` is not a sequence of complete frames.
     """
     packed = np.frombuffer(data, np.uint8)
     starts, ends = (packed == COMPACT_START[0]).nonzero()[0], (packed == COMPACT_END[0]).nonzero()[0]
@@ -98,6 +102,6 @@ def unpack(data: bytes, commands: Sequence[tuple[str, int]]) -> tuple[bytes, int
 
 
 def _equal(values: npt.NDArray[Any]) -> int:
-    """Return how many values, from the first on, are equal to it."""
+    """Return how many values at the beginning equal the first."""
     differ = values != values[0]
     return int(differ.argmax()) if differ.any() else len(values)

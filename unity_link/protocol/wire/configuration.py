@@ -1,7 +1,6 @@
-"""The gateway's description of itself: the answer to `Q` (docs/protocol.md, "Configuration").
+"""The configuration of a gateway: the fields of its answer to `Q` (docs/protocol.md, "Configuration").
 
-All widths of all messages follow from it, so this is the first thing that a host learns and the one thing that host,
-model and generated code share.
+The widths of all messages follow from it. A host therefore sends `Q` first.
 """
 
 from __future__ import annotations
@@ -20,46 +19,46 @@ HEX_DIGITS = b"0123456789ABCDEFabcdef"
 class Feature(enum.IntFlag):
     """Features that a gateway was built with.
 
-    A feature has the same name everywhere: in C (`UL_FEATURE_...`), in MATLAB (a field of `features`), in VHDL
-    (`feature_...`, and the generic that chooses it), and in words.
+    A feature has the same name in C (`UL_FEATURE_...`), in MATLAB (a field of `features`), in VHDL (`feature_...`, and
+    the generic that enables it), and as text.
     """
 
     GROUPS = 1
-    """It samples groups of words at a rate of its own."""
+    """The gateway samples groups of words at a rate of its own."""
     EXTERNAL_TRIGGERS = 2
-    """Inputs of the gateware have groups sampled. The generic is `triggers`."""
+    """Inputs of the gateware can trigger the sampling of groups. The generic is `triggers`."""
     TIMESTAMPS = 4
-    """Samples can have the instant of sampling."""
+    """Samples can contain the instant of sampling."""
     SEND_IMMEDIATE = 8
-    """It can have the USB chip send at once what it has written."""
+    """The gateway can make the USB chip send its buffer at once."""
     FLOW_CONTROL = 16
-    """The medium holds the host back while the receive FIFO is full, so that no byte is lost there."""
+    """The medium stops the host while the gateway's receive FIFO is full, so that no byte is lost there."""
     MASKED_WRITE = 32
-    """Some bits of a word can be written, in one bus transaction."""
+    """The gateway can write some bits of a word, in one bus transaction."""
     QUEUE_COMMANDS = 64
-    """Many words can be read from one address, or written to one."""
+    """The gateway can read many words from one address, or write many words to it."""
     ADDRESSED = 128
-    """It shares its medium with others, and answers to a node's number."""
+    """The gateway shares its medium with others, and its frames contain its node number."""
     FINGERPRINT = 256
-    """The build identifier is the fingerprint of the map of a spec."""
+    """The build identifier is the fingerprint of a spec's map."""
     HALF_DUPLEX = 512
-    """Only one side may send at a time."""
+    """Only one side of the line may send at a time."""
     DESCRIPTION = 1024
-    """The highest addresses hold a description: the spec that it was generated from."""
+    """The highest addresses contain a description: the spec from which the gateway was generated."""
     COMPACT = 2048
-    """It takes and sends the frames of a session in compact form, too."""
+    """The gateway accepts and sends the frames of a session in compact form."""
 
     @property
     def words(self) -> str:
-        """Names in words of the features in a set: ``masked write, queue commands``."""
+        """The names of the features as text: ``masked write, queue commands``."""
         return ", ".join((feature.name or "unknown").lower().replace("_", " ") for feature in self)
 
 
 class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
-    """The configuration of one gateway. The defaults are the gateware's, with all the groups that the protocol has."""
+    """The configuration of one gateway. The defaults are those of the gateware, but with the most groups possible."""
 
     protocol_version: int = PROTOCOL_VERSION
-    """Version of the protocol that it speaks."""
+    """Version of the protocol."""
     data_bits: int = 32
     """Width of a word, 8 to 64 bits."""
     address_bits: int = 8
@@ -77,17 +76,17 @@ class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
     group_words: int = 255
     """Most addresses in one group."""
     base_frequency_millihertz: int = 100_000_000
-    """Base publish frequency in mHz: groups publish at integer divisions of it."""
+    """Base publish frequency in mHz; the rate of a group is this frequency divided by an integer."""
     clock_hz: int = 50_000_000
     """Clock of the gateway in Hz: the unit of timestamps."""
     receive_fifo_bytes: int = 256
-    """Bytes from the host that may wait in the gateway."""
+    """Bytes from the host that the gateway can buffer."""
     transmit_fifo_bytes: int = 256
-    """Bytes to the host that may wait in the gateway."""
+    """Bytes to the host that the gateway can buffer."""
     features: Feature = Feature(0x7F)
-    """Features that it was built with."""
+    """Features that the gateway was built with."""
     build_id: int = 0
-    """Chosen at synthesis."""
+    """Build identifier, chosen at synthesis."""
 
     @property
     def address_digits(self) -> int:
@@ -101,17 +100,17 @@ class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
 
     @property
     def session_digits(self) -> int:
-        """Hex digits of the number of a session."""
+        """Hex digits of a session number."""
         return min(self.crc_bits // 4, 4)
 
     @property
     def last_session(self) -> int:
-        """Highest number of a session."""
+        """Highest session number."""
         return last_session(self.crc_bits // 4)
 
     @property
     def asks_compact(self) -> int:
-        """Bit beside the number of a session by which a host asks for the compact form."""
+        """Bit that a host adds to the session number in `K i s` to request the compact form."""
         return self.last_session + 1
 
     @property
@@ -120,13 +119,13 @@ class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
         return self.base_frequency_millihertz / 1000
 
     def block_words_in(self, longest_frame: int) -> int:
-        """Return how many words a block may have whose frames, request and answer, have so many bytes at most."""
+        """Return the most words of a block whose request and answer each fit in `longest_frame` bytes."""
         around = 4 + self.id_digits + self.address_digits + self.crc_bits // 4 + 1
         return max(min(self.block_words, (longest_frame - around) // self.data_digits), 1)
 
     @property
     def longest_request(self) -> int:
-        """Characters before the line end of the longest checked request that this gateway takes."""
+        """Characters of the longest checked request that this gateway accepts, without the line end."""
         head = 2 + self.id_digits
         lengths = [
             head + self.address_digits + 2,
@@ -144,11 +143,11 @@ class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
 
     @classmethod
     def from_hex(cls, text: bytes) -> GatewayInfo:
-        """Read the fields of the answer to `Q`; what a later version appends is ignored.
+        """Decode the fields of the answer to `Q`; digits after the known fields are ignored.
 
         Raises:
-            UnsupportedError: for another protocol version or numbers that the protocol does not allow.
-            ValueError: where `text` is no such answer.
+            UnsupportedError: for another protocol version, or a value that the protocol does not allow.
+            ValueError: if `text` is too short, or has a character that is no hex digit.
         """
         values: dict[str, int] = {}
         position = 0
@@ -169,7 +168,7 @@ class GatewayInfo(msgspec.Struct, frozen=True, kw_only=True):
         return info
 
     def check(self) -> None:
-        """Raise `UnsupportedError` where a number is not one that the protocol allows."""
+        """Raise `UnsupportedError` if a field has a value that the protocol does not allow."""
         for name, low, high in _RANGES:
             value = int(getattr(self, name))
             if not low <= value <= high:
@@ -207,7 +206,7 @@ FIELDS = (
     ("features", 4),
     ("build_id", 8),
 )
-"""Names of the fields of the answer to `Q`, and hex digits of each."""
+"""Names and hex digits of the fields of the answer to `Q`, in their order."""
 _MOST_MILLIHERTZ = 16**10 - 1
 _TOTAL_DIGITS = sum(digits for _, digits in FIELDS)
 _RANGES = (

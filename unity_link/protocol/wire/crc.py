@@ -1,10 +1,10 @@
-"""The check of a frame (docs/protocol.md, "Frames"): a CRC of 8, 16 or 32 bits, and the session in it.
+"""The CRC of a frame (docs/protocol.md, "Frames"): 8, 16 or 32 bits, not reflected, without a final xor.
 
-It is not reflected, and there is no final xor. Its initial value is 0, or what stands in the CRC where a session's
-number has been xored into it.
+The CRC covers the node prefix and the body, and begins with 0. In a session, the seed (`seed_of`) is xored into the CRC
+after the prefix, so a frame of another session or direction fails the check.
 
-The usual polynomials are computed by fastcrc; every other one by a table of 256 remainders. `arrays` has the CRC of
-many rows of equal length.
+fastcrc computes the usual polynomials, and a table of 256 remainders every other one. `arrays` computes the CRCs of
+many frames of equal length.
 """
 
 from __future__ import annotations
@@ -22,25 +22,25 @@ USUAL_POLYNOMIALS = {8: 0x07, 16: 0x1021, 32: 0x04C11DB7}
 _COMPILED: dict[tuple[int, int], Callable[..., int]] = {
     (8, 0x07): fastcrc.crc8.smbus,
     (16, 0x1021): fastcrc.crc16.xmodem,
-    # CKSUM is this CRC with a final xor.
+    # CKSUM is this CRC with a final xor, and fastcrc complements the initial value as well.
     (32, 0x04C11DB7): lambda data, begun=0: fastcrc.crc32.cksum(data, begun ^ 0xFFFFFFFF) ^ 0xFFFFFFFF,
 }
 NO_SESSION = 0
-"""Number of no session."""
+"""Session number that means that there is no session."""
 
 
 def seed_of(session: int, *, from_gateway: bool) -> int:
-    """Return what is xored into the CRC of a frame of a session before the first letter of its command.
+    """Return the value that is xored into the CRC of a session's frames, before the first letter of the command.
 
     Args:
-        session: number of the session, 0 for none, which leaves the CRC as it is.
-        from_gateway: True for what a gateway sends, False for what a host sends.
+        session: number of the session; 0 for none, which has the seed 0.
+        from_gateway: True for frames of the gateway, False for frames of the host.
     """
     return 2 * session + from_gateway if session else 0
 
 
 def last_session(crc_digits: int) -> int:
-    """Return the highest number of a session: with the direction it fits in a CRC of so many digits, and in 16 bits."""
+    """Return the highest session number: the number and a bit for the direction fit in the CRC and in 16 bits."""
     return (1 << 4 * min(crc_digits, 4) - 1) - 1
 
 
@@ -65,16 +65,16 @@ class Crc:
         self.polynomial = polynomial
         self.digits = bits // 4
         self.of: Callable[..., int] = _COMPILED.get((bits, polynomial), self._by_table)
-        """Returns the CRC of bytes; a second argument is the CRC as what is before them left it, 0 if left out."""
+        """Returns the CRC of bytes; the second argument is the initial value, 0 by default."""
         self.text = self.text_before(b"")
-        """Returns the same as it stands in a frame: upper-case hex digits."""
+        """As `of`, but returns the CRC as upper-case hex digits."""
 
     def text_before(self, end: bytes) -> Callable[..., bytes]:
-        """Return a function that gives the CRC of bytes as it stands in a frame, and `end` behind it."""
+        """Return a function that returns the CRC of bytes as upper-case hex digits, followed by `end`."""
         of, layout = self.of, b"%%0%dX" % self.digits + end
         if self.bits == 32:
             return lambda data, begun=0: layout % of(data, begun)
-        # To look digits up takes half as long as to format them.
+        # A table of digits takes half the time of formatting.
         last = [b"%02X" % value + end for value in range(256)]
         if self.bits == 8:
             return lambda data, begun=0: last[of(data, begun)]
@@ -87,9 +87,9 @@ class Crc:
         return text
 
     def begun(self, data: bytes, crc: int) -> int:
-        """Return the value with which the CRC of bytes began, given the one with which it ended."""
+        """Return the initial value of the CRC of some bytes, given its final value: the CRC run backwards."""
         table, shift = byte_table(self.bits, self.polynomial), self.bits - 8
-        # The lowest byte tells which entry went in last: each has another one, for a polynomial with the term 1.
+        # The polynomial has the term 1, so the lowest bytes of all entries differ and identify the last entry used.
         entries = {entry & 0xFF: place for place, entry in enumerate(table)}
         for byte in reversed(data):
             place = entries[crc & 0xFF]
@@ -106,7 +106,7 @@ class Crc:
 
 @lru_cache
 def byte_table(bits: int, polynomial: int) -> list[int]:
-    """Return the CRC of each single byte."""
+    """Return the CRC of each single byte from 0 to 255, with the initial value 0."""
     top, mask = 1 << bits - 1, (1 << bits) - 1
     table = []
     for byte in range(256):

@@ -1,8 +1,11 @@
-"""The place of a gateway's description among its addresses, and its layout, as `docs/protocol.md` has them.
+"""Addresses and layout of the description in a gateway's memory (docs/protocol.md, "Configuration").
 
-The 16 highest addresses are the words of a page, and the one below them is its number, which is written. The bytes of
-all pages in a row, the lowest of a word first, are the length of the description (4 bytes), its CRC-32 (4, that of
-RFC 1952), both with the lowest byte first, and then the description.
+The description is read in pages of 16 words. The 16 highest addresses of the bus contain the words of one page; a write
+to the address below them selects the page. The bytes of all pages, in order and little-endian within each word, are:
+
+- the length of the description in bytes: 4 bytes, little-endian
+- the CRC-32 of the description (RFC 1952): 4 bytes, little-endian
+- the description
 """
 
 from __future__ import annotations
@@ -11,17 +14,18 @@ import zlib
 
 PAGE_WORDS = 16
 MOST_PAGES = 256
-"""Most pages: a word of 8 bits is the number of one."""
+"""Most pages of a description: the page number fits in a word of 8 bits."""
 _HEADER = 8
+"""Bytes of the length and the CRC-32."""
 
 
 def page_address(address_bits: int) -> int:
-    """Return the address of the number of the page; behind it stand the words."""
+    """Return the address that selects the page; the words of the page follow it."""
     return (1 << address_bits) - 1 - PAGE_WORDS
 
 
 def pages_of(length: int, data_bits: int) -> int:
-    """Return the number of pages of a description of so many bytes."""
+    """Return the number of pages of a description of `length` bytes."""
     return -(-(_HEADER + length) // (PAGE_WORDS * (data_bits // 8)))
 
 
@@ -35,10 +39,10 @@ def words_of(description: bytes, data_bits: int) -> list[int]:
 
 
 def length_of(words: list[int], data_bits: int) -> int:
-    """Return the length of a description by the words of its first page, in bytes.
+    """Return the length of a description in bytes, from the words of its first page.
 
     Raises:
-        ValueError: where no description can be that long.
+        ValueError: if the length is 0, or more than `MOST_PAGES` pages.
     """
     length = int.from_bytes(_bytes(words, data_bits)[:4], "little")
     if not length or pages_of(length, data_bits) > MOST_PAGES:
@@ -47,10 +51,10 @@ def length_of(words: list[int], data_bits: int) -> int:
 
 
 def description_of(words: list[int], data_bits: int) -> bytes:
-    """Return the description that the words of all pages hold.
+    """Return the description, from the words of all its pages.
 
     Raises:
-        ValueError: where the words are damaged.
+        ValueError: if the CRC-32 is wrong.
     """
     whole = _bytes(words, data_bits)
     description = whole[_HEADER : _HEADER + length_of(words, data_bits)]

@@ -1,9 +1,11 @@
-"""The bytes between two line ends (docs/protocol.md, "Frames"): a body, its check and its end.
+"""Frames (docs/protocol.md, "Frames"): the bytes between two line ends.
 
-A *checked* frame is the body, its CRC and LF. A *plain* one, which a person can type, is the body and CR; a gateway
-ends its plain replies with CR LF. On a medium that several nodes share ("Addressed frames") each body stands behind a
-prefix of `Z` and two digits, which the CRC covers. Everything above this module sees bodies only, and of a session
-what it puts into checks: the seed (`unity_link.protocol.wire.crc.seed_of`).
+- A *checked* frame is a body, its CRC and LF.
+- A *plain* frame, which a person can type, is a body and CR. A gateway ends its plain replies with CR LF.
+- On a medium that several nodes share ("Addressed frames"), each frame begins with a prefix: `Z` and the number of the
+  node in two digits. The CRC covers the prefix.
+
+Other modules handle bodies, and pass the seed of their session (`unity_link.protocol.wire.crc.seed_of`).
 """
 
 from __future__ import annotations
@@ -21,36 +23,36 @@ _CR_BYTE = CR[0]
 COMPACT_START, COMPACT_END, COMPACT_ESCAPE = b"\xb5", b"\xca", b"\xd3"
 """Bytes before and after a frame in compact form, and before a byte with a value of these three."""
 COMPACT_STUFFED = 0x40
-"""Value that is xored into a byte behind `COMPACT_ESCAPE`."""
+"""Value that is xored into a byte after `COMPACT_ESCAPE`."""
 COMPACT_RESERVED = LF + CR + COMPACT_START + COMPACT_END + COMPACT_ESCAPE
-"""Bytes that stand between start and end behind an escape only."""
+"""Byte values that must be escaped between the start and the end of a compact frame."""
 TOKEN_LINE = b"token "
-"""Beginning of the first line of a connection where a token is wanted; no command begins so."""
+"""Beginning of the first line of a connection to a server that requires a token; no command begins with it."""
 LONGEST_FRAME = 16_384
-"""Bytes without a line end that are kept: more than the longest message, a sample of 255 words of 64 bits, has."""
+"""Most bytes without a line end that a receiver keeps; the longest message, a sample of 255 64-bit words, has less."""
 MOST_LINES = 128
-"""Lines that a host looks at one by one in one turn of what runs it; the rest of a read waits for the next."""
+"""Most lines that a host decodes one by one in one turn of its event loop; the rest waits for the next turn."""
 _END = re.compile(rb"[\r\n\xca]")
 _SMALL = ord("a")
 _SAMPLE = ord("P")
 LARGEST_DATAGRAM = 1400
-"""Bytes that are put together into one datagram, its header among them: what passes an Ethernet in one piece."""
+"""Most bytes of a datagram with its header, so that it fits in one Ethernet packet."""
 
 
 def in_session(letter: int) -> bool:
-    """Return whether a frame with a first letter belongs to a session, if there is one: with an ID, or a sample."""
+    """Return whether frames with this first letter have the session in their CRC: those with an ID, and samples."""
     return letter >= _SMALL or letter == _SAMPLE
 
 
 class FrameError(ValueError):
-    """A frame that is damaged, cut, or not for us."""
+    """A frame that is damaged, cut, or for another node."""
 
 
 class CheckError(FrameError):
-    """A frame whose check fails. Its text is made when it is asked for, which is seldom."""
+    """A frame with a wrong CRC. Few handlers print it, so the text is formatted by `__str__`, not when it is raised."""
 
     def __str__(self) -> str:
-        """Return what is wrong."""
+        """Return the message."""
         return f"wrong CRC in {self.args[0][:80]!r}"
 
 
@@ -59,26 +61,26 @@ class OtherNodeError(FrameError):
 
 
 class Framing:
-    """Puts bodies into frames and takes them out again.
+    """Makes frames of bodies, and checks frames and returns their bodies.
 
     Args:
-        crc: the check in use.
-        node: number of the node on a shared medium, 0 to 0xFE, or None for a medium of our own.
+        crc: the CRC of the gateway.
+        node: number of the node on a shared medium, 0 to 0xFE, or None if the medium has one gateway.
     """
 
     def __init__(self, crc: Crc, node: int | None = None) -> None:
         self.crc = crc
         self.prefix = b"" if node is None else b"Z%02X" % node
         self.begun: int = crc.of(self.prefix)
-        """The CRC of the prefix, with which that of a body begins; the seed of a session is xored into it."""
+        """CRC of the prefix: the initial value for a body, before the seed of a session is xored into it."""
         self.ending = crc.text_before(LF)
-        """Returns what stands behind a body, given the value with which its CRC begins: the CRC and LF."""
+        """Returns the CRC of a body and LF; the second argument is the initial value of the CRC."""
         self.ending_size = crc.digits + len(LF)
         self.overhead = len(self.prefix) + self.ending_size
         """Characters of a checked frame beyond its body."""
 
     def checked(self, body: bytes, seed: int = 0) -> bytes:
-        """Return the checked frame of `body`, with the seed of a session if it is a frame of one."""
+        """Return the checked frame of `body`; `seed` is that of the session, or 0."""
         return self.prefix + body + self.ending(body, self.begun ^ seed)
 
     def plain_request(self, body: bytes) -> bytes:
@@ -93,12 +95,12 @@ class Framing:
         """Return the body of a frame that a gateway sent.
 
         Args:
-            line: what came before the LF.
-            seed: of the session under way and what its gateway sends, 0 without one.
+            line: the frame without its LF.
+            seed: seed of the current session for frames of the gateway, 0 if there is no session.
 
         Raises:
-            OtherNodeError: where the frame is another node's; its check has a session that is not known here.
-            CheckError: where the check fails.
+            OtherNodeError: if the frame is another node's. Its CRC is not checked, because its session is unknown.
+            CheckError: if the CRC is wrong.
         """
         if self.prefix:
             if not line.startswith(self.prefix):
@@ -117,24 +119,24 @@ class Framing:
 
 
 def datagrams(data: bytes, room: int = LARGEST_DATAGRAM) -> list[bytes]:
-    """Return frames in as few pieces of at most `room` bytes as they fit in; a longer frame is not cut."""
+    """Divide frames into as few datagrams of at most `room` bytes as possible; a longer frame is not cut."""
     if 0 < len(data) <= room:
         return [data]
     return _pieces(room).findall(data)
 
 
 def end_of_first(data: bytes | bytearray) -> int:
-    """Return where the first of some frames ends, 0 where none does."""
+    """Return the offset after the first complete frame, or 0 if none is complete."""
     found = _END.search(data)
     return 0 if found is None else found.end()
 
 
 def end_of_last(data: bytes) -> int:
-    """Return where the last frame that ends in LF or is compact ends, 0 where none does."""
+    """Return the offset after the last frame that ends in LF or in compact form, or 0 if there is none."""
     return max(data.rfind(LF), data.rfind(COMPACT_END)) + 1
 
 
 @functools.cache
 def _pieces(room: int) -> re.Pattern[bytes]:
-    """Return what matches as many whole frames as fit, or one that is longer."""
+    """Return a pattern that matches as many complete frames as fit in `room` bytes, or one longer frame."""
     return re.compile(rb"(?s:.{1,%d}(?<=[\r\n\xca])(?![\r\n\xca])|[^\r\n\xca]*[\r\n\xca]+)" % room)

@@ -1,6 +1,6 @@
-"""Samples of several groups that stand side by side in any order, checked many at a time.
+"""Interleaved samples: consecutive samples of several groups in any order, checked by numpy.
 
-Frames of one size are looked at together, whatever groups they are of.
+All frames of one size are checked together, even if they belong to several groups.
 """
 
 from __future__ import annotations
@@ -21,42 +21,43 @@ if TYPE_CHECKING:
     from unity_link.protocol.wire.frames import Framing
 
 FEWEST_OF_A_SIZE = 8
-"""Frames of one size that are worth a turn of numpy."""
+"""Fewest frames of one size for which numpy is faster than a loop."""
 
 
 _Parts: TypeAlias = list[tuple["NDArray[np.intp]", "NDArray[np.uint8]"]]
 
 
 class SampleGroup(Protocol):
-    """The part of a `group_table.HeldGroup` by which its samples are known."""
+    """The part of `group_table.HeldGroup` that this module uses."""
 
     length: int
     """Characters of the body of a sample."""
     owner: Any
+    """Receiver of the samples."""
 
 
 class InterleavedSamples(NamedTuple):
-    """Sound samples, side by side."""
+    """Consecutive samples without an error."""
 
     owners: list[Any]
-    """Owners of the groups, in the order of the samples."""
+    """Owner of the group of each sample, in order of arrival."""
     parts: _Parts
-    """Samples of each size: the places of its samples among all, and their bodies, shape (n, length)."""
+    """For each size of frames: the positions of its samples in `owners`, and their bodies, shape (n, length)."""
     size: int
-    """Characters of all frames."""
+    """Characters of all frames together."""
 
 
 def find_interleaved(
     data: bytes, start: int, framing: Framing, groups: Mapping[bytes, SampleGroup], seed: int
 ) -> InterleavedSamples | None:
-    """Return the samples from `start` on, up to the first line that is none of these groups; None where there is none.
+    """Return the samples from `start` on, before the first line that is no sample of `groups`; None if there is none.
 
     Args:
-        data: what was received.
-        start: where a line begins.
-        framing: of the gateway.
-        groups: whose samples are wanted, by their two digits.
-        seed: of what the gateway sends in the session.
+        data: received bytes.
+        start: offset of the beginning of a line.
+        framing: framing of the gateway.
+        groups: the groups, by their number as two hex digits.
+        seed: seed of the session, for frames of the gateway.
     """
     view = np.frombuffer(data, np.uint8, offset=start)
     size = data.find(LF, start) + 1 - start
@@ -71,7 +72,7 @@ def find_interleaved(
         found, count, ends = _of_unlike_sizes(view, framing, head, seed)
     known: list[tuple[NDArray[np.intp], list[Any]]] = []
     for places, bodies in found:
-        # Two digits as one number: many of those are quicker at hand than texts.
+        # Compare the two digits of a group as one number of 16 bits, which is faster than as text.
         numbers = np.frombuffer(bodies[:, 1:3].tobytes(), np.uint16).tolist()
         owners = {}
         for number in set(numbers):
@@ -89,7 +90,7 @@ def find_interleaved(
 
 
 def _in_order(known: list[tuple[NDArray[np.intp], list[Any]]], count: int) -> list[Any]:
-    """Return the first owners of all samples, told those of each size."""
+    """Return the owners of the first `count` samples in order of arrival, given the owners for each frame size."""
     if len(known) == 1:
         return known[0][1][:count]
     owners = [None] * count
@@ -102,7 +103,12 @@ def _in_order(known: list[tuple[NDArray[np.intp], list[Any]]], count: int) -> li
 def _of_unlike_sizes(
     view: NDArray[np.uint8], framing: Framing, head: bytes, seed: int
 ) -> tuple[_Parts, int, NDArray[np.intp] | None]:
-    """Return the sound frames with this head, how many stand before the first other line, and where lines end."""
+    """Check frames of several sizes.
+
+    Returns:
+        The positions and bodies of undamaged frames that begin with `head`, for each size; the number of lines before
+        the first other line; and the end of each line.
+    """
     ends = np.flatnonzero(view == LF[0]) + 1
     begins = np.concatenate((np.zeros(1, ends.dtype), ends[:-1]))
     sizes = ends - begins

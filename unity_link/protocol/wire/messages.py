@@ -1,12 +1,20 @@
-"""The meanings of the frames: every message of the protocol, for any widths that `Q` can report.
+"""The messages of the protocol: requests and responses, for any widths that `Q` can report.
 
-`COMMANDS` is the table of docs/protocol.md, "Requests and responses". A `Codec` is that table made concrete for the
-widths of one gateway; it encodes and decodes both directions, because the virtual gateway speaks the same messages as
-the host.
+`COMMANDS` is the table of docs/protocol.md, "Requests and responses". A `Codec` encodes and decodes these messages with
+the widths of one gateway, in both directions: the host and the simulated gateway use it.
 
-Field letters, as in the protocol: ``a`` address, ``d`` data word, ``m`` mask, ``n`` count, ``g`` group, ``f`` flags,
-``v`` divisor, ``s`` mode, ``i`` ID, ``k`` session, ``b`` session that ended, ``c`` how many posted writes failed, ``e``
-error, ``r`` residue behind error 0A; ``D`` all words and ``A`` all addresses up to the end of the message.
+Letters of fields, as in docs/protocol.md:
+
+    =====  ===================================  =====  ===================================================
+    ``a``  address                              ``s``  mode
+    ``d``  data word                            ``i``  ID
+    ``m``  mask                                 ``k``  session
+    ``n``  count                                ``b``  session that ended
+    ``g``  group                                ``c``  number of posted writes that failed
+    ``f``  flags of a group                     ``e``  error code
+    ``v``  divisor of a group                   ``r``  residue of the CRC, after error 0A
+    ``D``  all words to the end of the message  ``A``  all addresses to the end of the message
+    =====  ===================================  =====  ===================================================
 """
 
 from __future__ import annotations
@@ -30,32 +38,36 @@ if TYPE_CHECKING:
 
 
 class Repeat(enum.Enum):
-    """Rule for the answer to a request that was executed before (docs/protocol.md, "Exactly once, in order")."""
+    """A gateway's answer to a request that it has executed before (docs/protocol.md, "Exactly once, in order")."""
 
     READ_AGAIN = enum.auto()
+    """Read the bus again, and answer with the new words."""
     KEPT = enum.auto()
-    """The words that it gave are kept, and given once more."""
+    """Answer with the words of the first execution, which the gateway stores."""
     ACKNOWLEDGE = enum.auto()
+    """Answer without a bus access."""
     SILENCE = enum.auto()
+    """Send no answer."""
 
 
 class Command(NamedTuple):
-    """One row of the table of messages.
-
-    `fields` stand in the request; `echo` is what a response without an ID repeats of them, `reads` what a response
-    adds, and `tells` what one with an ID does. `feature` is what a gateway must have been built with.
-    """
+    """One row of the table of messages. Fields are given by their letters."""
 
     fields: str
+    """Fields of the request."""
     echo: str = ""
+    """Fields of the request that a response without an ID repeats."""
     reads: str = ""
+    """Fields that the gateway adds to the response."""
     repetition: Repeat = Repeat.ACKNOWLEDGE
     feature: Feature = Feature(0)
-    tells: str = ""
+    """Feature that the gateway must have for this command; 0 for none."""
+    reports: str = ""
+    """Fields that the gateway adds to a response with an ID only."""
 
     def response(self, *, with_id: bool) -> str:
         """Return the letters of the fields of a response."""
-        return self.reads + self.tells if with_id else self.echo + self.reads
+        return self.reads + self.reports if with_id else self.echo + self.reads
 
 
 COMMANDS: dict[str, Command] = {
@@ -72,22 +84,24 @@ COMMANDS: dict[str, Command] = {
     "GX": Command("g", "g", feature=Feature.GROUPS),
     "GP": Command("g", "g", feature=Feature.GROUPS),
     "I": Command("s", "s", feature=Feature.SEND_IMMEDIATE),
-    "H": Command("", tells="c"),
+    "H": Command("", reports="c"),
     "Q": Command(""),
     "K": Command("ik", "ik", "b"),
 }
 SAMPLE_HEAD = 5
 """Characters of the body of a sample before its timestamp and words: letter, group and sequence."""
 TIMESTAMP_DIGITS = 8
-"""Hex digits of the time in a sample."""
+"""Hex digits of the timestamp in a sample."""
 WITHOUT_ID = frozenset({"Q", "K"})
+"""Commands that never have an ID."""
 LOOKING = frozenset({"R", "RM", "H", "Q", "K"})
-"""Commands that are taken without an ID in any session; `K` begins another one, or asks which is under way."""
+"""Commands that a gateway executes without an ID while a session is open; `K` begins a session or queries it."""
 LISTS = {"D": "d", "A": "a"}
+"""Letters of lists, and of their items."""
 
 
 class ErrorCode(enum.IntEnum):
-    """Numbers of the errors that a gateway answers (docs/protocol.md, "Errors")."""
+    """Codes of error responses (docs/protocol.md, "Errors")."""
 
     CRC = 1
     UNKNOWN_COMMAND = 2
@@ -102,7 +116,7 @@ class ErrorCode(enum.IntEnum):
 
 
 class GroupFlag(enum.IntFlag):
-    """Flags for the times and the form of a group's samples."""
+    """Flags of a group: when it is sampled, and how its samples are sent (docs/protocol.md, "Groups")."""
 
     PERIODIC = 1
     TRIGGER = 2
@@ -113,7 +127,7 @@ class GroupFlag(enum.IntFlag):
 
 
 class RequestError(ValueError):
-    """A request that a gateway refuses because of its form; `code` is what it answers."""
+    """A request that a gateway refuses because of its form; `code` is the code of its error response."""
 
     def __init__(self, code: ErrorCode) -> None:
         super().__init__(code.name)
@@ -121,44 +135,41 @@ class RequestError(ValueError):
 
 
 class DecodedRequest(NamedTuple):
-    """A decoded request: the command in upper case, its ID or None, its fields in order (a list's words in a list).
-
-    A `K` without fields, which asks for the session under way, has no values.
-    """
+    """A decoded request."""
 
     command: str
+    """Letters of the command, in upper case."""
     id: int | None
     values: tuple[Any, ...]
+    """Values of the fields in order; a list of words or addresses is one value. Empty for a session query."""
     residue: int = 0
-    """Xor of the check that it came with and of its own, begun with 0; 0 of a plain one."""
+    """The received CRC xored with the CRC of a frame without a session; 0 for a plain frame."""
     repeated: bool = False
-    """True of a read that is executed once more, the end of which is not kept."""
+    """True for a read that was executed before, whose outcome is not stored again."""
 
 
 class DecodedResponse(NamedTuple):
-    """A decoded message of a gateway.
-
-    `command` is in upper case: one of `COMMANDS`, ``X`` (error), ``N`` (out of sequence) or ``P`` (publish). `fields`
-    names what stands in it by the letters of this module; ``p`` is a sequence number. The words of a publish stand
-    undivided, with the timestamp if there is one, in ``text``: only its group tells them apart.
-    """
+    """A decoded message of a gateway."""
 
     command: str
+    """In upper case: one of `COMMANDS`, ``X`` (error), ``N`` (next ID expected) or ``P`` (sample)."""
     id: int | None
     fields: dict[str, Any]
+    """Values of the fields by letter. A sample has ``g``, ``p`` (its sequence number) and ``text``: its timestamp and
+    words as hex digits, which the settings of its group divide."""
 
 
 _PACKED = {2: "B", 4: "H", 8: "I", 16: "Q"}
-"""Format characters of `struct` for numbers of so many hex digits."""
+"""Format characters of `struct`, by the number of hex digits."""
 _LETTERS = re.compile(rb"([G-Z]+|[g-z]+)(?![G-Zg-z])")
 _HEX = re.compile(rb"[0-9A-Fa-f]*")
 
 
 class Codec:
-    """The messages of one gateway.
+    """Encodes and decodes the messages of one gateway.
 
     Args:
-        info: what the gateway said of itself.
+        info: the gateway's configuration.
         node: its number on a shared medium, or None.
     """
 
@@ -188,25 +199,26 @@ class Codec:
         }
         self.id_text, self.id_number = _id_tables(info.id_digits)
         self.lower = {name: name.lower().encode() for name in COMMANDS}
-        """The commands as they stand before an ID."""
+        """Letters of each command before an ID, in lower case."""
         self.openings = {name: self.framing.prefix + letters for name, letters in self.lower.items()}
-        """The same behind the prefix of an addressed frame."""
+        """Characters of each frame before its ID: the prefix of the node, and the letters of the command."""
         overhead = self.framing.overhead + info.id_digits
         self.head_sizes = {name: overhead + len(name) for name in COMMANDS}
-        """Characters of a checked frame with an ID, beyond its fields or data."""
+        """Characters of a checked frame with an ID, without its fields or data, by command."""
         self.commands = {name: row for name, row in COMMANDS.items() if row.feature in info.features}
+        """The commands that this gateway has."""
         self._layouts = {name: self._layout(row.fields) for name, row in COMMANDS.items()}
         self.names: dict[int, str] = {}
-        """Names of addresses for messages to people, where a program has given some."""
+        """Names of addresses for error texts, from the program's spec."""
         self.refusal: Callable[[], str] = lambda: ""
-        """Returns the reason why the bus refuses accesses, where the medium knows one."""
+        """Returns the reason why the bus refuses accesses; empty if the medium does not report one."""
         self.write_fields = self._write_fields()
-        """Returns the fields of `W` and `WS` as `fields` does: this is on the way of every write."""
+        """Returns the fields of `W` and `WS`; faster than `fields`, because every write calls it."""
 
-    # Requests, host to gateway
+    # Requests from host to gateway, encoded
 
     def fields(self, command: str, *values: Any) -> bytes:
-        """Return the fields of a request as hex digits. A list of words or addresses is a sequence or an array."""
+        """Return the fields of a request as hex digits; a list of words or addresses is one sequence or array."""
         layout, digits = self._layouts[command]
         if digits:
             return layout % (*values[:-1], hex_text(values[-1], digits))
@@ -220,28 +232,32 @@ class Codec:
         return lambda address, word: hexlify(pack(address, word)).upper()
 
     def request(self, command: str, number: int, fields: bytes, seed: int = 0) -> bytes:
-        """Return the checked frame of a request with an ID, with the seed of its session."""
+        """Return the checked frame of a request.
+
+        Args:
+            command: letters of the command, in upper case.
+            number: its ID.
+            fields: its fields as hex digits.
+            seed: seed of the session.
+        """
         return self.framing.checked(self.lower[command] + self.id_text[number] + fields, seed)
 
     def opening(self, number: int, session: int) -> bytes:
-        """Return the body of the request that begins a session: `number` is the first ID."""
+        """Return the body of the request that begins a session; `number` is the first ID."""
         return b"K%b%0*X" % (self.id_text[number], self.info.session_digits, session)
 
-    # Requests, as a gateway reads them
+    # Requests from host to gateway, decoded
 
     def decode_request(self, body: bytes) -> DecodedRequest:
-        """Read a request.
-
-        Args:
-            body: of a frame whose length and CRC were right, and whose end is known to the caller.
+        """Decode the body of a checked frame; the caller has checked its CRC and its length.
 
         Raises:
-            RequestError: with the error that a gateway answers: unknown command, or malformed.
+            RequestError: if the command is unknown, or its fields are malformed.
         """
         return self._decode_request(body, short_data=False)
 
     def decode_plain_request(self, body: bytes) -> DecodedRequest:
-        """Read the request of a plain frame, in which the data of `W` and `WS` may be short."""
+        """Decode the body of a plain frame, in which the data of `W` and `WS` may have fewer digits."""
         return self._decode_request(body, short_data=True)
 
     def _decode_request(self, body: bytes, *, short_data: bool) -> DecodedRequest:
@@ -266,7 +282,7 @@ class Codec:
         return DecodedRequest(command, number, self._split(self.commands[command].fields, text))
 
     def _lengthen(self, text: bytes) -> bytes:
-        """Extend a short data field with zeros; a missing one stays missing."""
+        """Extend a short data field with leading zeros; a missing data field stays missing."""
         address = text[: self.info.address_digits]
         data = text[self.info.address_digits :]
         return address + data.rjust(self.info.data_digits, b"0") if data else text
@@ -288,7 +304,7 @@ class Codec:
         return tuple(values)
 
     def _split_list(self, letter: str, text: bytes, count: int | None) -> list[int]:
-        """Read all words (1 to 255 of them) or exactly `count` addresses up to the end."""
+        """Decode a list at the end of a message: 1 to 255 words, or exactly `count` addresses."""
         digits = self.digits[LISTS[letter]]
         found, rest = divmod(len(text), digits)
         if rest or (found != count if count is not None else not 1 <= found <= 255):
@@ -302,15 +318,15 @@ class Codec:
 
         Args:
             request: the request.
-            reads: the word or words read, the session that a `K` has ended or asks for, the number of posted writes
-                that failed in the answer to an `h`; None if there is nothing to tell.
+            reads: value of the fields that the gateway adds: the words read; for `K`, the session that ended, or the
+                current session; for `h`, the number of posted writes that failed. None if there is none.
         """
         row = COMMANDS[request.command]
         if request.id is not None:
             head = request.command.lower().encode() + self.id_text[request.id]
         else:
             head = request.command.encode() + self._echo(row, request.values)
-        added = row.reads or (row.tells if request.id is not None else "")
+        added = row.reads or (row.reports if request.id is not None else "")
         if reads is None or not added:
             return head
         if isinstance(reads, int):
@@ -319,7 +335,7 @@ class Codec:
 
     def _echo(self, row: Command, values: tuple[Any, ...]) -> bytes:
         if not values:
-            # The question for the session, which `K` without fields is, repeats nothing.
+            # The answer to a session query, a `K` without fields, repeats no field.
             return b""
         by_letter = dict(zip(row.fields, values, strict=True))
         if "D" in by_letter:
@@ -327,27 +343,27 @@ class Codec:
         return b"".join(b"%0*X" % (self.digits[letter], by_letter[letter]) for letter in row.echo)
 
     def error(self, code: ErrorCode, number: int | None = None) -> bytes:
-        """Return the body of an error, with the ID of the request that it answers or without."""
+        """Return the body of an error response; `number` is the ID of the request, None for a request without one."""
         return b"X%02X" % code if number is None else b"x%b%02X" % (self.id_text[number], code)
 
     def no_session(self, number: int, residue: int) -> bytes:
-        """Return the body of error 0A about a request with an ID, given what was left in its check."""
+        """Return the body of error 0A for a request with an ID, with the residue of its CRC."""
         return b"%b%0*X" % (self.error(ErrorCode.NO_SESSION, number), self.framing.crc.digits, residue)
 
     def out_of_sequence(self, expected: int) -> bytes:
-        """Return the body of the message that tells the next ID expected."""
+        """Return the body of the message ``n i``, with the next ID that the gateway expects."""
         return b"n" + self.id_text[expected]
 
     def publish(self, group: int, sequence: int, timestamp: int | None, words: Sequence[int] | NDArray[Any]) -> bytes:
-        """Return the body of a published sample; `timestamp` counts clock ticks modulo 2**32."""
+        """Return the body of a sample; `timestamp` is in clock ticks modulo 2**32, or None."""
         time = b"" if timestamp is None else b"%0*X" % (TIMESTAMP_DIGITS, timestamp)
         return b"P%02X%02X%b%b" % (group, sequence, time, hex_text(words, self.info.data_digits))
 
     def decode_response(self, body: bytes) -> DecodedResponse:
-        """Read any message of a gateway, for people and tests; a link reads the frequent ones by shorter ways.
+        """Decode any message of a gateway. A link decodes frequent messages by faster methods.
 
         Raises:
-            ValueError: where `body` is no such message.
+            ValueError: if `body` is not a message of a gateway.
         """
         letters = _LETTERS.match(body)
         if letters is None or not _HEX.fullmatch(body, letters.end()):
@@ -371,7 +387,7 @@ class Codec:
         )
 
     def _letters_expected(self, command: str, text: bytes, *, with_id: bool) -> str | None:
-        """Return the letters of the fields of a message, which its size may choose; None for no message."""
+        """Return the letters of a message's fields, None for an unknown one; the length decides for `K` and `X`."""
         if command == "X":
             return "er" if with_id and len(text) > self.digits["e"] else "e"
         if command == "N" and with_id:
@@ -384,23 +400,23 @@ class Codec:
         return row.response(with_id=with_id)
 
     def _layout(self, letters: str) -> tuple[bytes, int]:
-        """Return the %-format of a request's fields, and the digits of the items of the list at its end, if any."""
+        """Return the %-format of a request's fields, and the digits of each item of its list; 0 without a list."""
         layout = b"".join(b"%b" if letter in LISTS else b"%%0%dX" % self.digits[letter] for letter in letters)
         return layout, self.digits[LISTS[letters[-1]]] if letters[-1:] in LISTS else 0
 
 
 @functools.cache
 def _id_tables(digits: int) -> tuple[list[bytes], dict[bytes, int]]:
-    """Return the IDs of so many digits as text, and their numbers by it.
+    """Return the texts of all IDs by number, and their numbers by text.
 
-    Made once, not at each connection: with three digits there are thousands.
+    Cached, because three digits give thousands of IDs, and each connection needs the tables.
     """
     texts = [b"%0*X" % (digits, number) for number in range(16**digits)]
     return texts, {text: number for number, text in enumerate(texts)}
 
 
 def hex_text(numbers: Sequence[int] | NDArray[Any], digits: int) -> bytes:
-    """Return numbers side by side as upper-case hex digits."""
+    """Return numbers as upper-case hex digits, `digits` for each, without separators."""
     if not isinstance(numbers, (list, tuple)):
         return wire.arrays.hex_rows(numbers, digits).tobytes()
     if digits in _PACKED:
@@ -409,10 +425,10 @@ def hex_text(numbers: Sequence[int] | NDArray[Any], digits: int) -> bytes:
 
 
 def parse_numbers(text: bytes, digits: int) -> list[int]:
-    """Read the numbers of `digits` hex digits each that stand side by side in `text`.
+    """Return the numbers in `text`, each of `digits` hex digits, without separators.
 
     Raises:
-        ValueError: where a character is no hex digit, or the last number is cut.
+        ValueError: if a character is no hex digit, or the last number is cut.
     """
     if len(text) % digits or (digits not in _PACKED and not _HEX.fullmatch(text)):
         raise ValueError(f"numbers of {digits} hex digits were expected, not {text[:80]!r}")

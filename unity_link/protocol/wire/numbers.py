@@ -1,4 +1,4 @@
-"""Words, addresses and features as people give and read them."""
+"""Numbers from programs, checked; and words and addresses as text for people."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ if TYPE_CHECKING:
 
 
 MOST_BITS = 64
-"""Bits of the longest number that a gateway has: a value of 64 bits, or two words of 32."""
+"""Most bits of a number in a gateway: one word of 64 bits, or two of 32."""
 MOST_SECONDS = 1e9
-"""Seconds of the longest time that a program can ask for, some thirty years."""
+"""Longest duration in seconds that a program can pass, about 30 years."""
 
 RATE = (1e-6, 1e9)
-"""Lowest and highest rate of samples in Hz that a spec can say, and a host can be asked for."""
+"""Lowest and highest sample rate in Hz, in a spec and in a program."""
 
 
 class Format(enum.StrEnum):
@@ -33,10 +33,14 @@ class Format(enum.StrEnum):
 
 
 def whole_number(value: int, what: str) -> int:
-    """Return a whole number of whatever type as an `int`: one of numpy wraps where it is reckoned with.
+    """Return a whole number of any type as an `int`, because arithmetic on integers of numpy can overflow.
+
+    Args:
+        value: the number.
+        what: its name, as the subject of the error.
 
     Raises:
-        ArgumentError: if the value is no whole number, is a bool, or takes more than 64 bits.
+        ArgumentError: if the value is no whole number, is a bool, or has more than 64 bits.
     """
     try:
         whole = index(value)
@@ -50,10 +54,14 @@ def whole_number(value: int, what: str) -> int:
 
 
 def real_number(value: float, what: str) -> float:
-    """Return a number of whatever type as a finite `float`.
+    """Return a real number of any type as a finite `float`.
+
+    Args:
+        value: the number.
+        what: beginning of the error, with the name and the expectation: ``a rate is a number of Hz``.
 
     Raises:
-        ArgumentError: if the value is no number, is a bool, NaN or an infinity, or is beyond all floats.
+        ArgumentError: if the value is no number, is a bool, NaN or an infinity, or is too large for a float.
     """
     given: object = value
     if not isinstance(given, bool) and isinstance(given, Real):
@@ -67,10 +75,15 @@ def real_number(value: float, what: str) -> float:
 
 
 def seconds_from(value: float, what: str, *, zero: bool = False) -> float:
-    """Return a number of seconds from above 0 to `MOST_SECONDS`, or from 0 on.
+    """Return a duration in seconds, above 0 and at most `MOST_SECONDS`.
+
+    Args:
+        value: the duration in seconds.
+        what: beginning of the error, with the name and the expectation.
+        zero: accept 0 too.
 
     Raises:
-        ArgumentError: if the value is no such number.
+        ArgumentError: if the value is not in that range.
     """
     seconds = real_number(value, what)
     if seconds < 0 or (seconds == 0 and not zero) or seconds > MOST_SECONDS:
@@ -80,13 +93,13 @@ def seconds_from(value: float, what: str, *, zero: bool = False) -> float:
 
 
 def to_signed(word: int, bits: int) -> int:
-    """Read a word in two's complement."""
+    """Return the signed value of a word of `bits` bits in two's complement."""
     sign = 1 << bits - 1
     return (word ^ sign) - sign
 
 
 def in_form(word: int, bits: int, form: Format) -> str:
-    """Write a word; hex and binary in the width that it has."""
+    """Return a word as text; hex and binary forms have all digits of the width."""
     match form:
         case Format.HEX:
             return f"0x{word:0{-(-bits // 4)}X}"
@@ -99,16 +112,16 @@ def in_form(word: int, bits: int, form: Format) -> str:
 
 
 def in_words(word: int, bits: int) -> str:
-    """Write a word for a person: ``0x00000012 (18)``, and as a negative number where it may be one."""
+    """Return a word as text in hex and decimal: ``0x00000012 (18)`` or ``0xFFFFFFFF (4294967295 or -1)``."""
     return f"{in_form(word, bits, Format.HEX)} ({as_decimal(word, bits)})"
 
 
 def as_decimal(word: int, bits: int) -> str:
-    """Write a word in decimal, and after it the negative number that it may mean."""
+    """Return a word as decimal text; if its highest bit is set, with its signed value: ``4294967295 or -1``."""
     negative = to_signed(word, bits)
     return f"{word} or {negative}" if negative < 0 else str(word)
 
 
 def address_text(address: int, info: GatewayInfo) -> str:
-    """Write an address in hex, in the width that it has."""
+    """Return an address as hex text with all digits of the gateway's width."""
     return f"0x{address:0{info.address_digits}X}"

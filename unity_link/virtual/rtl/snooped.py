@@ -229,7 +229,7 @@ class _Reader:
     def _judge(self, step: SnoopedFrame) -> bool:
         """Decide what the gateway makes of a frame; return whether it may answer."""
         sequence = self._session.sequence
-        step.before = sequence.expected, sequence.gap_told
+        step.before = sequence.expected, sequence.gap_reported
         step.request, step.owes, step.refusal, step.accesses = None, False, b"", []
         line, prefix = step.frame.strip(CR + LF), b""
         if self._prefix:
@@ -249,7 +249,7 @@ class _Reader:
     def _judge_otherwise(self, step: SnoopedFrame, frame: bytes) -> None:
         """Record that a frame reached the gateway as another one, or not at all, and judge anew those behind it."""
         sequence = self._session.sequence
-        sequence.expected, sequence.gap_told = step.before
+        sequence.expected, sequence.gap_reported = step.before
         step.frame = frame
         waiting = list(self._unanswered)
         for later in waiting[waiting.index(step) :]:

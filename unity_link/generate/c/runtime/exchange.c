@@ -14,7 +14,7 @@ static const char TAKEN[] =
 static const char SILENT[] =
     "the gateway does not answer any more: is it powered and connected, or does another program read its answers?";
 static const char FLOODED[] =
-    "the line is full of what is no answer: is an echo on, as behind `stty sane`, has the speed of the port changed, or "
+    "only lines that are no answer arrive: is an echo on, as after `stty sane`, has the speed of the port changed, or "
     "does another program use it?";
 static const char COMPACT_HINT[] = " (if the line changes bytes of compact frames, compact=0 in the URL keeps them text)";
 static const char MTU_HINT[] = " (if the network loses long packets, mtu={{ PATH.SHORTEST_MTU }} in the URL keeps them short)";
