@@ -304,12 +304,12 @@ def _place(
             _place_with(seed, board, work)
             break
         except EndlessError:
-            note(f"the router came to no end with seed {seed} of {_SEEDS[-1]}, and was stopped")
+            note(f"the router did not finish with seed {seed} of {_SEEDS[-1]}, and was stopped")
         except RefusedError as error:
             raise BuildError(refusal(error, name, board_name, board, design.pins)) from error
     else:
         raise BuildError(
-            f"{name} cannot be routed on {board_name}: the router came to no end with any of the seeds 1 to "
+            f"{name} cannot be routed on {board_name}: the router did not finish with any of the seeds 1 to "
             f"{_SEEDS[-1]}; take fewer signals and cores, or a larger FPGA"
         )
     report: dict[str, Any] = json.loads((work / "report.json").read_text())
