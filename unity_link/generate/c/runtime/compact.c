@@ -1,6 +1,4 @@
-/* The compact form: two digits in each byte, between delimiters that do not occur in text (docs/protocol.md, The
- * compact form).
- * ----------------------------------------------------------------------------------------------------------------
+/* The compact form: two digits in each byte, between delimiters of its own (docs/protocol.md, The compact form). ------
  *
  * The other parts of the runtime see only text. The text of a frame is complete once the frame has ended.
  */

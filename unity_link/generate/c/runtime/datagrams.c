@@ -1,4 +1,4 @@
-/* Datagrams: headers that identify late, duplicate and foreign datagrams (docs/protocol.md, Datagrams). -----------------
+/* Datagrams: headers that identify late, duplicate and foreign datagrams (docs/protocol.md, Datagrams). ---------------
  *
  * The transport delivers whole datagrams or loses them. Each datagram has a header, followed by complete frames.
  * Received datagrams that are not newer than all before are dropped. The result is a line that keeps the order and may

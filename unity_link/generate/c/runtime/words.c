@@ -1,4 +1,4 @@
-/* Words: the functions for programs that read and write words. ------------------------------------------------------ */
+/* Words: the functions for programs that read and write words. ----------------------------------------------------- */
 
 ul_status ul_finish(ul_link *link, ul_batch *batch)
 {
