@@ -498,7 +498,7 @@ static uint32_t answered_sending(const ul_link *link, const ul_request *request)
 static void note_answer(ul_link *link, uint32_t id, double now)
 {
     ul_request *request = slot_of(link, id);
-    bool tells = link->sent_again || link->questions > 0 || id != link->oldest;
+    bool may_show_losses = link->sent_again || link->questions > 0 || id != link->oldest;
     uint32_t sending = answered_sending(link, request);
     if (link->is_timed && link->timed == id) note_round_trip(link, now);
     if (request->sent_later == 0) link->timeout = link->measured_timeout;
@@ -508,7 +508,7 @@ static void note_answer(ul_link *link, uint32_t id, double now)
     if (has_no_answer(request)) request->untold = false;
     allow_more(link);
     note_news(link, now);
-    if (tells) find_lost(link, sending, now);
+    if (may_show_losses) find_lost(link, sending, now);
     else note_arrival(link, sending);
 }
 
