@@ -137,7 +137,7 @@ class Stream(asyncio.Protocol):
             self._transport.abort()
 
     def set_medium_again(self) -> None:
-        """Have the driver restore the settings of its medium if another program has changed them."""
+        """Restore the settings of the medium through its driver if another program has changed them."""
         set_again = None if self._transport is None else self._transport.get_extra_info("set_again")
         if set_again is not None and not self.closed:
             set_again()

@@ -70,7 +70,7 @@ class Line:
             return seat
 
     def give_to(self, seat: Seat) -> None:
-        """Give the slot to a seat, which must begin it within `MOST_HESITATION`."""
+        """Assign the slot to a seat, which must begin it within `MOST_HESITATION`."""
         if seat in self.waiting:
             self.waiting.remove(seat)
         self.holder = self.last = seat
@@ -78,7 +78,7 @@ class Line:
         self.free_at = self.clock() + MOST_HESITATION
 
     def pass_on(self) -> Seat | None:
-        """Give the slot to the seat that has waited longest; return that seat, whose `on_turn` must then be called."""
+        """Assign the slot to the seat that has waited longest, and return it; the caller must call its `on_turn`."""
         self.holder, self.free_at = None, -math.inf
         if not self.waiting:
             return None
@@ -175,7 +175,7 @@ class Seat:
             line.free_at = math.inf
 
     def leave(self) -> None:
-        """Give up the seat. If an answer is pending, the next slot begins only after the answer's time limit."""
+        """Leave the line. If an answer is pending, the next slot begins only after the answer's time limit."""
         line = self._line
         with line.lock:
             if line.seats.get(self.node) is not self:
